@@ -1,0 +1,101 @@
+#include "mv/math/shadow.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "mv/error.h"
+#include "mv/math/require.h"
+#include "mv/math/robust.h"
+
+namespace mv {
+namespace {
+
+// The plane with a unit normal.
+vec4 unitPlane(std::string_view subject, const vec4& plane) {
+    requireFinite(subject, "the plane", plane);
+    const vec3 normal(plane);
+    if (normal == vec3(0)) throw Error(subject, "the plane's normal must not be 0", vectorText(plane));
+    const vec3 direction = unit(normal);
+    const double length = glm::dot(direction, normal);
+    const vec4 result(direction, plane.w / length);
+    if (!std::isfinite(length) || !isFinite(result)) {
+        throw Error(subject, "the plane's normal and distance must not overflow", vectorText(plane));
+    }
+    return result;
+}
+
+void requireLight(std::string_view subject, const vec4& light) {
+    requireFinite(subject, "the light", light);
+    if (light.w < 0) {
+        throw Error(subject, "the light's w must be 0 (direction) or positive (point)", vectorText(light));
+    }
+    if (light == vec4(0)) throw Error(subject, "the light must not be 0", vectorText(light));
+}
+
+// n.L, computed once, and the plane turned so that it is positive.
+struct LitPlane {
+    vec4 plane;
+    double height;
+};
+
+LitPlane litPlane(std::string_view subject, const vec4& light, const vec4& unitPlane) {
+    const double height = glm::dot(unitPlane, light);
+    const double size = std::hypot(light.x, light.y, light.z) + std::abs(unitPlane.w) * light.w;
+    const double least = light.w == 0 ? 1e-12 : 1e-6;
+    if (!std::isfinite(height) || !std::isfinite(size)) {
+        throw Error(subject, "light and plane must not be so large that the matrix overflows", vectorText(light));
+    }
+    if (std::abs(height) <= least * size) {
+        const std::string rule = "the light must be off the plane by more than " + numberText(least) +
+                                 (light.w == 0 ? " rad" : " of its distance from the origin");
+        throw Error(subject, rule, numberText(std::abs(height)) + " of " + numberText(size));
+    }
+    return height > 0 ? LitPlane{unitPlane, height} : LitPlane{-unitPlane, -height};
+}
+
+mat4 projectionOnto(std::string_view subject, const vec4& light, const vec4& unitPlane) {
+    const auto [n, height] = litPlane(subject, light, unitPlane);
+    mat4 result(height);
+    for (int column = 0; column < 4; ++column) result[column] -= n[column] * light;
+    if (!isFinite(result)) {
+        throw Error(subject, "light and plane must not be so large that the matrix overflows", vectorText(light));
+    }
+    return result;
+}
+
+}  // namespace
+
+mat4 shadowProjection(const vec4& light, const vec4& plane) {
+    requireLight("shadowProjection", light);
+    return projectionOnto("shadowProjection", light, unitPlane("shadowProjection", plane));
+}
+
+mat4 shadowProjection(const vec4& light, const vec4& plane, const vec3& origin) {
+    requireLight("shadowProjection", light);
+    requireFinite("shadowProjection", "the origin", origin);
+    const vec4 n = unitPlane("shadowProjection", plane);
+    const double off = std::abs(glm::dot(vec3(n), origin) + n.w);
+    if (!(off <= 1e-12 * (std::hypot(origin.x, origin.y, origin.z) + std::abs(n.w)))) {
+        throw Error("shadowProjection", "the origin must lie on the plane", numberText(off) + " off");
+    }
+    const vec4 localLight(vec3(light) - origin * light.w, light.w);
+    requireFinite("shadowProjection", "the light relative to the origin", localLight);
+    return projectionOnto("shadowProjection", localLight, vec4(vec3(n), 0));
+}
+
+std::array<vec4, 2> shadowCasterBounds(const vec4& light, const vec4& plane) {
+    requireLight("shadowCasterBounds", light);
+    const auto [n, height] = litPlane("shadowCasterBounds", light, unitPlane("shadowCasterBounds", plane));
+    return {n, vec4(0, 0, 0, height) - light.w * n};
+}
+
+mat4 reflection(const vec4& plane) {
+    const vec4 n = unitPlane("reflection", plane);
+    mat4 result(1);
+    for (int column = 0; column < 4; ++column) result[column] -= vec4(2 * n[column] * vec3(n), 0);
+    if (!isFinite(result))
+        throw Error("reflection", "the plane's normal and distance must not overflow", vectorText(plane));
+    return result;
+}
+
+}  // namespace mv

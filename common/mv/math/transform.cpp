@@ -1,0 +1,185 @@
+#include "mv/math/transform.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "mv/error.h"
+#include "mv/math/require.h"
+#include "mv/math/robust.h"
+
+namespace mv {
+namespace {
+
+struct Turn {
+    double sine, cosine;
+};
+
+Turn turnOf(std::string_view subject, double degrees) {
+    requireFinite(subject, "the angle", degrees);
+    // fmod is exact and leaves angles within one turn as they are, bit for bit what MV.js computes.
+    const double angle = radians(std::fmod(degrees, 360.0));
+    return {std::sin(angle), std::cos(angle)};
+}
+
+// Coordinates up to this size leave room for the sums and differences below, so that no result overflows.
+constexpr double largestCoordinate = 1e300;
+
+void requireCoordinates(std::string_view subject, std::string_view name, const vec3& v) {
+    requireFinite(subject, name, v);
+    if (std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}) > largestCoordinate) {
+        throw Error(subject, std::string(name).append(" must lie within 1e300 of the origin"), vectorText(v));
+    }
+}
+
+vec3 viewOf(std::string_view subject, const vec3& eye, const vec3& at) {
+    requireCoordinates(subject, "eye", eye);
+    requireCoordinates(subject, "at", at);
+    if (eye == at) throw Error(subject, "eye and at must differ", vectorText(eye));
+    return at - eye;
+}
+
+double largestElement(const mat3& m) {
+    double largest = 0;
+    for (int column = 0; column < 3; ++column) {
+        for (int row = 0; row < 3; ++row) largest = std::max(largest, std::abs(m[column][row]));
+    }
+    return largest;
+}
+
+mat3 timesPowerOfTwo(mat3 m, int exponent) {
+    for (int column = 0; column < 3; ++column) {
+        for (int row = 0; row < 3; ++row) m[column][row] = std::scalbn(m[column][row], exponent);
+    }
+    return m;
+}
+
+mat4 cameraFromWorld(std::string_view subject, const vec3& eye, const vec3& view, const vec3& up) {
+    const vec3 toAt = scaledNearOne(view);
+    const vec3 upward = scaledNearOne(up);
+    const vec3 forward = unit(toAt);
+
+    // Perpendicular to the view and up. The plain product has the bits of MV.js; near parallelism it would cancel.
+    vec3 sideways = glm::cross(forward, upward);
+    if (glm::length(sideways) < 1e-3 * glm::length(upward)) {
+        sideways = accurateCross(toAt, upward);
+        const double angle = glm::length(sideways) / (glm::length(toAt) * glm::length(upward));
+        if (angle < 1e-12) {
+            throw Error(subject, "up must be at least 1e-12 rad off the line of sight", numberText(angle) + " rad");
+        }
+    }
+    const vec3 right = unit(sideways);
+    const vec3 top = unit(glm::cross(right, forward));
+    const vec3 back = -forward;
+
+    // clang-format off
+    return {right.x,                top.x,                back.x,                0,
+            right.y,                top.y,                back.y,                0,
+            right.z,                top.z,                back.z,                0,
+            -glm::dot(right, eye),  -glm::dot(top, eye),  -glm::dot(back, eye),  1};  // column by column
+    // clang-format on
+}
+
+}  // namespace
+
+mat4 translate(const vec3& offset) {
+    requireFinite("translate", "the offset", offset);
+    mat4 result(1);
+    result[3] = vec4(offset, 1);
+    return result;
+}
+
+mat4 translate(double x, double y, double z) { return translate(vec3(x, y, z)); }
+
+mat4 scale(const vec3& factors) {
+    requireFinite("scale", "the factors", factors);
+    mat4 result(1);
+    for (int i = 0; i < 3; ++i) result[i][i] = factors[i];
+    return result;
+}
+
+mat4 scale(double x, double y, double z) { return scale(vec3(x, y, z)); }
+
+mat4 scale(double factor) { return scale(vec3(factor)); }
+
+// The matrices below are written column by column, so each stands transposed to its picture on paper.
+// clang-format off
+mat4 rotateX(double degrees) {
+    const auto [s, c] = turnOf("rotateX", degrees);
+    return {1,  0, 0, 0,
+            0,  c, s, 0,
+            0, -s, c, 0,
+            0,  0, 0, 1};
+}
+
+mat4 rotateY(double degrees) {
+    const auto [s, c] = turnOf("rotateY", degrees);
+    return {c, 0, -s, 0,
+            0, 1,  0, 0,
+            s, 0,  c, 0,
+            0, 0,  0, 1};
+}
+
+mat4 rotateZ(double degrees) {
+    const auto [s, c] = turnOf("rotateZ", degrees);
+    return { c, s, 0, 0,
+            -s, c, 0, 0,
+             0, 0, 1, 0,
+             0, 0, 0, 1};
+}
+
+mat4 rotate(double degrees, const vec3& axis) {
+    const auto [s, c] = turnOf("rotate", degrees);
+    requireFinite("rotate", "the axis", axis);
+    if (axis == vec3(0)) throw Error("rotate", "the axis must not be 0", vectorText(axis));
+    const vec3 v = unit(axis);
+    const double omc = 1.0 - c;
+    return {v.x * v.x * omc + c,        v.x * v.y * omc + v.z * s,  v.x * v.z * omc - v.y * s,  0,
+            v.x * v.y * omc - v.z * s,  v.y * v.y * omc + c,        v.y * v.z * omc + v.x * s,  0,
+            v.x * v.z * omc + v.y * s,  v.y * v.z * omc - v.x * s,  v.z * v.z * omc + c,        0,
+            0,                          0,                          0,                          1};
+}
+// clang-format on
+
+mat4 lookAt(const vec3& eye, const vec3& at, const vec3& up) {
+    const vec3 view = viewOf("lookAt", eye, at);
+    requireFinite("lookAt", "up", up);
+    if (up == vec3(0)) throw Error("lookAt", "up must not be 0", vectorText(up));
+    return cameraFromWorld("lookAt", eye, view, up);
+}
+
+mat4 lookAtAnyRoll(const vec3& eye, const vec3& at) {
+    const vec3 view = viewOf("lookAtAnyRoll", eye, at);
+    int least = 1;
+    for (const int axis : {2, 0}) {
+        if (std::abs(view[axis]) < std::abs(view[least])) least = axis;
+    }
+    vec3 up(0);
+    up[least] = 1;
+    return cameraFromWorld("lookAtAnyRoll", eye, view, up);
+}
+
+mat3 normalMatrix(const mat4& m) {
+    requireFinite("normalMatrix", "the matrix", m);
+
+    // Bring the largest element near 1, so that the products of scale(1e-200) do not vanish.
+    const double size = largestElement(mat3(m));
+    if (size == 0) return mat3(0);
+    const mat3 linear = timesPowerOfTwo(mat3(m), -std::ilogb(size));
+
+    // The columns of the cofactor matrix are cross products of the columns.
+    mat3 cofactors(accurateCross(linear[1], linear[2]), accurateCross(linear[2], linear[0]),
+                   accurateCross(linear[0], linear[1]));
+    const double cofactorSize = largestElement(cofactors);
+    if (cofactorSize == 0) return mat3(0);
+    cofactors = timesPowerOfTwo(cofactors, -std::ilogb(cofactorSize));
+
+    // A rotation's elements have squares that sum to 3: with this factor it gives itself.
+    double squares = 0;
+    for (int i = 0; i < 3; ++i) squares += glm::dot(cofactors[i], cofactors[i]);
+    const double length = std::sqrt(3.0 / squares);
+    const bool mirrors = glm::dot(cofactors[0], linear[0]) < 0;
+    return cofactors * (mirrors ? -length : length);
+}
+
+}  // namespace mv
