@@ -1,0 +1,275 @@
+#include "mv/math/projection.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "mv/math/transform.h"
+#include "support.h"
+
+using namespace mv;
+using namespace mv::test;
+
+namespace {
+
+vec3 ndcOf(const mat4& clipFromCamera, const vec3& p) { return ndcFromClip(clipFromCamera * vec4(p, 1)); }
+
+double distance(const vec3& a, const vec3& b) { return glm::length(a - b); }
+
+// A few roundings of numbers of size 1 (2.2e-16 each).
+constexpr double rounding = 2e-15;
+
+// ---- ortho
+
+TEST(Ortho, MapsTheCornersOfItsBoxToTheCube) {
+    const mat4 m = ortho(-1, 3, 2, 7, 1, 3);
+    EXPECT_LT(distance(ndcOf(m, {-1, 2, -1}), {-1, -1, -1}), rounding);
+    EXPECT_LT(distance(ndcOf(m, {3, 7, -3}), {1, 1, 1}), rounding);
+    EXPECT_EQ(m, glm::ortho(-1.0, 3.0, 2.0, 7.0, 1.0, 3.0));
+}
+
+TEST(Ortho, SwappedBoundsMirror) {
+    // Near beyond far is allowed and turns the depth order over, as in the course's sliders.
+    EXPECT_EQ(ortho(-1, 1, -1, 1, 3, 1), scale(1, 1, -1) * ortho(-1, 1, -1, 1, 1, 3));
+    EXPECT_EQ(ortho(1, -1, -1, 1, 1, 3), scale(-1, 1, 1) * ortho(-1, 1, -1, 1, 1, 3));
+}
+
+// Errata E1, with near 1 and far 3: for near = -far the slide's sign cannot be seen.
+TEST(Ortho, IsNotTheSlides) {
+    mat4 slide = ortho(-1, 1, -1, 1, 1, 3);
+    slide[3][2] = +(3.0 + 1.0) / (3.0 - 1.0);
+    EXPECT_NEAR(ndcOf(slide, {0, 0, -1}).z, 3, rounding);  // 2 (f+n)/(f-n) = 4 too far
+    EXPECT_NEAR(ndcOf(slide, {0, 0, -3}).z, 5, rounding);
+    EXPECT_NEAR(ndcOf(ortho(-1, 1, -1, 1, 1, 3), {0, 0, -1}).z, -1, rounding);
+    EXPECT_NEAR(ndcOf(ortho(-1, 1, -1, 1, 1, 3), {0, 0, -3}).z, 1, rounding);
+
+    // The slide's factor S with 2/(left-right) mirrors x: left comes out on the right.
+    const mat4 slideScale = scale(2.0 / (-1.0 - 1.0), 1, 1);
+    EXPECT_EQ(ndcOf(slideScale, {-1, 0, 0}).x, 1);
+    EXPECT_EQ(ndcOf(ortho(-1, 1, -1, 1, 1, 3), {-1, 0, -1}).x, -1);
+}
+
+TEST(Ortho, RefusalsSayWhatWouldHaveBeenRight) {
+    EXPECT_EQ(refusal([] { ortho(2, 2, -1, 1, 1, 3); }), "ortho: left and right must differ, 2");
+    EXPECT_EQ(refusal([] { ortho(-1, 1, 0, 0, 1, 3); }), "ortho: bottom and top must differ, 0");
+    EXPECT_EQ(refusal([] { ortho(-1, 1, -1, 1, 3, 3); }), "ortho: near and far must differ, 3");
+    EXPECT_EQ(refusal([] { ortho(-1, notANumber, -1, 1, 1, 3); }), "ortho: right must be finite, nan");
+    EXPECT_EQ(refusal([] { ortho(-1, 1, -1, 1, 1, infinite); }), "ortho: far must be finite, inf");
+    EXPECT_EQ(refusal([] { ortho(-1e308, 1e308, -1e-320, 1e-320, 1, 3); }),
+              "ortho: the bounds must be neither so close nor so far apart that the matrix overflows");
+}
+
+// ---- perspective and frustum
+
+TEST(Perspective, MapsTheEdgesOfItsViewToTheCube) {
+    const mat4 m = perspective(60, 2, 0.5, 10);
+    const double tangent = std::tan(radians(30));
+    EXPECT_LT(distance(ndcOf(m, {-2 * 0.5 * tangent, -0.5 * tangent, -0.5}), {-1, -1, -1}), rounding);
+    EXPECT_LT(distance(ndcOf(m, {2 * 10 * tangent, 10 * tangent, -10}), {1, 1, 1}), rounding);
+}
+
+TEST(Perspective, AgreesWithGlm) {
+    for (const double fovy : {1e-3, 10.0, 50.0, 120.0, 179.9}) {
+        for (const double aspect : {0.01, 1.0, 1.5}) {
+            const mat4 expected = glm::perspective(radians(fovy), aspect, 0.3, 3.0);
+            // Entries of up to cot(fovy/2)/aspect.
+            const double bound = rounding * std::max(1.0, expected[0][0]);
+            EXPECT_LE(largestDifference(perspective(fovy, aspect, 0.3, 3.0), expected), bound) << fovy;
+        }
+    }
+}
+
+TEST(Perspective, HasTheCoursesNumbers) {
+    // Ten digits were written down.
+    const mat4 viewpoints = perspective(50, 1, 1, 500);
+    EXPECT_NEAR(viewpoints[1][1], 2.1445069205, 5e-11);
+    EXPECT_NEAR(viewpoints[2][2], -1.0040080160, 5e-11);
+    EXPECT_NEAR(viewpoints[3][2], -2.0040080160, 5e-11);
+    EXPECT_EQ(viewpoints[2][3], -1);
+    const mat4 cube = perspective(65, 1, 0.3, 3);
+    EXPECT_NEAR(cube[0][0], 1.5696855771, 5e-11);
+    EXPECT_NEAR(cube[2][2], -1.2222222222, 5e-11);
+    EXPECT_NEAR(cube[3][2], -0.6666666667, 5e-11);
+}
+
+// Errata E21: the slide says that the camera looks along -z and prints the left-handed matrix for depth [0, 1].
+TEST(Perspective, IsNotTheSlides) {
+    const double n = 0.5;
+    const double f = 4;
+    mat4 slide(1);
+    slide[2] = vec4(0, 0, f / (f - n), 1);
+    slide[3] = vec4(0, 0, n * f / (n - f), 0);
+    const vec4 atNear(0, 0, -n, 1);
+    EXPECT_LT((slide * atNear).w, 0);  // clipping would discard all that is visible
+    EXPECT_NEAR((slide * atNear).z / (slide * atNear).w, 2 * f / (f - n), rounding);
+
+    mat4 right(1);
+    right[2] = vec4(0, 0, f / (n - f), -1);
+    right[3] = vec4(0, 0, n * f / (n - f), 0);
+    for (const double z : {-0.5, -0.7, -1.0, -2.0, -4.0}) {
+        const vec4 ours = perspective(60, 1, n, f) * vec4(0, 0, z, 1);
+        const vec4 theirs = right * vec4(0, 0, z, 1);
+        EXPECT_GT(ours.w, 0);
+        EXPECT_NEAR(theirs.z / theirs.w, (ours.z / ours.w + 1) / 2, rounding);  // [0, 1] against OpenGL's [-1, 1]
+    }
+}
+
+TEST(Frustum, MapsTheCornersOfItsWindowAndAgreesWithGlm) {
+    const mat4 m = frustum(-0.2, 0.6, -0.1, 0.3, 0.5, 10);
+    EXPECT_LT(distance(ndcOf(m, {-0.2, -0.1, -0.5}), {-1, -1, -1}), rounding);
+    EXPECT_LT(distance(ndcOf(m, {0.6 * 20, 0.3 * 20, -10}), {1, 1, 1}), rounding);
+    EXPECT_LT(largestDifference(m, glm::frustum(-0.2, 0.6, -0.1, 0.3, 0.5, 10.0)), rounding);
+}
+
+TEST(Frustum, OfThePerspectivesBoundsIsThePerspective) {
+    const FrustumBounds bounds = frustumBounds(50, 1.5, 1, 500);
+    EXPECT_NEAR(bounds.top, std::tan(radians(25)), rounding);
+    EXPECT_EQ(bounds.right, 1.5 * bounds.top);
+    EXPECT_EQ(bounds.left, -bounds.right);
+    EXPECT_EQ(bounds.bottom, -bounds.top);
+    EXPECT_LT(largestDifference(frustum(bounds), perspective(50, 1.5, 1, 500)), rounding);
+}
+
+TEST(PerspectiveExtremes, X06RefusalsSayWhatWouldHaveBeenRight) {
+    const std::string fovy = "perspective: fovy must be greater than 0 and less than 180 degrees, ";
+    EXPECT_EQ(refusal([] { perspective(0, 1, 1, 2); }), fovy + "0");
+    EXPECT_EQ(refusal([] { perspective(180, 1, 1, 2); }), fovy + "180");
+    EXPECT_EQ(refusal([] { perspective(notANumber, 1, 1, 2); }), fovy + "nan");
+    EXPECT_EQ(refusal([] { perspective(50, 0, 1, 2); }), "perspective: aspect must be greater than 0 and finite, 0");
+    EXPECT_EQ(refusal([] { perspective(50, notANumber, 1, 2); }),
+              "perspective: aspect must be greater than 0 and finite, nan");
+    EXPECT_EQ(refusal([] { perspective(50, 1, 0, 2); }), "perspective: near must be greater than 0 and finite, 0");
+    EXPECT_EQ(refusal([] { perspective(50, 1, -1, 2); }), "perspective: near must be greater than 0 and finite, -1");
+    EXPECT_EQ(refusal([] { perspective(50, 1, 2, 2); }), "perspective: far must be greater than near, near 2, far 2");
+    EXPECT_EQ(refusal([] { perspective(50, 1, 3, 2); }), "perspective: far must be greater than near, near 3, far 2");
+    EXPECT_EQ(refusal([] { perspective(50, 1, 1, infinite); }), "perspective: far must be finite, inf");
+    EXPECT_EQ(refusal([] { perspective(50, 1, 1e200, 1e201); }),
+              "perspective: the bounds must be neither so close nor so far apart that the matrix overflows");
+    EXPECT_EQ(refusal([] { frustum(1, 1, -1, 1, 1, 2); }), "frustum: left and right must differ, 1");
+    EXPECT_EQ(refusal([] { frustum(-1, 1, 2, 2, 1, 2); }), "frustum: bottom and top must differ, 2");
+    EXPECT_EQ(refusal([] { frustum(-1, 1, -1, 1, 0, 2); }), "frustum: near must be greater than 0 and finite, 0");
+    EXPECT_EQ(refusal([] { frustumBounds(50, 1, 2, 2); }),
+              "frustumBounds: far must be greater than near, near 2, far 2");
+
+    // The twins are worse than infinite: finite, and of no use.
+    const glm::mat4 nearZero = glm::perspective(glm::radians(50.0f), 1.0f, 0.0f, 10.0f);
+    for (const float z : {-0.1f, -1.0f, -9.0f}) {
+        const glm::vec4 clip = nearZero * glm::vec4(0, 0, z, 1);
+        EXPECT_EQ(clip.z / clip.w, 1.0f);  // every point at the far plane
+    }
+    const glm::mat4 fovPi = glm::perspective(glm::pi<float>(), 1.0f, 1.0f, 10.0f);
+    EXPECT_LT(std::abs(fovPi[0][0]), 1e-7f);  // everything in one column of pixels
+    EXPECT_FALSE(std::isfinite(glm::perspective(1.0f, 1.0f, 2.0f, 2.0f)[2][2]));
+    EXPECT_FALSE(std::isfinite(glm::ortho(1.0f, 1.0f, -1.0f, 1.0f, 1.0f, 2.0f)[0][0]));
+}
+
+// ---- planes
+
+double inside(const vec4& plane, const vec3& p) { return glm::dot(plane, vec4(p, 1)); }
+
+TEST(PlanesFromClip, AreUnitAndHoldWhatTheClipVolumeHolds) {
+    Random random(7);
+    const mat4 clipFromWorld = perspective(50, 1.5, 0.5, 20) * lookAt({1, 2, 3}, {-4, 0, 1}, {0, 1, 0});
+    const auto planes = planesFromClip(clipFromWorld);
+    for (const vec4& plane : planes) EXPECT_NEAR(glm::length(vec3(plane)), 1, rounding);
+    int seen = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const vec3 p = random.point(10);
+        const vec4 c = clipFromWorld * vec4(p, 1);
+        const bool visible = std::max({std::abs(c.x), std::abs(c.y), std::abs(c.z)}) < c.w;
+        bool held = true;
+        for (const vec4& plane : planes) held = held && inside(plane, p) > 0;
+        EXPECT_EQ(held, visible);
+        if (visible) ++seen;
+    }
+    EXPECT_GT(seen, 100);  // the loop has met both sides
+    EXPECT_LT(seen, 1900);
+}
+
+TEST(PlanesFromClip, OfABoxAreItsSides) {
+    const auto planes = planesFromClip(ortho(-1, 3, 2, 7, 1, 5));
+    EXPECT_NEAR(inside(planes[leftPlane], {0, 0, 0}), 1, rounding);
+    EXPECT_NEAR(inside(planes[rightPlane], {0, 0, 0}), 3, rounding);
+    EXPECT_NEAR(inside(planes[bottomPlane], {0, 0, 0}), -2, rounding);
+    EXPECT_NEAR(inside(planes[topPlane], {0, 0, 0}), 7, rounding);
+    EXPECT_NEAR(inside(planes[nearPlane], {0, 0, 0}), -1, rounding);
+    EXPECT_NEAR(inside(planes[farPlane], {0, 0, 0}), 5, rounding);
+}
+
+TEST(PlanesExtremes, X07FarPlaneAtLargeRatios) {
+    for (const double ratio : {1e2, 1e5, 1e6, 1e7, 1e8}) {
+        const double near = 0.1;
+        const double far = near * ratio;
+        const mat4 clip = perspective(50, 1.5, near, far);
+        const auto planes = planesFromClip(clip);
+        const auto exact = perspectivePlanes(50, 1.5, near, far);
+        for (std::size_t i = 0; i < 6; ++i) {
+            // 2 near/far of the far row is left after cancellation, with the rounding of 1: 1.1e-16 * far/near.
+            EXPECT_LT(glm::length(vec3(planes[i] - exact[i])), 1e-6);
+            EXPECT_NEAR(planes[i].w / std::max(1.0, std::abs(exact[i].w)),
+                        exact[i].w / std::max(1.0, std::abs(exact[i].w)), 1e-6);
+        }
+        EXPECT_EQ(exact[farPlane], vec4(0, 0, 1, far));
+
+        // The twin in float, as Gribb and Hartmann's paper is often copied.
+        const glm::mat4 f = glm::transpose(
+            glm::perspective(glm::radians(50.0f), 1.5f, static_cast<float>(near), static_cast<float>(far)));
+        const glm::vec4 plane = f[3] - f[2];
+        const double error = std::abs(static_cast<double>(plane.w / glm::length(glm::vec3(plane))) / far - 1);
+        if (ratio >= 1e5) {
+            EXPECT_FALSE(error <= 1e-3) << ratio;  // also when it is NaN
+        }
+    }
+    // The parameters lose nothing at any ratio; the matrix says when it has.
+    EXPECT_EQ(perspectivePlanes(50, 1.5, 1e-10, 1e10)[farPlane], vec4(0, 0, 1, 1e10));
+    const std::string lost = refusal([] { planesFromClip(perspective(50, 1.5, 1e-10, 1e10)); });
+    EXPECT_EQ(lost.rfind("planesFromClip: the far plane's normal must not cancel; for an extreme far/near use "
+                         "perspectivePlanes, ",
+                         0),
+              0u)
+        << lost;
+}
+
+TEST(Planes, RefuseWhatIsNoProjection) {
+    EXPECT_EQ(refusal([] { planesFromClip(mat4(0)); }).rfind("planesFromClip: the left plane's normal", 0), 0u);
+    EXPECT_EQ(refusal([] { planesFromClip(mat4(notANumber)); }).rfind("planesFromClip: the matrix column 0", 0), 0u);
+    EXPECT_EQ(refusal([] { perspectivePlanes(0, 1, 1, 2); }),
+              "perspectivePlanes: fovy must be greater than 0 and less than 180 degrees, 0");
+}
+
+// ---- after the projection
+
+TEST(NdcFromClip, DividesAndRefusesWhatLiesBehindTheEye) {
+    EXPECT_EQ(ndcFromClip({1, -2, 3, 4}), vec3(0.25, -0.5, 0.75));
+    EXPECT_EQ(refusal([] {
+                  ndcFromClip({1, 2, 3, 0});
+              }),
+              "ndcFromClip: w must be greater than 0 (clip before dividing), (1, 2, 3, 0)");
+    EXPECT_EQ(refusal([] {
+                  ndcFromClip({1, 2, 3, -1});
+              }),
+              "ndcFromClip: w must be greater than 0 (clip before dividing), (1, 2, 3, -1)");
+    EXPECT_EQ(refusal([] {
+                  ndcFromClip({1, 2, 3, notANumber});
+              }),
+              "ndcFromClip: the clip position must be finite, (1, 2, 3, nan)");
+    EXPECT_EQ(refusal([] {
+                  ndcFromClip({1, 2, 3, 1e-310});
+              }),
+              "ndcFromClip: w must be large enough for the quotient not to overflow, (1, 2, 3, 1e-310)");
+}
+
+TEST(PixelFromNdc, HasYUpAndCentresAtHalves) {
+    EXPECT_EQ(pixelFromNdc(vec2(-1, -1), 640, 480), vec2(0, 0));
+    EXPECT_EQ(pixelFromNdc(vec2(1, 1), 640, 480), vec2(640, 480));
+    EXPECT_EQ(pixelFromNdc(vec3(0, 0, 0.7), 5, 3), vec2(2.5, 1.5));  // the centre of the middle pixel (2, 1)
+    EXPECT_EQ(pixelFromNdc({3, -5}, 2, 2), vec2(4, -4));
+    EXPECT_EQ(refusal([] { pixelFromNdc(vec2(0), 0, 480); }),
+              "pixelFromNdc: width must be greater than 0 and finite, 0");
+    EXPECT_EQ(refusal([] { pixelFromNdc(vec2(0), 640, -1); }),
+              "pixelFromNdc: height must be greater than 0 and finite, -1");
+    EXPECT_EQ(refusal([] { pixelFromNdc(vec2(0, notANumber), 640, 480); }),
+              "pixelFromNdc: the position must be finite, (0, nan)");
+    EXPECT_EQ(refusal([] { pixelFromNdc(vec2(1e308, 0), 640, 480); }),
+              "pixelFromNdc: the pixel must be finite, (inf, 240)");
+}
+
+}  // namespace
