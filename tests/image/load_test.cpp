@@ -283,6 +283,23 @@ TEST(LoadJpeg, HoldsTheSideLimit) {
     EXPECT_TRUE(contains(messageOf([] { (void)decodePicture(jpegFile(Picture(8193, 1)), "test"); }), "too large"));
 }
 
+// stb_image 2.27 writes beyond its table for the first, and uses memory never written for the second.
+TEST(LoadJpeg, RefusesImpossibleTables) {
+    const Bytes whole = jpegFile(smoothPicture(16, 16));
+    const auto segment = [&](unsigned marker) {
+        std::size_t i = 0;
+        while (whole[i] != std::byte{0xFF} || whole[i + 1] != std::byte(marker)) ++i;
+        return i;
+    };
+    Bytes tooManyCodes = whole;
+    tooManyCodes[segment(0xC4) + 5 + 15] = std::byte{255};  // after marker, length and kind: codes of 16 bits
+    tooManyCodes[segment(0xC4) + 5 + 14] = std::byte{255};
+    EXPECT_TRUE(contains(messageOf([&] { (void)decodePicture(tooManyCodes, "test"); }), "Huffman table"));
+    Bytes undefinedTable = whole;
+    undefinedTable[segment(0xDA) + 6] = std::byte{0x33};  // after marker, length, count and component: its tables
+    EXPECT_TRUE(contains(messageOf([&] { (void)decodePicture(undefinedTable, "test"); }), "does not define"));
+}
+
 // A JPEG has no checksums: damage may pass, but only as a picture that is one.
 TEST(LoadJpeg, StandsDamage) {
     const Bytes whole = jpegFile(smoothPicture(40, 24));
