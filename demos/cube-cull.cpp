@@ -1,10 +1,9 @@
 // cube-cull: a cube whose back faces, front faces or both are discarded before they are drawn.
 //
 // Claims (each is a test in tests/claims/cube-cull.cpp):
-// - [convex-needs-no-depth] The cube is closed and convex: with back faces culled, the depth test changes no pixel.
+// - [convex-needs-no-depth] The cube is closed and convex: with back faces culled its pixels need no depth test.
 // - [front-is-inside] Culling front faces shows the inside, and so does culling back faces of the other winding.
-// - [half-to-five-sixths] From outside 1, 2 or 3 faces turn to the eye, so culling discards 1/2 to 5/6 of the
-// triangles.
+// - [half-to-five-sixths] From outside 1, 2 or 3 faces are seen, so culling discards 1/2 to 5/6 of all triangles.
 // - [eye-inside] From inside no face turns to the eye: culling back faces leaves the axes alone.
 // - [lines-stay] Lines have no faces: culling both leaves the axes.
 #include "mv/demo/demo.h"
