@@ -55,6 +55,7 @@ ShaderObject compile(GLenum kind, const ShaderSource& source) {
     GLint compiled = GL_FALSE;
     glGetShaderiv(shader.id(), GL_COMPILE_STATUS, &compiled);
     if (compiled != GL_TRUE) {
+        takeErrors();  // KHR_debug repeats the log, which the Error has
         throw Error(source.files.front(), "must compile", "\n" + readableLog(shaderLog(shader.id()), source));
     }
     labelObject(GL_SHADER, shader.id(), source.files.front());
@@ -98,6 +99,7 @@ Linked link(const std::string& name, const Sources& sources) {
     GLint ok = GL_FALSE;
     glGetProgramiv(program, GL_LINK_STATUS, &ok);
     if (ok != GL_TRUE) {
+        takeErrors();
         GLint length = 0;
         glGetProgramiv(program, GL_INFO_LOG_LENGTH, &length);
         std::string log(static_cast<std::size_t>(std::max(length, 1)), '\0');

@@ -103,6 +103,21 @@ void declareFlags(CLI::App& app, Flags& flags, bool launcher) {
     app.set_help_flag("--help", "print this");
 }
 
+// CLI11 writes a flag's value for "alone" in braces; what can be typed says more.
+std::string helpText(const CLI::App& app) {
+    std::string text = app.help();
+    for (const auto& [braces, words] : {std::pair<std::string, std::string>{"{automatic}", "[=osmesa|egl]"},
+                                        {"--report{text} ", "--report[=json]"},
+                                        {"--knobs{text} ", "--knobs[=json]"}}) {
+        const auto at = text.find(braces);
+        if (at == std::string::npos) continue;
+        // The column of the descriptions stays where it is.
+        const std::size_t longer = words.size() > braces.size() ? words.size() - braces.size() : 0;
+        text.replace(at, braces.size() + longer, words);
+    }
+    return text;
+}
+
 // A flag that is no flag, said with the nearest one.
 UsageError unknown(const CLI::App& app, const std::string& word) {
     std::vector<std::string> names;
@@ -193,6 +208,8 @@ Command parseCommandLine(const std::vector<std::string>& arguments) {
     std::vector<std::string> rest = arguments;
     if (!launcher) {
         command.demo = &catalogue().front();
+        // Its own name may stand first all the same, as in the line that --copyable prints.
+        if (!rest.empty() && rest.front() == command.demo->name) rest.erase(rest.begin());
     } else if (!rest.empty() && rest.front().rfind("-", 0) != 0) {
         try {
             command.demo = &findDemo(rest.front());
@@ -228,7 +245,7 @@ Command parseCommandLine(const std::vector<std::string>& arguments) {
         app.parse(rest);
     } catch (const CLI::CallForHelp&) {
         command.action = Action::help;
-        command.text = app.help();
+        command.text = helpText(app);
         return command;
     } catch (const CLI::ParseError& error) {
         throw UsageError(command.demo ? command.demo->name : "mvgl", error.what());
