@@ -1,6 +1,7 @@
 #include "bench/ratio.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <iomanip>
@@ -60,7 +61,11 @@ Ratio interleaved(const std::function<void()>& a, const std::function<void()>& b
     return {median(ratios), medianDeviation(ratios), median(timesA), median(timesB)};
 }
 
-bool passes(const Row& row) { return row.ratio.median - row.bound <= 3 * row.ratio.mad; }
+Verdict verdict(const Row& row) {
+    const double beyond = row.ratio.median - row.bound;
+    if (beyond <= 0) return Verdict::pass;
+    return beyond > 3 * row.ratio.mad ? Verdict::fail : Verdict::unclear;
+}
 
 void printHeading(std::ostream& out) {
     out << std::left << std::setw(44) << "name" << std::right << std::setw(9) << "ratio" << std::setw(8) << "bound"
@@ -69,15 +74,13 @@ void printHeading(std::ostream& out) {
 }
 
 void printRow(std::ostream& out, const Row& row) {
-    const bool within = row.ratio.median <= row.bound;
-    const char* verdict = "pass (noise)";
-    if (within) verdict = "pass";
-    if (!passes(row)) verdict = "fail";
+    constexpr std::array<const char*, 3> words = {"pass", "fail", "unclear"};
     const auto flags = out.flags();
     const auto precision = out.precision();
     out << std::fixed << std::setprecision(3) << std::left << std::setw(44) << row.name << std::right << std::setw(9)
         << row.ratio.median << std::setw(8) << row.bound << std::setw(11) << row.ratio.medianA << std::setw(11)
-        << row.ratio.medianB << std::setw(9) << row.ratio.mad << "  " << verdict << '\n';
+        << row.ratio.medianB << std::setw(9) << row.ratio.mad << "  " << words[static_cast<std::size_t>(verdict(row))]
+        << '\n';
     out.flags(flags);
     out.precision(precision);
 }

@@ -37,11 +37,12 @@ struct Row {
     double bound = 0;
 };
 
-// A row fails if its ratio is beyond the bound by more than three deviations, that is by more than noise explains.
-[[nodiscard]] bool passes(const Row& row);
+// Beyond the bound by more than three deviations is a failure. Beyond it by less is no success either: the run was too
+// noisy to tell, however far beyond the ratio lies, and has to be repeated.
+enum class Verdict { pass, fail, unclear };
+[[nodiscard]] Verdict verdict(const Row& row);
 
-// "name ratio bound ms_a ms_b mad verdict" as a heading, and the rows beneath it. The verdict is pass, fail, or
-// "pass (noise)" for a ratio that lies beyond the bound but within three deviations of it.
+// "name ratio bound ms_a ms_b mad verdict" as a heading, and the rows beneath it.
 void printHeading(std::ostream& out);
 void printRow(std::ostream& out, const Row& row);
 

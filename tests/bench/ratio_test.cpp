@@ -55,28 +55,23 @@ TEST(Interleaved, RefusesTooFewRounds) {
     EXPECT_THROW((void)interleaved([] {}, [] {}, 6), Error);
 }
 
-TEST(Rows, FailOnlyBeyondNoise) {
-    EXPECT_TRUE(passes({"within", {1.0, 0, 0, 0}, 1.0}));
-    EXPECT_FALSE(passes({"beyond", {1.1, 0.01, 0, 0}, 1.0}));
-    EXPECT_TRUE(passes({"in the noise", {1.1, 0.05, 0, 0}, 1.0}));
+TEST(Rows, NoiseIsNeitherSuccessNorFailure) {
+    EXPECT_EQ(verdict({"within", {1.0, 0, 0, 0}, 1.0}), Verdict::pass);
+    EXPECT_EQ(verdict({"beyond", {1.1, 0.01, 0, 0}, 1.0}), Verdict::fail);
+    EXPECT_EQ(verdict({"in the noise", {1.1, 0.05, 0, 0}, 1.0}), Verdict::unclear);
+    EXPECT_EQ(verdict({"far beyond in much noise", {9.7, 2.8, 0, 0}, 2.0}), Verdict::unclear);
 }
 
 TEST(Rows, PrintOneLineEach) {
-    std::ostringstream out;
-    printRow(out, {"name",
-                   {
-                       1.1,
-                       0.05,
-                       12.5,
-                       25,
-                   },
-                   1.0});
-    EXPECT_NE(out.str().find("pass (noise)"), std::string::npos);
-    EXPECT_NE(out.str().find("12.500"), std::string::npos);
-    EXPECT_EQ(out.str().back(), '\n');
-    std::ostringstream failing;
-    printRow(failing, {"name", {2, 0, 1, 1}, 1.0});
-    EXPECT_NE(failing.str().find("fail"), std::string::npos);
+    const auto printed = [](const Row& row) {
+        std::ostringstream out;
+        printRow(out, row);
+        return out.str();
+    };
+    EXPECT_NE(printed({"name", {1.1, 0.05, 12.5, 25}, 1.0}).find("12.500"), std::string::npos);
+    EXPECT_NE(printed({"name", {1.1, 0.05, 1, 1}, 1.0}).find("  unclear\n"), std::string::npos);
+    EXPECT_NE(printed({"name", {2, 0, 1, 1}, 1.0}).find("  fail\n"), std::string::npos);
+    EXPECT_NE(printed({"name", {1, 0, 1, 1}, 1.0}).find("  pass\n"), std::string::npos);
 }
 
 }  // namespace

@@ -103,8 +103,15 @@ TEST(SignedVolume, ChangesSignWithTheWinding) {
 }
 
 TEST(SignedVolume, KeepsASmallSolidFarAway) {
-    // 1e6 away, where floats are 1/16 apart: seen from the origin the terms would be 1e18 for a volume of 1.
-    EXPECT_EQ(signedVolume(box({1e6, 1e6, 1e6}, {1e6 + 1, 1e6 + 1, 1e6 + 1})), 1);
+    const fvec3 offset(1e6f, -3e6f, 2e6f);
+    MeshData far = sphere(100, 16, 9);
+    MeshData near = far;
+    for (std::size_t i = 0; i < far.positions.size(); ++i) {
+        far.positions[i] += offset;                     // rounded: floats are 1/4 apart there
+        near.positions[i] = far.positions[i] - offset;  // exact
+    }
+    // The same solid; seen from the far origin the terms would be 1e14 with a rounding of 0.01.
+    EXPECT_NEAR(signedVolume(far) / signedVolume(near), 1, 1e-14);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #include "mv/geometry/shapes.h"
 
+#include <bit>
 #include <cmath>
-#include <cstring>
 #include <glm/geometric.hpp>
 #include <string>
 #include <vector>
@@ -36,7 +36,13 @@ std::vector<NamedMesh> shapes() {
     return all;
 }
 
-bool sameBits(const fvec3& a, const fvec3& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+// Unlike ==, tells 0 from -0.
+bool sameBits(const fvec3& a, const fvec3& b) {
+    for (int i = 0; i < 3; ++i) {
+        if (std::bit_cast<std::uint32_t>(a[i]) != std::bit_cast<std::uint32_t>(b[i])) return false;
+    }
+    return true;
+}
 
 // ---- properties of all
 
@@ -154,11 +160,11 @@ TEST(RingStrip, IsTheCoursesTrack) {
     const MeshData track = ringStrip(90, 110, 100);
     ASSERT_EQ(track.positions.size(), 202u);
     EXPECT_EQ(triangleCount(track), 200u);
-    for (int i = 0; i <= 100; ++i) {
-        const double theta = radians(3.6 * i);
+    for (std::size_t i = 0; i <= 100; ++i) {
+        const double theta = radians(3.6 * static_cast<double>(i));
         const vec2 direction(std::cos(theta), std::sin(theta));
-        const vec3 outer(track.positions[static_cast<std::size_t>(2 * i)]);
-        const vec3 inner(track.positions[static_cast<std::size_t>(2 * i + 1)]);
+        const vec3 outer(track.positions[2 * i]);
+        const vec3 inner(track.positions[2 * i + 1]);
         EXPECT_LT(glm::length(outer - vec3(110.0 * direction, 0)), 1e-5);  // floats of size 110: 4e-6
         EXPECT_LT(glm::length(inner - vec3(90.0 * direction, 0)), 1e-5);
     }

@@ -41,7 +41,7 @@ TEST(Picture, KeepsWhatIsSet) {
 TEST(Picture, IsRowMajorFromTheTop) {
     Picture picture(3, 2);
     picture.set(1, 1, {10, 20, 30, 40});
-    const std::size_t offset = (1 * 3 + 1) * 4;
+    const std::size_t offset = 16;  // row 1, column 1, of 3 pixels of 4 bytes a row: (1 * 3 + 1) * 4
     EXPECT_EQ(picture.rgba[offset], 10);
     EXPECT_EQ(picture.rgba[offset + 3], 40);
 }

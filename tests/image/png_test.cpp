@@ -4,9 +4,11 @@
 #include <png.h>
 
 #include <random>
+#include <string>
 
-#include "image/messages.h"
+#include "image/nobody.h"
 #include "image/temporary_folder.h"
+#include "mv/error.h"
 #include "mv/image/file.h"
 #include "mv/image/load.h"
 
@@ -95,10 +97,16 @@ TEST(WritePng, WritesAFile) {
 
 // X40. A small picture fits into every buffer on the way, so that only the last step can notice.
 TEST(WritePng, AFullDiskIsAnError) {
-    for (const int side : {1, 64, 1000}) {
-        EXPECT_EQ(messageOf([&] { writePng("/dev/full", randomPicture(side, side, 6)); }),
-                  "/dev/full: could not be written, No space left on device");
-    }
+    const auto writeToFullDisk = [](int side) {
+        becomeNobody();
+        try {
+            writePng("/dev/full", randomPicture(side, side, 6));
+        } catch (const Error& error) {
+            _exit(error.what() == std::string("/dev/full: could not be written, No space left on device") ? 0 : 2);
+        }
+        _exit(1);
+    };
+    for (const int side : {1, 64, 1000}) EXPECT_EXIT(writeToFullDisk(side), testing::ExitedWithCode(0), "") << side;
 }
 
 TEST(WritePng, ARefusedPictureLeavesTheOldFile) {

@@ -220,12 +220,14 @@ TEST(PlanesExtremes, X07FarPlaneAtLargeRatios) {
     }
     // The parameters lose nothing at any ratio; the matrix says when it has.
     EXPECT_EQ(perspectivePlanes(50, 1.5, 1e-10, 1e10)[farPlane], vec4(0, 0, 1, 1e10));
-    const std::string lost = refusal([] { planesFromClip(perspective(50, 1.5, 1e-10, 1e10)); });
-    EXPECT_EQ(lost.rfind("planesFromClip: the far plane's normal must not cancel; for an extreme far/near use "
-                         "perspectivePlanes, ",
-                         0),
-              0u)
-        << lost;
+    for (const double ratio : {1e11, 1e13, 1e20}) {  // still there in part, mostly noise, gone
+        const std::string lost = refusal([&] { planesFromClip(perspective(50, 1.5, 1, ratio)); });
+        EXPECT_EQ(lost.rfind("planesFromClip: the far plane's normal must not cancel; for an extreme far/near use "
+                             "perspectivePlanes, ",
+                             0),
+                  0u)
+            << lost;
+    }
 }
 
 TEST(Planes, RefuseWhatIsNoProjection) {

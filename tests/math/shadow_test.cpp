@@ -269,8 +269,9 @@ TEST(Robust, UnitHandlesEverySize) {
     const vec3 expected = unit({1, 2, 3});
     EXPECT_NEAR(glm::length(expected), 1, rounding);
     for (const double size : {0x1p-1000, 0x1p-500, 0x1p500, 0x1p1000}) EXPECT_EQ(unit(size * vec3(1, 2, 3)), expected);
-    EXPECT_EQ(scaledNearOne({0, 0, 0}), vec3(0));
-    EXPECT_EQ(scaledNearOne({0, -5e-324, 0}), vec3(0, -1, 0));
+    EXPECT_EQ(scaledForSquares({0, 0, 0}), vec3(0));
+    EXPECT_EQ(scaledForSquares({0, -5e-324, 0}), vec3(0, -1, 0));
+    EXPECT_EQ(scaledForSquares({1e-20, 7, 1e20}), vec3(1e-20, 7, 1e20));  // as it is
 }
 
 TEST(Robust, DifferenceOfProductsKeepsWhatThePlainFormLoses) {

@@ -47,7 +47,7 @@ void requireSize(std::string_view subject, std::string_view name, double value, 
 
 // Point i of n around the unit circle; n is point 0 again, to the last bit.
 vec2 onCircle(int i, int n) {
-    const double angle = 2 * pi * (i % n) / n;
+    const double angle = 2 * pi * (i == n ? 0 : i) / n;
     return {std::cos(angle), std::sin(angle)};
 }
 

@@ -6,16 +6,21 @@
 
 namespace mv {
 
-vec3 scaledNearOne(const vec3& v) {
-    const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-    if (largest == 0) return v;
+int scalingExponent(double size) {
+    // Most calls end here: the power-of-two scaling itself would cost more than the rest of a lookAt.
+    if (size == 0 || (size >= 0x1p-100 && size <= 0x1p100)) return 0;
+    return std::ilogb(size);
+}
+
+vec3 scaledForSquares(const vec3& v) {
+    const int exponent = scalingExponent(std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}));
+    if (exponent == 0) return v;
     // scalbn, not a product with 2^-exponent: that factor itself overflows when v is subnormal.
-    const int exponent = std::ilogb(largest);
     return {std::scalbn(v.x, -exponent), std::scalbn(v.y, -exponent), std::scalbn(v.z, -exponent)};
 }
 
 vec3 unit(const vec3& v) {
-    const vec3 scaled = scaledNearOne(v);
+    const vec3 scaled = scaledForSquares(v);
     return scaled / std::sqrt(glm::dot(scaled, scaled));
 }
 

@@ -5,10 +5,12 @@
 
 namespace mv {
 
-// v times the power of two that brings its largest component into [1, 2); the zero vector stays zero.
-// Multiplying by a power of two rounds nothing, so in the ordinary range v/|v| has the same bits before and after;
-// what changes is that the squares in |v| can no longer overflow or vanish. v must be finite.
-vec3 scaledNearOne(const vec3& v);
+// The exponent e for which size * 2^-e is in [1, 2), or 0 where no scaling is needed: for a size of 0 or within
+// 2^-100..2^100, of which fourth powers neither overflow nor vanish. Multiplying by 2^-e rounds nothing.
+int scalingExponent(double size);
+
+// v times 2^-scalingExponent(its largest component): v itself in the ordinary range. v must be finite.
+vec3 scaledForSquares(const vec3& v);
 
 // v / |v|, for any finite v other than zero, however large or small. The zero vector is the caller's to refuse.
 // Equals MV.js normalize(), which divides by the length (glm::normalize multiplies by a rounded reciprocal).

@@ -48,6 +48,7 @@ double largestElement(const mat3& m) {
 }
 
 mat3 timesPowerOfTwo(mat3 m, int exponent) {
+    if (exponent == 0) return m;
     for (int column = 0; column < 3; ++column) {
         for (int row = 0; row < 3; ++row) m[column][row] = std::scalbn(m[column][row], exponent);
     }
@@ -55,8 +56,8 @@ mat3 timesPowerOfTwo(mat3 m, int exponent) {
 }
 
 mat4 cameraFromWorld(std::string_view subject, const vec3& eye, const vec3& view, const vec3& up) {
-    const vec3 toAt = scaledNearOne(view);
-    const vec3 upward = scaledNearOne(up);
+    const vec3 toAt = scaledForSquares(view);
+    const vec3 upward = scaledForSquares(up);
     const vec3 forward = unit(toAt);
 
     // Perpendicular to the view and up. The plain product has the bits of MV.js; near parallelism it would cancel.
@@ -162,17 +163,17 @@ mat4 lookAtAnyRoll(const vec3& eye, const vec3& at) {
 mat3 normalMatrix(const mat4& m) {
     requireFinite("normalMatrix", "the matrix", m);
 
-    // Bring the largest element near 1, so that the products of scale(1e-200) do not vanish.
+    // Scaled where needed, so that the products of scale(1e-200) do not vanish.
     const double size = largestElement(mat3(m));
     if (size == 0) return mat3(0);
-    const mat3 linear = timesPowerOfTwo(mat3(m), -std::ilogb(size));
+    const mat3 linear = timesPowerOfTwo(mat3(m), -scalingExponent(size));
 
     // The columns of the cofactor matrix are cross products of the columns.
     mat3 cofactors(accurateCross(linear[1], linear[2]), accurateCross(linear[2], linear[0]),
                    accurateCross(linear[0], linear[1]));
     const double cofactorSize = largestElement(cofactors);
     if (cofactorSize == 0) return mat3(0);
-    cofactors = timesPowerOfTwo(cofactors, -std::ilogb(cofactorSize));
+    cofactors = timesPowerOfTwo(cofactors, -scalingExponent(cofactorSize));
 
     // A rotation's elements have squares that sum to 3: with this factor it gives itself.
     double squares = 0;
