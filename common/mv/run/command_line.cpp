@@ -230,6 +230,7 @@ Command parseCommandLine(const std::vector<std::string>& arguments) {
     if (demo) {
         for (const Knob* knob : demo->knobs()) {
             const std::string name = knob->name();
+            if (app.get_option_no_throw("--" + name)) throw Error("knob " + name, "must not be named like a flag");
             app.add_option_function<std::string>(
                    "--" + name,
                    [&command, name](const std::string& text) {
