@@ -1,9 +1,10 @@
 #include "mv/gl/shader_source.h"
 
+#include <cstdio>
 #include <fstream>
 #include <iterator>
 #include <map>
-#include <regex>
+#include <optional>
 #include <sstream>
 #include <utility>
 
@@ -41,26 +42,51 @@ std::string currentText(const ShaderFile& file, ShaderSource& source) {
     return file.text;
 }
 
+// The file that a line `#include "x.glsl"` names.
+std::optional<std::string> includedFile(const std::string& line) {
+    const auto start = line.find_first_not_of(" \t");
+    if (start == std::string::npos || line.compare(start, 8, "#include") != 0) return {};
+    const auto open = line.find('"', start), close = line.rfind('"');
+    if (open == std::string::npos || close == open) return {};
+    return line.substr(open + 1, close - open - 1);
+}
+
+// A line of a driver's log: where in the source, and what.
+struct LogLine {
+    unsigned file, line;
+    std::string message;
+};
+
+std::optional<LogLine> parseLogLine(const std::string& text) {
+    // Mesa: "0:7(3): error: ..."   NVIDIA: "0(7) : error ..."   others: "ERROR: 0:7: ..."
+    for (const char* form : {"%u:%u(%*u): %n", "%u(%u) : %n", "ERROR: %u:%u: %n"}) {
+        unsigned file = 0, line = 0;
+        int end = 0;
+        if (std::sscanf(text.c_str(), form, &file, &line, &end) == 2 && end > 0) {
+            return LogLine{file, line, text.substr(static_cast<std::size_t>(end))};
+        }
+    }
+    return {};
+}
+
 void append(ShaderSource& source, const std::string& shownName, std::string_view text, int depth) {
     if (depth > 8) throw Error(shownName, "must not include itself");
     const auto number = std::to_string(source.files.size());
     source.files.push_back(shownName);
     source.text += "#line 1 " + number + "\n";
-    static const std::regex includeLine(R"(^\s*#include\s+\"([^\"]+)\"\s*$)");
     std::istringstream lines{std::string(text)};
     std::string line;
     for (int lineNumber = 1; std::getline(lines, line); ++lineNumber) {
-        std::smatch match;
-        // The search for '#' first: std::regex on every line would cost more than compiling the shader.
-        if (line.find("#include") == std::string::npos || !std::regex_match(line, match, includeLine)) {
+        const std::optional<std::string> included = includedFile(line);
+        if (!included) {
             source.text += line + "\n";
             continue;
         }
-        const std::string name = "include/" + match[1].str();
+        const std::string name = "include/" + *included;
         const auto found = shaderFiles().find(name);
         if (found == shaderFiles().end()) {
             throw Error(shownName + ":" + std::to_string(lineNumber), "includes a file that is not in shaders/include",
-                        "'" + match[1].str() + "'");
+                        "'" + *included + "'");
         }
         append(source, "shaders/" + name, currentText(found->second, source), depth + 1);
         source.text += "#line " + std::to_string(lineNumber + 1) + " " + number + "\n";
@@ -95,22 +121,14 @@ ShaderSource assembleShaderText(const std::string& shownName, std::string_view t
 }
 
 std::string readableLog(std::string_view log, const ShaderSource& source) {
-    // Mesa: "0:7(3): error: ..."   NVIDIA: "0(7) : error ..."   others: "ERROR: 0:7: ..."
-    static const std::regex mesa(R"(^(\d+):(\d+)\(\d+\): (.*)$)");
-    static const std::regex nvidia(R"(^(\d+)\((\d+)\) : (.*)$)");
-    static const std::regex reference(R"(^ERROR: (\d+):(\d+): (.*)$)");
     std::string readable;
     std::istringstream lines{std::string(log)};
     std::string line;
     while (std::getline(lines, line)) {
         while (!line.empty() && (line.back() == '\0' || line.back() == '\r')) line.pop_back();
         if (line.empty()) continue;
-        std::smatch match;
-        for (const std::regex* form : {&mesa, &nvidia, &reference}) {
-            if (!std::regex_match(line, match, *form)) continue;
-            const auto file = std::stoul(match[1]);
-            if (file < source.files.size()) line = source.files[file] + ":" + match[2].str() + ": " + match[3].str();
-            break;
+        if (const auto found = parseLogLine(line); found && found->file < source.files.size()) {
+            line = source.files[found->file] + ":" + std::to_string(found->line) + ": " + found->message;
         }
         readable += (readable.empty() ? "" : "\n") + line;
     }

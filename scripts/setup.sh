@@ -1,0 +1,88 @@
+# Sourced by ./run and ./test: installs what is missing, configures and builds.
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+build=$root/build
+
+# Each with its reason in the README's table of dependencies.
+run_packages=(g++ cmake ninja-build libglfw3-dev libimgui-dev libglm-dev libstb-dev libpng-dev libcli11-dev
+  nlohmann-json3-dev libgl-dev libegl-dev libegl1 libgl1-mesa-dri fonts-dejavu-core)
+optional_packages=(libosmesa6)  # newer distributions no longer have it; EGL serves without
+test_packages=(libgtest-dev xvfb xauth xdotool clang-format clang-tidy)
+
+fail() {
+  echo "error: $*" >&2
+  exit 1
+}
+
+installed() { dpkg-query -W -f='${Status}' "$1" 2>/dev/null | grep -q 'ok installed'; }
+
+as_root() {
+  if [ "$(id -u)" = 0 ]; then
+    "$@"
+  elif command -v sudo >/dev/null; then
+    sudo "$@"
+  else
+    fail "packages: must be installed by root or with sudo; as root run: apt-get install ${missing[*]}"
+  fi
+}
+
+# install_packages NAME...: those that are missing, by apt-get, with its progress on the terminal.
+install_packages() {
+  missing=()
+  local name
+  for name in "$@"; do installed "$name" || missing+=("$name"); done
+  for name in "${optional_packages[@]}"; do
+    installed "$name" && continue
+    if apt-cache show "$name" >/dev/null 2>&1; then
+      missing+=("$name")
+    elif [ ${#missing[@]} = 0 ]; then
+      echo "note: this distribution has no $name; EGL draws the pictures instead" >&2
+    fi
+  done
+  [ ${#missing[@]} = 0 ] && return
+  command -v apt-get >/dev/null || fail "packages: need apt-get (Debian 12, Ubuntu 24.04 or newer); missing: ${missing[*]}"
+  echo "== installing ${missing[*]}" >&2
+  as_root apt-get update -q >&2 || echo "note: apt-get update failed; trying with the lists that are there" >&2
+  # Asked again: the lists may have been empty before.
+  local wanted=()
+  for name in "${missing[@]}"; do
+    if [[ " ${optional_packages[*]} " == *" $name "* ]] && ! apt-cache show "$name" >/dev/null 2>&1; then
+      echo "note: this distribution has no $name; EGL draws the pictures instead" >&2
+    else
+      wanted+=("$name")
+    fi
+  done
+  as_root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "${wanted[@]}" >&2 ||
+    fail "packages: could not be installed: ${wanted[*]}"
+}
+
+# at_least FOUND NEEDED
+at_least() { [ "$(printf '%s\n%s\n' "$2" "$1" | sort -V | head -n 1)" = "$2" ]; }
+
+check_versions() {
+  local found
+  found=$(cmake --version | sed -n '1s/.* //p')
+  at_least "$found" 3.25 || fail "cmake: must be 3.25 or newer (Debian 12, Ubuntu 24.04), $found"
+  found=$("${CXX:-g++}" -dumpfullversion -dumpversion)
+  at_least "$found" 12 || fail "${CXX:-g++}: must be 12 or newer (Debian 12, Ubuntu 24.04), $found"
+}
+
+# configure FOLDER OPTION...: quietly where it succeeds.
+configure() {
+  local folder=$1 log
+  shift
+  mkdir -p "$folder"
+  log=$folder/configure.log
+  cmake -S "$root" -B "$folder" -G Ninja "$@" >"$log" 2>&1 || {
+    cat "$log" >&2
+    fail "configuring: must succeed; see above"
+  }
+}
+
+# build_targets FOLDER TARGET...: ninja's own progress where there is something to do, else silent.
+build_targets() {
+  local folder=$1
+  shift
+  if ninja -C "$folder" -n "$@" 2>/dev/null | grep -q 'no work to do'; then return; fi
+  ninja -C "$folder" "$@" >&2 || fail "building: must succeed; see above"
+}
