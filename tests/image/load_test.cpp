@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 #include <string>
+#include <utility>
 
 #include "image/messages.h"
 #include "image/png_files.h"
@@ -292,12 +294,22 @@ TEST(LoadJpeg, RefusesImpossibleTables) {
         return i;
     };
     Bytes tooManyCodes = whole;
-    tooManyCodes[segment(0xC4) + 5 + 15] = std::byte{255};  // after marker, length and kind: codes of 16 bits
-    tooManyCodes[segment(0xC4) + 5 + 14] = std::byte{255};
-    EXPECT_TRUE(contains(messageOf([&] { (void)decodePicture(tooManyCodes, "test"); }), "Huffman table"));
-    Bytes undefinedTable = whole;
-    undefinedTable[segment(0xDA) + 6] = std::byte{0x33};  // after marker, length, count and component: its tables
-    EXPECT_TRUE(contains(messageOf([&] { (void)decodePicture(undefinedTable, "test"); }), "does not define"));
+    const std::size_t counts = segment(0xC4) + 5;  // after marker, length and kind: how many codes of 1 to 16 bits
+    std::fill_n(tooManyCodes.begin() + static_cast<std::ptrdiff_t>(counts), 16, std::byte{0});
+    tooManyCodes[counts + 14] = std::byte{2};
+    tooManyCodes[counts + 15] = std::byte{255};
+    EXPECT_TRUE(contains(messageOf([&] { (void)decodePicture(tooManyCodes, "test"); }), "more than 256 codes"));
+    Bytes tooShortCodes = whole;  // as many codes as before, but the five of 3 bits with 1 bit
+    std::swap(tooShortCodes[counts], tooShortCodes[counts + 2]);
+    EXPECT_TRUE(contains(messageOf([&] { (void)decodePicture(tooShortCodes, "test"); }), "more codes than there are"));
+    for (const int tables : {0x30, 0x03}) {
+        Bytes undefinedTable = whole;
+        undefinedTable[segment(0xDA) + 6] = std::byte(tables);  // after marker, length, count and component
+        EXPECT_TRUE(contains(messageOf([&] { (void)decodePicture(undefinedTable, "test"); }), "does not define"));
+    }
+    Bytes noQuantisation = whole;  // the segment turned into a comment
+    noQuantisation[segment(0xDB) + 1] = std::byte{0xFE};
+    EXPECT_TRUE(contains(messageOf([&] { (void)decodePicture(noQuantisation, "test"); }), "does not define"));
 }
 
 // A JPEG has no checksums: damage may pass, but only as a picture that is one.
