@@ -1,0 +1,4 @@
+uniform vec4 paint;
+out vec4 fragColor;
+
+void main() { fragColor = paint; }

@@ -1,0 +1,250 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "mv/math/projection.h"
+#include "mv/math/transform.h"
+#include "support/demo_run.h"
+
+using namespace mv::test;
+using mv::mat4;
+using mv::vec3;
+using mv::vec4;
+
+namespace {
+
+constexpr int lap = 120;  // pictures of 3 degrees
+// The picture of the sweeps: the matrices do not depend on its size while it is square.
+constexpr int small = 70;
+
+// ---- the WebGL page written out once more, with GLM's functions, which take radians
+
+mat4 turn(double degrees, const vec3& axis) { return glm::rotate(mat4(1), glm::radians(degrees), axis); }
+mat4 look(const vec3& eye, const vec3& at) { return glm::lookAtRH(eye, at, vec3(0, 0, 1)); }
+
+struct Pair {
+    mat4 viewFromWorld, viewFromCar;
+};
+
+Pair original(int view, double degrees, double h) {
+    const double x = 100 * std::sin(glm::radians(degrees)), y = 100 * std::cos(glm::radians(degrees));
+    const vec3 zAxis(0, 0, 1);
+    const auto world = [&](const mat4& l) {
+        return Pair{l, l * glm::translate(mat4(1), vec3(x, y, 0)) * turn(-degrees, zAxis)};
+    };
+    const auto car = [&](const mat4& l) {
+        return Pair{l * turn(degrees, zAxis) * glm::translate(mat4(1), vec3(-x, -y, 0)), l};
+    };
+    switch (view) {
+        case 1:
+            return world(look({250, 0, 100 + h}, {0, 0, 0}));
+        case 2:
+            return world(look({75, 0, 5 + h}, {x, y, 0}));
+        case 3:
+            return world(look({125, 0, 5 + h}, {x, y, 0}));
+        case 4:
+            return car(look({-3, 0, 5 + h}, {12, 0, 2 + h}));
+        case 5:
+            return car(turn(-degrees, {0, 1, 0}) * look({3, 0, 5 + h}, {40 - x, 120 - y, 0}));
+        case 6:
+            return car(look({-12, 0, 6 + h}, {15, 0, 4}));
+        case 7:
+            return car(look({25, 5, 5 + h}, {0, 0, 2}));
+        default:
+            return car(look({2, 20, 5 + h}, {2, 0, 2}));
+    }
+}
+
+double largestDifference(const mat4& a, const mat4& b) {
+    double most = 0;
+    for (int column = 0; column < 4; ++column) {
+        for (int row = 0; row < 4; ++row) most = std::max(most, std::abs(a[column][row] - b[column][row]));
+    }
+    return most;
+}
+
+// Where a point of the world falls in the picture, -1 to 1 across and upwards.
+vec3 seenAt(DemoRun& run, const vec3& point) {
+    return mv::ndcFromClip(run.matrix("clipFromView") * run.matrix("viewFromWorld") * vec4(point, 1));
+}
+
+struct Worst {
+    double miss = 0, roll = 0;  // degrees
+};
+
+// The largest miss and roll of a lap, from the matrix alone: where the eye is and what its axes are in the world.
+Worst worstOfLap(DemoRun& run, double aim) {
+    Worst worst;
+    for (int frame = 0; frame < lap; ++frame) {
+        run.picture(frame);
+        const mat4 worldFromView = glm::inverse(run.matrix("viewFromWorld"));
+        const vec3 ahead(worldFromView * vec4(0, 0, -1, 0)), right(worldFromView * vec4(1, 0, 0, 0));
+        const vec3 wanted = glm::normalize(vec3(40, 120, aim) - vec3(worldFromView * vec4(0, 0, 0, 1)));
+        const double miss = glm::degrees(std::asin(std::min(1.0, length(cross(ahead, wanted)))));
+        EXPECT_GT(dot(ahead, wanted), 0);
+        // The horizon's tilt: the right axis leaves the level plane by this much of what it could, cos(pitch).
+        const double roll = glm::degrees(std::asin(std::abs(right.z) / std::hypot(ahead.x, ahead.y)));
+        // 1e-6 degrees: the asin of a sine near 0 has the accuracy of the matrix, 1e-14 radians, with a wide margin.
+        EXPECT_NEAR(run.readout("miss"), miss, 1e-6);
+        EXPECT_NEAR(run.readout("roll"), roll, 1e-6);
+        worst = {std::max(worst.miss, miss), std::max(worst.roll, roll)};
+    }
+    return worst;
+}
+
+}  // namespace
+
+TEST(Viewpoints, eight_views) {
+    DemoRun run("viewpoints", small, small);
+    for (int view = 1; view <= 8; ++view) {
+        for (const double height : {0.0, 12.0}) {
+            run.set("view", std::to_string(view)).set("height", height);
+            for (int frame = 0; frame < lap; frame += 5) {
+                run.picture(frame);
+                const Pair page = original(view, 3.0 * frame, height);
+                // Coordinates up to 300, each from some ten products: 300 * 10 * 1.1e-16 = 3e-13.
+                EXPECT_LT(largestDifference(run.matrix("viewFromWorld"), page.viewFromWorld), 1e-12)
+                    << "view " << view << ", frame " << frame;
+                EXPECT_LT(largestDifference(run.matrix("viewFromCar"), page.viewFromCar), 1e-12)
+                    << "view " << view << ", frame " << frame;
+            }
+        }
+    }
+    // perspective(50, 1, 1, 500) as MV.js prints it: 10 decimals.
+    EXPECT_NEAR(run.matrix("clipFromView")[1][1], 2.1445069205, 1e-10);
+    EXPECT_NEAR(run.matrix("clipFromView")[2][2], -1.0040080160, 1e-10);
+    EXPECT_NEAR(run.matrix("clipFromView")[3][2], -2.0040080160, 1e-10);
+}
+
+TEST(Viewpoints, car_faces_ahead) {
+    DemoRun run("viewpoints", small, small);
+    const auto worldFromCar = [&](int frame) {
+        run.picture(frame);
+        return glm::inverse(run.matrix("viewFromWorld")) * run.matrix("viewFromCar");
+    };
+    for (const char* view : {"1", "4"}) {
+        run.set("view", view);
+        for (int frame = 1; frame < lap; frame += 7) {
+            const vec3 path = glm::normalize(vec3(worldFromCar(frame + 1)[3] - worldFromCar(frame - 1)[3]));
+            const mat4 car = worldFromCar(frame);
+            // A chord from one frame before to one after is parallel to the tangent between them.
+            EXPECT_NEAR(dot(path, vec3(car[0])), 1, 1e-12) << "frame " << frame;
+            // The slide's sign with today's rotateZ: away from the path by twice the direction.
+            const vec3 slide(turn(3.0 * frame, {0, 0, 1})[0]);
+            EXPECT_NEAR(dot(path, slide), std::cos(glm::radians(6.0 * frame)), 1e-12);
+        }
+    }
+}
+
+TEST(Viewpoints, what_stands_still) {
+    DemoRun run("viewpoints", small, small);
+    for (const char* view : {"1", "4", "6", "7", "8", "9"}) {
+        run.set("view", view);
+        run.picture(3);
+        const mat4 world = run.matrix("viewFromWorld"), car = run.matrix("viewFromCar");
+        run.picture(40);
+        const bool outside = view[0] == '1' || view[0] == '9';
+        EXPECT_EQ(run.matrix("viewFromWorld") == world, outside) << view;
+        EXPECT_EQ(run.matrix("viewFromCar") == car, !outside) << view;
+    }
+    // Views 2 and 3 turn after the car, but the eye keeps its place.
+    for (const auto& [view, x] : {std::pair{"2", 75.0}, {"3", 125.0}}) {
+        run.set("view", view).picture(40);
+        const vec3 eye(glm::inverse(run.matrix("viewFromWorld"))[3]);
+        EXPECT_NEAR(length(eye - vec3(x, 0, 5)), 0, 1e-12);  // rounding of coordinates of 100
+    }
+}
+
+TEST(Viewpoints, lap_of_120) {
+    DemoRun run("viewpoints", 300, 300);  // large enough that 3 degrees move the far car by a pixel
+    run.set("view", "3");
+    const mv::Picture first = run.picture(0);
+    EXPECT_EQ(run.readout("direction"), 0);
+    EXPECT_EQ(run.picture(lap), first);
+    EXPECT_EQ(run.readout("direction"), 0);
+    mv::Picture before = run.picture(lap - 1);
+    for (int frame = 0; frame < lap; ++frame) {
+        const mv::Picture now = run.picture(frame);
+        EXPECT_GT(differentPixels(before, now), 0) << frame;
+        EXPECT_EQ(run.readout("direction"), 3.0 * frame);
+        before = now;
+    }
+}
+
+TEST(Viewpoints, slide_misses_house) {
+    DemoRun run("viewpoints", small, small);
+    run.set("view", "5");
+    struct Case {
+        double height, aim, miss, roll;
+    };
+    // Largest of a lap in degrees, to the printed digit: hence the tolerance of half of it. The first looks level.
+    for (const Case& c : {Case{0, 5, 1.8, 0.0}, {0, 0, 3.0, 4.1}, {10, 0, 7.9, 12.0}, {20, 0, 13.0, 19.5}}) {
+        const Worst worst = worstOfLap(run.set("height", c.height).set("aim", c.aim), c.aim);
+        EXPECT_NEAR(worst.miss, c.miss, 0.05) << "height " << c.height;
+        EXPECT_NEAR(worst.roll, c.roll, 0.05) << "height " << c.height;
+    }
+}
+
+TEST(Viewpoints, exact_hits_house) {
+    DemoRun run("viewpoints", small, small);
+    run.set("view", "5").set("exact", "on");
+    for (const double height : {0.0, 10.0, 20.0}) {
+        const Worst worst = worstOfLap(run.set("height", height), 0);
+        // 1e-12 radians: an axis of a matrix from coordinates of 100 is good to some 1e-14.
+        EXPECT_LT(worst.miss, 1e-10);
+        EXPECT_LT(worst.roll, 1e-10);
+        const vec3 house = seenAt(run, {40, 120, 0});
+        EXPECT_NEAR(house.x, 0, 1e-12);
+        EXPECT_NEAR(house.y, 0, 1e-12);
+    }
+    // The eye rides with the car: 3 ahead of its middle, and the car is turned right.
+    run.picture(45);
+    const Pair page = original(4, 135, 0);
+    const mat4 carFromWorld = glm::inverse(page.viewFromCar) * page.viewFromWorld;
+    const vec3 eye(carFromWorld * glm::inverse(run.matrix("viewFromWorld")) * vec4(0, 0, 0, 1));
+    EXPECT_NEAR(length(eye - vec3(3, 0, 25)), 0, 1e-12);
+}
+
+TEST(Viewpoints, down_needs_another_up) {
+    EXPECT_THROW(mv::lookAt(vec3(0, 0, 200), vec3(0, 0, 0), vec3(0, 0, 1)), mv::Error);
+    DemoRun run("viewpoints");
+    const mv::Picture picture = run.set("view", "9").set("height", 40).picture(30);
+    const vec3 middle = seenAt(run, {0, 0, 0}), north = seenAt(run, {0, 90, 0}), east = seenAt(run, {90, 0, 0});
+    EXPECT_NEAR(length(middle - vec3(0, 0, middle.z)), 0, 1e-12);
+    EXPECT_NEAR(north.x, 0, 1e-12);
+    EXPECT_NEAR(east.y, 0, 1e-12);
+    EXPECT_GT(north.y, 0.8);
+    EXPECT_GT(east.x, 0.8);
+    // The car, after a quarter of the lap, is at the right; the whole track is in the picture.
+    for (int y = 0; y < picture.height; ++y) {
+        for (int x = 0; x < picture.width; ++x) {
+            const mv::Pixel p = picture.at(x, y);
+            if (p.blue == 255 && p.red == 0) {
+                EXPECT_GT(x, picture.width * 9 / 10);
+            }
+            const bool rim = x == 0 || y == 0 || x == picture.width - 1 || y == picture.height - 1;
+            if (rim) {
+                EXPECT_EQ(p, picture.at(0, 0));
+            }
+        }
+    }
+    EXPECT_GT(countPixels(picture, {0, 0, 255}), 100);
+}
+
+TEST(Viewpoints, eye_under_the_roof) {
+    DemoRun run("viewpoints", small, small);
+    // What is allowed shows more than one colour all the lap round, in every view.
+    for (int view = 1; view <= 9; ++view) {
+        for (const double height : {-4.0, -3.0, -2.0, -1.0}) {
+            run.set("view", std::to_string(view)).set("height", height);
+            const bool refused = (view == 4 || view == 5) && height < -1;
+            EXPECT_EQ(run.refusal().rfind("--height: must be at least", 0) == 0, refused) << view << ", " << height;
+            if (refused) continue;
+            for (int frame = 0; frame < lap; frame += 3) {
+                EXPECT_GT(countColors(run.picture(frame), 2), 1) << view << ", " << height << ", frame " << frame;
+            }
+        }
+    }
+}
