@@ -54,14 +54,18 @@ TEST_P(Programs, start_from_anywhere) {
 // Drawn into our own framebuffer object, a picture has the same bytes on every host of one Mesa.
 TEST_P(Programs, same_bytes_on_every_host) {
     TemporaryFolder folder;
-    for (const char* host : {"osmesa", "egl"}) {
+    for (const char* host : {"osmesa", "egl", "egl-device"}) {
         const ProcessResult run = runProcess({program(GetParam()), "--shot", folder.file(std::string(host) + ".png"),
                                               std::string("--headless=") + host, "--frame", "15", "--report"});
         ASSERT_EQ(run.status, 0) << run.err;
-        EXPECT_TRUE(has(run.out, host == std::string("egl") ? "host      EGL" : "host      OSMesa")) << run.out;
+        EXPECT_TRUE(has(run.out, host == std::string("osmesa") ? "host      OSMesa"
+                                 : host == std::string("egl")  ? "host      EGL surfaceless"
+                                                               : "host      EGL software device"))
+            << run.out;
         EXPECT_EQ(run.err, "") << "no warning, no note";
     }
     EXPECT_EQ(fileText(folder.file("osmesa.png")), fileText(folder.file("egl.png")));
+    EXPECT_EQ(fileText(folder.file("osmesa.png")), fileText(folder.file("egl-device.png")));
     // The number of threads makes no difference either.
     const ProcessResult one = runProcess({program(GetParam()), "--shot", folder.file("one.png"), "--frame", "15"},
                                          {.environment = {"LP_NUM_THREADS=0"}});
@@ -155,14 +159,18 @@ TEST(Program, hosts_that_are_missing_are_named) {
 // The window system is no part of a run without a window: neither GLFW nor libX11 nor the window module is mapped.
 TEST(Program, a_headless_run_maps_no_window_system) {
     TemporaryFolder folder;
-    // A picture of standard output that never ends would hang; /proc/self/maps is read through the loader's own trace.
-    const ProcessResult run =
-        runProcess({program("cube-cull"), "--shot", folder.file("a.png")}, {.environment = {"LD_DEBUG=files"}});
-    ASSERT_EQ(run.status, 0);
-    ASSERT_TRUE(has(run.err, "libmvgl.so")) << "the loader's trace must name what it maps";
-    ASSERT_TRUE(has(run.err, "libOSMesa")) << "and what is opened later";
-    for (const char* library : {"libglfw", "libX11.so", "mvgl-window", "libimgui"})
-        EXPECT_FALSE(has(run.err, library)) << library;
+    for (const std::string host : {"osmesa", "egl"}) {
+        // The loader's own trace names every library that is mapped, at the start and later.
+        const ProcessResult run =
+            runProcess({program("cube-cull"), "--shot", folder.file("a.png"), "--headless=" + host},
+                       {.environment = {"LD_DEBUG=files"}});
+        ASSERT_EQ(run.status, 0);
+        ASSERT_TRUE(has(run.err, "libmvgl.so"));
+        ASSERT_TRUE(has(run.err, host == "osmesa" ? "libOSMesa" : "libEGL")) << "what is opened later is named, too";
+        for (const char* library : {"libglfw", "libX11.so", "mvgl-window", "libimgui"}) {
+            EXPECT_FALSE(has(run.err, library)) << library << " on " << host;
+        }
+    }
 }
 
 TEST(Program, several_frames_and_comparisons_are_written) {

@@ -80,7 +80,7 @@ TEST(CommandLine, refuses_with_the_rule_and_the_nearest_name) {
         EXPECT_NE(refusal({"cube-cull", "--shot", "a.png", "--compare", compare}), "accepted") << compare;
     }
     EXPECT_TRUE(has(refusal({"cube-cull", "--compare", "cull=back,front"}), "needs --shot"));
-    EXPECT_TRUE(has(refusal({"cube-cull", "--headless=glx"}), "must be osmesa | egl"));
+    EXPECT_TRUE(has(refusal({"cube-cull", "--headless=glx"}), "must be osmesa | egl | egl-device"));
     EXPECT_TRUE(has(refusal({"cube-cull", "--report=xml"}), "must be json"));
     EXPECT_TRUE(has(refusal({"--shot", "a.png"}), "must be named first"));
 }

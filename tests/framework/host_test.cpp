@@ -16,6 +16,7 @@ TEST(Hosts, a_version_that_no_driver_has_is_refused_by_each) {
     std::vector<std::string> notes;
     EXPECT_THROW(openHeadless(HostKind::osmesa, {.version = 99}, notes), Error);
     EXPECT_THROW(openHeadless(HostKind::egl, {.version = 99}, notes), Error);
+    EXPECT_THROW(openHeadless(HostKind::eglDevice, {.version = 99}, notes), Error);
     try {
         openHeadless(HostKind::automatic, {.version = 99}, notes);
         ADD_FAILURE() << "OpenGL 9.9 must be refused";

@@ -13,7 +13,8 @@ class Context {
     virtual void* address(const char* function) const = 0;
 };
 
-enum class HostKind { automatic, osmesa, egl };
+// eglDevice leaves the surfaceless platform out: the software device of EGL, else a GPU.
+enum class HostKind { automatic, osmesa, egl, eglDevice };
 
 struct ContextRequest {
     int version = 33;  // least core version, 10 * major + minor; ES 3.0 where `es` is set
@@ -27,6 +28,6 @@ std::unique_ptr<Context> openHeadless(HostKind kind, ContextRequest request, std
 
 // The hosts themselves; each throws Error with its reason.
 std::unique_ptr<Context> openOsmesa(ContextRequest request);
-std::unique_ptr<Context> openEgl(ContextRequest request, std::vector<std::string>& notes);
+std::unique_ptr<Context> openEgl(ContextRequest request, bool surfaceless, std::vector<std::string>& notes);
 
 }  // namespace mv

@@ -42,11 +42,11 @@ std::string errorText(const Egl& egl) {
 
 class EglContext final : public Context {
   public:
-    EglContext(ContextRequest request, std::vector<std::string>& notes) {
+    EglContext(ContextRequest request, bool surfaceless, std::vector<std::string>& notes) {
         const auto platformDisplay = egl_.extension<PFNEGLGETPLATFORMDISPLAYEXTPROC>("eglGetPlatformDisplayEXT");
         if (!platformDisplay) throw Error("EGL", "must have EGL_EXT_platform_base; a newer libEGL is needed");
         std::string reasons;
-        for (const Candidate& candidate : candidates(platformDisplay)) {
+        for (const Candidate& candidate : candidates(platformDisplay, surfaceless)) {
             try {
                 open(candidate, request);
                 if (!reasons.empty()) notes.push_back("using " + name_ + ", since " + reasons);
@@ -72,10 +72,12 @@ class EglContext final : public Context {
         EGLDisplay display;
     };
 
-    std::vector<Candidate> candidates(PFNEGLGETPLATFORMDISPLAYEXTPROC platformDisplay) const {
+    std::vector<Candidate> candidates(PFNEGLGETPLATFORMDISPLAYEXTPROC platformDisplay, bool surfaceless) const {
         std::vector<Candidate> list;
-        list.push_back(
-            {"EGL surfaceless", platformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr)});
+        if (surfaceless) {
+            list.push_back(
+                {"EGL surfaceless", platformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr)});
+        }
         const auto queryDevices = egl_.extension<PFNEGLQUERYDEVICESEXTPROC>("eglQueryDevicesEXT");
         const auto deviceString = egl_.extension<PFNEGLQUERYDEVICESTRINGEXTPROC>("eglQueryDeviceStringEXT");
         if (!queryDevices || !deviceString) return list;
@@ -158,8 +160,8 @@ class EglContext final : public Context {
 
 }  // namespace
 
-std::unique_ptr<Context> openEgl(ContextRequest request, std::vector<std::string>& notes) {
-    return std::make_unique<EglContext>(request, notes);
+std::unique_ptr<Context> openEgl(ContextRequest request, bool surfaceless, std::vector<std::string>& notes) {
+    return std::make_unique<EglContext>(request, surfaceless, notes);
 }
 
 }  // namespace mv

@@ -5,7 +5,8 @@ namespace mv {
 
 std::unique_ptr<Context> openHeadless(HostKind kind, ContextRequest request, std::vector<std::string>& notes) {
     if (kind == HostKind::osmesa) return openOsmesa(request);
-    if (kind == HostKind::egl || request.es) return openEgl(request, notes);
+    if (kind == HostKind::eglDevice) return openEgl(request, false, notes);
+    if (kind == HostKind::egl || request.es) return openEgl(request, true, notes);
     std::string reason;
     try {
         return openOsmesa(request);
@@ -13,7 +14,7 @@ std::unique_ptr<Context> openHeadless(HostKind kind, ContextRequest request, std
         reason = error.what();
     }
     try {
-        auto context = openEgl(request, notes);
+        auto context = openEgl(request, true, notes);
         notes.push_back("using " + context->name() + ", since " + reason);
         return context;
     } catch (const Error& error) {

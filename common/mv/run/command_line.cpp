@@ -51,7 +51,8 @@ HostKind readHost(const std::string& text) {
     if (text == "automatic") return HostKind::automatic;
     if (text == "osmesa") return HostKind::osmesa;
     if (text == "egl") return HostKind::egl;
-    throw UsageError("--headless", "must be osmesa | egl, or alone", "'" + text + "'");
+    if (text == "egl-device") return HostKind::eglDevice;
+    throw UsageError("--headless", "must be osmesa | egl | egl-device, or alone", "'" + text + "'");
 }
 
 void readCompare(const std::string& text, const Demo& demo, Command& command) {
@@ -87,7 +88,7 @@ void declareFlags(CLI::App& app, Flags& flags, bool launcher) {
     app.add_option("--frames", flags.frames, "several frames; the file is then named a.%04d.png")->type_name("A..B");
     app.add_option("--size", flags.size, "of the picture in pixels; the original's canvas if not given")
         ->type_name("WxH");
-    app.add_flag("--headless{automatic}", flags.headless, "open no window; =osmesa or =egl chooses the host");
+    app.add_flag("--headless{automatic}", flags.headless, "open no window; =osmesa, =egl or =egl-device chooses the host");
     app.add_option("--compare", flags.compare, "two settings side by side, and their difference (with --shot)")
         ->type_name("KNOB=A,B");
     app.add_flag("--report{text}", flags.report, "print readouts, counters, matrices and times; =json as JSON");
@@ -106,7 +107,7 @@ void declareFlags(CLI::App& app, Flags& flags, bool launcher) {
 // CLI11 writes a flag's value for "alone" in braces; what can be typed says more.
 std::string helpText(const CLI::App& app) {
     std::string text = app.help();
-    for (const auto& [braces, words] : {std::pair<std::string, std::string>{"{automatic}", "[=osmesa|egl]"},
+    for (const auto& [braces, words] : {std::pair<std::string, std::string>{"{automatic}", "[=HOST]"},
                                         {"--report{text} ", "--report[=json]"},
                                         {"--knobs{text} ", "--knobs[=json]"}}) {
         const auto at = text.find(braces);
