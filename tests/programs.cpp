@@ -45,7 +45,7 @@ TEST_P(Programs, start_from_anywhere) {
     TemporaryFolder readOnly;
     fs::permissions(readOnly.path(), fs::perms::owner_read | fs::perms::owner_exec);
     const ProcessResult fromReadOnly =
-        runProcess({program(GetParam()), "--shot", folder.file("b.png")}, {.folder = readOnly.path()});
+        runProcess({program(GetParam()), "--shot", folder.file("b.png")}, {.folder = readOnly.path().string()});
     ASSERT_EQ(fromReadOnly.status, 0) << fromReadOnly.err;
     EXPECT_EQ(fileText(picture), fileText(folder.file("b.png")));
     EXPECT_EQ(folder.list(), (std::vector<std::string>{"a.png", "b.png"})) << "nothing else is left behind";
@@ -112,7 +112,7 @@ TEST(Program, exit_statuses_and_messages) {
     expectRefusal(runProcess({cube, "--z-dist", "0", "--shot", folder.file("a.png")}), 1, "--z-dist: must not be 0");
     expectRefusal(runProcess({cube, "--shot", folder.file("missing/a.png")}), 1, "missing/a.png");
     expectRefusal(runProcess({cube, "--shot", "/dev/full"}), 1, "/dev/full");
-    expectRefusal(runProcess({cube, "--shot", folder.path()}), 1, folder.path());
+    expectRefusal(runProcess({cube, "--shot", folder.path().string()}), 1, folder.path().string());
     expectRefusal(runProcess({cube, "--size", "20000x5", "--shot", folder.file("a.png")}), 2, "--size");
     EXPECT_TRUE(folder.list().empty()) << "nothing half-written is left behind";
     for (const char* flag : {"--help", "--version", "--list", "--knobs", "--knobs=json", "--copyable"}) {
@@ -129,7 +129,7 @@ TEST(Program, hosts_that_are_missing_are_named) {
     const std::string picture = folder.file("a.png");
     // A libOSMesa.so.8 that is none stands in for the missing one.
     std::ofstream(folder.file("libOSMesa.so.8")) << "no library";
-    const std::string noOsmesa = "LD_LIBRARY_PATH=" + folder.path();
+    const std::string noOsmesa = "LD_LIBRARY_PATH=" + folder.path().string();
     const ProcessResult fallback = runProcess({cube, "--shot", picture}, {.environment = {noOsmesa}});
     EXPECT_EQ(fallback.status, 0) << fallback.err;
     EXPECT_TRUE(has(fallback.err, "note: using EGL")) << "no fallback without a line that names it: " << fallback.err;

@@ -12,7 +12,7 @@
 
 #include "image/messages.h"
 #include "image/nobody.h"
-#include "image/temporary_folder.h"
+#include "support/temporary_folder.h"
 
 namespace mv {
 namespace {

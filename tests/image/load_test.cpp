@@ -10,10 +10,10 @@
 
 #include "image/messages.h"
 #include "image/png_files.h"
-#include "image/temporary_folder.h"
 #include "mv/image/compare.h"
 #include "mv/image/file.h"
 #include "mv/image/png.h"
+#include "support/temporary_folder.h"
 
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #define STB_IMAGE_WRITE_STATIC

@@ -7,10 +7,10 @@
 #include <string>
 
 #include "image/nobody.h"
-#include "image/temporary_folder.h"
 #include "mv/error.h"
 #include "mv/image/file.h"
 #include "mv/image/load.h"
+#include "support/temporary_folder.h"
 
 namespace mv {
 namespace {

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "support/temporary_folder.h"
+
 namespace mv::test {
 
 struct ProcessResult {
@@ -20,20 +22,5 @@ ProcessResult runProcess(const std::vector<std::string>& command, const ProcessO
 
 // A program of this build tree ("cube-cull").
 std::string program(const std::string& name);
-
-// An empty folder, removed with everything in it at the end.
-class TemporaryFolder {
-  public:
-    TemporaryFolder();
-    ~TemporaryFolder();
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-    const std::string& path() const { return path_; }
-    std::string file(const std::string& name) const { return path_ + "/" + name; }
-    std::vector<std::string> list() const;  // names of what is in it
-
-  private:
-    std::string path_;
-};
 
 }  // namespace mv::test

@@ -3,8 +3,12 @@
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace mv {
 
@@ -17,6 +21,7 @@ class TemporaryFolder {
     }
     ~TemporaryFolder() {
         std::error_code ignored;
+        std::filesystem::permissions(path_, std::filesystem::perms::owner_all, ignored);
         std::filesystem::remove_all(path_, ignored);
     }
     TemporaryFolder(const TemporaryFolder&) = delete;
@@ -24,6 +29,18 @@ class TemporaryFolder {
 
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
     [[nodiscard]] std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+
+    [[nodiscard]] std::string file(const std::string& name) const { return (path_ / name).string(); }
+
+    // The names of all in it, in order.
+    [[nodiscard]] std::vector<std::string> list() const {
+        std::vector<std::string> names;
+        for (const auto& entry : std::filesystem::directory_iterator(path_)) {
+            names.push_back(entry.path().filename().string());
+        }
+        std::sort(names.begin(), names.end());
+        return names;
+    }
 
     // How many entries the folder holds, hidden ones among them: a left-over temporary file would be one too many.
     [[nodiscard]] std::ptrdiff_t entries() const {
