@@ -51,7 +51,7 @@ RayComparison compareWithRays(const Picture& picture, const ShadowScene& scene, 
     for (int row = 0; row < picture.height; ++row) {
         for (int column = 0; column < picture.width; ++column) {
             const double x = column + 0.5, y = row + 0.5;
-            if (except && glm::length(vec2(x, y) - *except) < 8) continue;
+            if (except && glm::length(vec2(x, y) - *except) < 20) continue;
             const Seen seen = seenAt(x, y);
             bool edge = false;
             for (const vec2& aside : {vec2(1, 0), vec2(-1, 0), vec2(0, 1), vec2(0, -1)}) {

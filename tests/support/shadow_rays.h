@@ -27,7 +27,7 @@ Seen castRay(const ShadowScene& scene, const vec2& ndc);
 using SeenColors = std::array<Pixel, 4>;
 
 // The pixels that are not as the rays say. Those within a pixel of an edge are passed over: whether GL covers them is
-// a matter of rounding; as are those within 8 pixels of `except`, where something stands that the rays do not know.
+// a matter of rounding; as are those within 20 pixels of `except`, where something stands that the rays do not know.
 struct RayComparison {
     long wrong = 0;
     long shadow = 0;  // pixels compared that are shadow, by the rays
