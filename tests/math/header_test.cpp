@@ -10,10 +10,12 @@
 #include "mv/geometry/check.h"
 #include "mv/geometry/mesh_data.h"
 #include "mv/geometry/shapes.h"
+#include "mv/math/clip.h"
 #include "mv/math/projection.h"
 #include "mv/math/require.h"
 #include "mv/math/robust.h"
 #include "mv/math/shadow.h"
+#include "mv/math/shadow_caster.h"
 #include "mv/math/transform.h"
 #include "mv/math/types.h"
 

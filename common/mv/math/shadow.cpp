@@ -32,25 +32,37 @@ void requireLight(std::string_view subject, const vec4& light) {
     if (light == vec4(0)) throw Error(subject, "the light must not be 0", vectorText(light));
 }
 
-// n.L, computed once, and the plane turned so that it is positive.
+// How a light stands over a plane, computed once.
+struct LightHeight {
+    double height;  // n.L
+    double size;    // of its terms, whose rounding it may be
+    double least;   // the part of size below which there is no telling
+    bool clear() const { return std::abs(height) > least * size; }
+};
+
+LightHeight lightHeight(std::string_view subject, const vec4& light, const vec4& unitPlane) {
+    const double height = glm::dot(unitPlane, light);
+    const double size = std::hypot(light.x, light.y, light.z) + std::abs(unitPlane.w) * light.w;
+    if (!std::isfinite(height) || !std::isfinite(size)) {
+        throw Error(subject, "light and plane must not be so large that the matrix overflows", vectorText(light));
+    }
+    return {height, size, light.w == 0 ? 1e-12 : 1e-6};
+}
+
+// The plane turned so that n.L is positive.
 struct LitPlane {
     vec4 plane;
     double height;
 };
 
 LitPlane litPlane(std::string_view subject, const vec4& light, const vec4& unitPlane) {
-    const double height = glm::dot(unitPlane, light);
-    const double size = std::hypot(light.x, light.y, light.z) + std::abs(unitPlane.w) * light.w;
-    const double least = light.w == 0 ? 1e-12 : 1e-6;
-    if (!std::isfinite(height) || !std::isfinite(size)) {
-        throw Error(subject, "light and plane must not be so large that the matrix overflows", vectorText(light));
-    }
-    if (std::abs(height) <= least * size) {
-        const std::string rule = "the light must be off the plane by more than " + numberText(least) +
+    const LightHeight over = lightHeight(subject, light, unitPlane);
+    if (!over.clear()) {
+        const std::string rule = "the light must be off the plane by more than " + numberText(over.least) +
                                  (light.w == 0 ? " rad" : " of its distance from the origin");
-        throw Error(subject, rule, numberText(std::abs(height)) + " of " + numberText(size));
+        throw Error(subject, rule, numberText(std::abs(over.height)) + " of " + numberText(over.size));
     }
-    return height > 0 ? LitPlane{unitPlane, height} : LitPlane{-unitPlane, -height};
+    return over.height > 0 ? LitPlane{unitPlane, over.height} : LitPlane{-unitPlane, -over.height};
 }
 
 mat4 projectionOnto(std::string_view subject, const vec4& light, const vec4& unitPlane) {
@@ -87,6 +99,12 @@ std::array<vec4, 2> shadowCasterBounds(const vec4& light, const vec4& plane) {
     requireLight("shadowCasterBounds", light);
     const auto [n, height] = litPlane("shadowCasterBounds", light, unitPlane("shadowCasterBounds", plane));
     return {n, vec4(0, 0, 0, height) - light.w * n};
+}
+
+int lightSide(const vec4& light, const vec4& plane) {
+    requireLight("lightSide", light);
+    const LightHeight over = lightHeight("lightSide", light, unitPlane("lightSide", plane));
+    return !over.clear() ? 0 : over.height > 0 ? 1 : -1;
 }
 
 mat4 reflection(const vec4& plane) {

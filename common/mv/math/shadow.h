@@ -40,6 +40,11 @@ mat4 shadowProjection(const vec4& light, const vec4& plane, const vec3& origin);
 // itself. Refuses what shadowProjection refuses. Relative to an origin: pass light - origin and a plane with d = 0.
 std::array<vec4, 2> shadowCasterBounds(const vec4& light, const vec4& plane);
 
+// Which side of the plane the light is on: 1 where the normal points, -1 behind, and 0 where it lies in the plane as far
+// as shadowProjection is concerned, which then refuses it; for those who have something else to draw instead. Refused:
+// what shadowProjection refuses for other reasons.
+int lightSide(const vec4& light, const vec4& plane);
+
 // The matrix that mirrors in the plane, I - 2 n n^T with unit n: its own inverse, w unchanged. Mirrored faces have
 // their winding turned over: swap glFrontFace while drawing them. Refused: a zero normal, NaN, infinity, overflow.
 // Equals Householder's reflection for d = 0; MV.js and GLU have none.
@@ -53,6 +58,8 @@ mat4 shadowProjection(const glm::vec<4, T, Q>& light, const glm::vec<4, T, Q>& p
                       const glm::vec<3, T, Q>& origin) = delete;
 template <std::same_as<float> T, glm::qualifier Q>
 std::array<vec4, 2> shadowCasterBounds(const glm::vec<4, T, Q>& light, const glm::vec<4, T, Q>& plane) = delete;
+template <std::same_as<float> T, glm::qualifier Q>
+int lightSide(const glm::vec<4, T, Q>& light, const glm::vec<4, T, Q>& plane) = delete;
 template <std::same_as<float> T, glm::qualifier Q>
 mat4 reflection(const glm::vec<4, T, Q>& plane) = delete;
 

@@ -1,0 +1,137 @@
+// shadow: a square and its shadow on the plane y = 0, flattened by one matrix along the rays of a circling light.
+//
+// Claims (each is a test in tests/claims/shadow.cpp):
+// - [cast-by-rays] The picture is what rays show: dark where the way from the plane to the light meets the square.
+// - [textbook-matrix] The matrix is the course's T(light) M T(-light) but for a factor; +1/y_l is on the wrong side.
+// - [on-the-ray] Each corner's shadow lies on the plane y = 0, on the line through light and corner.
+// - [above-the-light] What is above the light casts no shadow; unchecked, one appears opposite (X11).
+// - [at-the-lights-height] A square as high as the light casts none, and no number becomes NaN (X12).
+// - [below-the-floor] What is below the plane casts none; unchecked, its false shadow has w > 0 and is drawn (X13).
+// - [light-not-above] With the light in or below the plane there is no shadow, and a sentence says so (X14).
+// - [circles-by-index] In frame n the light is at angle 0.1 n, computed and not summed up.
+#include <array>
+#include <cmath>
+
+#include "mv/demo/demo.h"
+#include "mv/geometry/shapes.h"
+#include "mv/gl/gl.h"
+#include "mv/math/clip.h"
+#include "mv/math/projection.h"
+#include "mv/math/shadow.h"
+#include "mv/math/shadow_caster.h"
+#include "mv/math/transform.h"
+
+using namespace mv;
+
+namespace {
+
+const vec4 planeOfShadow(0, 1, 0, 0);  // y = 0
+const vec4 everywhere(0, 0, 0, 1);     // a half space that cuts nothing off
+
+struct Shadow final : Demo {
+    Real lightHeight{this, "light-height", 2, {-1, 4}, "height of the light above the plane y = 0"};
+    Real squareHeight{this, "square-height", 0.5, {-0.5, 1.5}, "height of the middle of the square"};
+    Angle tilt{this, "tilt", 0, "turn of the square about its middle, so that one side rises"};
+
+    Readout leastW{this, "least-w",
+                   "smallest w of the shadow's corners: how far the highest corner is below the light"};
+    Readout area{this, "shadow-area", "area of the shadow; the square's is 1"};
+
+    Program program;
+    Mesh caster;
+
+    void init() override {
+        program = Program("shadow");
+        caster = Mesh(square(), "square");
+    }
+
+    void draw(const Frame& frame) override {
+        // Clear the picture
+        glClearColor(1, 1, 1, 1);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        glEnable(GL_DEPTH_TEST);
+        glDepthFunc(GL_LESS);
+
+        // Let the light go round
+        const double theta = 0.1 * frame.index();
+        const vec4 light(std::sin(theta), lightHeight, std::cos(theta), 1);
+
+        // Draw the square
+        const mat4 worldFromModel = translate(0, squareHeight, 0) * rotateZ(tilt);
+        const mat4 viewFromWorld = lookAt(vec3(1, 1, 1), vec3(0, 0, 0), vec3(0, 1, 0));
+        const mat4 clipFromView = ortho(-2 * frame.aspect(), 2 * frame.aspect(), -2, 2, -4, 4);
+        frame.show("worldFromModel", worldFromModel);
+        frame.show("viewFromWorld", viewFromWorld);
+        frame.show("clipFromView", clipFromView);
+        program.use();
+        program.set("worldFromModel", worldFromModel);
+        program.set("viewFromModel", viewFromWorld * worldFromModel);
+        program.set("clipFromView", clipFromView);
+        program.set("abovePlane", everywhere);
+        program.set("belowLight", everywhere);
+        program.set("color", vec4(1, 0, 0, 1));
+        caster.draw();
+
+        // Draw it once more, flattened onto the plane: the shadow
+        const auto corners = cornersOf(worldFromModel);
+        const CasterVerdict verdict = judgeCaster("square", corners, light, planeOfShadow);
+        if (!verdict.sentence.empty()) frame.say(verdict.sentence);
+        if (verdict.casts) drawShadow(frame, light, viewFromWorld, worldFromModel);
+        if (frame.readouts()) measure(corners, light, verdict.casts);
+    }
+
+    void drawShadow(const Frame& frame, const vec4& light, const mat4& viewFromWorld, const mat4& worldFromModel) {
+        const mat4 shadowFromWorld = shadowProjection(light, planeOfShadow);
+        frame.show("shadowFromWorld", shadowFromWorld);
+        program.set("viewFromModel", viewFromWorld * shadowFromWorld * worldFromModel);
+
+        // A false shadow must not be seen. GL itself drops what has w <= 0, but only in a parallel view is that the w
+        // of the shadow: in perspective it is multiplied by the depth, and a false shadow behind the eye has w > 0
+        // again. And w says nothing of what lies below the plane. So each pixel of the shadow carries the distances of
+        // the point that casts it, and is discarded when that point is not between plane and light. They are linear on
+        // the caster, and the interpolation undoes the division by w: it stays exact where GL cuts at w = 0.
+        const auto [abovePlane, belowLight] = shadowCasterBounds(light, planeOfShadow);
+        program.set("abovePlane", abovePlane);
+        program.set("belowLight", belowLight);
+        program.set("color", vec4(0, 0, 0, 1));
+        caster.draw();
+    }
+
+    static std::array<vec3, 4> cornersOf(const mat4& worldFromModel) {
+        std::array<vec3, 4> corners{vec3(-0.5, 0, 0.5), vec3(0.5, 0, 0.5), vec3(0.5, 0, -0.5), vec3(-0.5, 0, -0.5)};
+        for (vec3& corner : corners) corner = vec3(worldFromModel * vec4(corner, 1));
+        return corners;
+    }
+
+    void measure(const std::array<vec3, 4>& corners, const vec4& light, bool casts) {
+        std::vector<vec4> outline;
+        double highest = -HUGE_VAL;
+        for (const vec3& corner : corners) {
+            outline.emplace_back(corner, 1);
+            highest = std::fmax(highest, corner.y);
+        }
+        leastW = lightHeight - highest;                 // row 4 of the matrix is (0, -1, 0, light-height)
+        if (!casts || leastW.value() <= 1e-12) return;  // no shadow, or one that reaches to infinity
+        const mat4 shadowFromWorld = shadowProjection(light, planeOfShadow);
+        std::vector<vec3> shadow;
+        for (const vec4& corner : clipPolygon(outline, shadowCasterBounds(light, planeOfShadow))) {
+            const vec4 cast = shadowFromWorld * corner;
+            shadow.push_back(vec3(cast) / cast.w);
+        }
+        area = polygonArea(shadow);
+    }
+};
+
+const bool added = addDemo<Shadow>({
+    .name = "shadow",
+    .sentence = "A planar shadow: the square drawn twice, the second time flattened by a matrix and in black.",
+    .lookFor = "The shadow moves against the light, and grows as the light comes down towards the square.",
+    .chapter = "Shadows",
+    .number = 9,
+    .width = 512,
+    .height = 512,
+    .animated = true,
+    .needs = {.depth = true},
+});
+
+}  // namespace
