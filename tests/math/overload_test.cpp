@@ -53,6 +53,10 @@ template <typename M>
 concept HasPlanes = requires(M m) {
     planesFromClip(m);
 };
+template <typename M>
+concept HasCorners = requires(M m) {
+    viewVolumeCorners(m);
+};
 template <typename V>
 concept HasNdc = requires(V v) {
     ndcFromClip(v);
@@ -93,7 +97,8 @@ concept HasFrustum = requires(T t) {
 TEST(Overloads, DoubleCallsAreMvs) {
     EXPECT_TRUE(LooksAt<vec3> && LooksAtAnyRoll<vec3> && Translates<vec3> && Scales<vec3>);
     EXPECT_TRUE((Rotates<double, vec3> && Rotates<int, vec3>));
-    EXPECT_TRUE(HasNormalMatrix<mat4> && HasPlanes<mat4> && HasNdc<vec4> && HasPixel<vec2> && HasPixel<vec3>);
+    EXPECT_TRUE(HasNormalMatrix<mat4> && HasPlanes<mat4> && HasCorners<mat4> && HasNdc<vec4> && HasPixel<vec2> &&
+                HasPixel<vec3>);
     EXPECT_TRUE((HasShadow<vec4> && HasLocalShadow<vec4, vec3> && HasBounds<vec4> && Reflects<vec4>));
     EXPECT_TRUE(HasPerspective<double> && HasPerspective<int> && HasOrtho<int> && HasFrustum<int>);
     // By the checks: GLM's lookAt refuses nothing.
@@ -110,6 +115,7 @@ TEST(Overloads, FloatCallsAreErrors) {
     EXPECT_FALSE((Rotates<int, fvec3>));
     EXPECT_FALSE(HasNormalMatrix<fmat4>);
     EXPECT_FALSE(HasPlanes<fmat4>);
+    EXPECT_FALSE(HasCorners<fmat4>);
     EXPECT_FALSE(HasNdc<fvec4>);
     EXPECT_FALSE(HasPixel<fvec2>);
     EXPECT_FALSE(HasPixel<fvec3>);

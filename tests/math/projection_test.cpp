@@ -237,6 +237,38 @@ TEST(Planes, RefuseWhatIsNoProjection) {
               "perspectivePlanes: fovy must be greater than 0 and less than 180 degrees, 0");
 }
 
+// ---- corners of a volume
+
+TEST(ViewVolumeCorners, GoToTheCornersOfTheCube) {
+    const mat4 clipFromWorld =
+        perspective(65, 1.5, 0.3, 3) * lookAt(vec3(3, 4, 5), vec3(0, 1, 0), vec3(0, 1, 0)) * scale(1, 2, 1);
+    const auto corners = viewVolumeCorners(clipFromWorld);
+    for (unsigned i = 0; i < 8; ++i) {
+        const vec3 cube((i & 1U) ? 1 : -1, (i & 2U) ? 1 : -1, (i & 4U) ? 1 : -1);
+        // The inverse's condition is some far/near * coordinates: 100 roundings.
+        EXPECT_LT(distance(ndcOf(clipFromWorld, corners[i]), cube), 100 * rounding) << i;
+    }
+}
+
+TEST(ViewVolumeCorners, AreTheArgumentsOfOrthoAndFrustum) {
+    const auto box = viewVolumeCorners(ortho(-1, 3, 2, 7, 1, 3));
+    EXPECT_LT(distance(box[0], {-1, 2, -1}), 10 * rounding);
+    EXPECT_LT(distance(box[7], {3, 7, -3}), 10 * rounding);
+    const auto pyramid = viewVolumeCorners(frustum(-1, 3, 2, 7, 1, 3));
+    EXPECT_LT(distance(pyramid[1], {3, 2, -1}), 10 * rounding);
+    EXPECT_LT(distance(pyramid[6], {-3, 21, -3}), 100 * rounding);  // coordinates of 21
+}
+
+TEST(ViewVolumeCorners, RefusesWhatHasNone) {
+    EXPECT_EQ(refusal([] { viewVolumeCorners(scale(1, 1, 0)); }).rfind("viewVolumeCorners: the matrix must have", 0),
+              0U);
+    mat4 endless = frustum(-1, 1, -1, 1, 1, 3);
+    endless[2][2] = -1;  // the limit of far to infinity
+    endless[3][2] = -2;
+    EXPECT_EQ(refusal([&] { viewVolumeCorners(endless); }).rfind("viewVolumeCorners: the matrix must have", 0), 0U);
+    EXPECT_EQ(refusal([] { viewVolumeCorners(mat4(notANumber)); }).rfind("viewVolumeCorners: the matrix", 0), 0U);
+}
+
 // ---- after the projection
 
 TEST(NdcFromClip, DividesAndRefusesWhatLiesBehindTheEye) {

@@ -132,6 +132,22 @@ std::array<vec4, 6> perspectivePlanes(double fovy, double aspect, double near, d
             vec4(0, -level.x, level.y, 0), vec4(0, 0, -1, -near),       vec4(0, 0, 1, far)};
 }
 
+std::array<vec3, 8> viewVolumeCorners(const mat4& clipFromWorld) {
+    requireFinite("viewVolumeCorners", "the matrix", clipFromWorld);
+    const mat4 worldFromClip = glm::inverse(clipFromWorld);
+    std::array<vec3, 8> corners;
+    for (unsigned i = 0; i < corners.size(); ++i) {
+        const vec4 clip((i & 1U) ? 1 : -1, (i & 2U) ? 1 : -1, (i & 4U) ? 1 : -1, 1);
+        const vec4 world = worldFromClip * clip;
+        corners[i] = vec3(world) / world.w;
+        if (!isFinite(corners[i])) {
+            throw Error("viewVolumeCorners", "the matrix must have an inverse, and the volume an end",
+                        vectorText(world));
+        }
+    }
+    return corners;
+}
+
 vec3 ndcFromClip(const vec4& clip) {
     requireFinite("ndcFromClip", "the clip position", clip);
     if (!(clip.w > 0)) {

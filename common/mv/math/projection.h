@@ -55,6 +55,11 @@ std::array<vec4, 6> planesFromClip(const mat4& clipFromWorld);
 // far/near. Refuses what perspective refuses.
 std::array<vec4, 6> perspectivePlanes(double fovy, double aspect, double near, double far);
 
+// The eight corners of a view volume in the space that clipFromWorld maps from: corner i is what goes to x, y, z = -1
+// or +1 by bits 0, 1, 2 of i, so 0..3 are near and 4..7 far where z runs from near to far. For drawing a frustum, or to
+// ask what it holds. Refused: NaN, infinity, a matrix without an inverse, a volume without end (far at infinity).
+std::array<vec3, 8> viewVolumeCorners(const mat4& clipFromWorld);
+
 // clip.xyz / clip.w. Refused: w <= 0 (at or behind the plane through the eye: dividing would show such a point mirrored
 // in front; clip before dividing), NaN, infinity, a w so small that the quotient overflows.
 vec3 ndcFromClip(const vec4& clip);
@@ -75,6 +80,8 @@ template <std::same_as<float> T>
 mat4 frustum(T left, T right, T bottom, T top, T near, T far) = delete;
 template <std::same_as<float> T, glm::qualifier Q>
 std::array<vec4, 6> planesFromClip(const glm::mat<4, 4, T, Q>& clipFromWorld) = delete;
+template <std::same_as<float> T, glm::qualifier Q>
+std::array<vec3, 8> viewVolumeCorners(const glm::mat<4, 4, T, Q>& clipFromWorld) = delete;
 template <std::same_as<float> T, glm::qualifier Q>
 vec3 ndcFromClip(const glm::vec<4, T, Q>& clip) = delete;
 template <std::same_as<float> T, glm::qualifier Q>

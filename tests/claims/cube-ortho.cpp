@@ -1,0 +1,156 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <random>
+
+#include "mv/math/projection.h"
+#include "support/demo_run.h"
+
+using namespace mv;
+using namespace mv::test;
+
+namespace {
+
+constexpr Pixel red{255, 0, 0}, blue{0, 0, 255}, white{255, 255, 255};
+constexpr std::array<Pixel, 6> faceColors{
+    {{255, 0, 0}, {255, 255, 0}, {0, 255, 0}, {0, 255, 255}, {0, 0, 255}, {255, 0, 255}}};
+
+mat4 diagonal(double x, double y, double z) {
+    mat4 m(1);
+    m[0][0] = x;
+    m[1][1] = y;
+    m[2][2] = z;
+    return m;
+}
+
+DemoRun& straight(DemoRun& run) { return run.set("spin-x", 0).set("spin-y", 0); }
+
+}  // namespace
+
+TEST(CubeOrtho, identity_and_mirror) {
+    DemoRun run("cube-ortho");
+    run.picture();
+    EXPECT_EQ(run.readout("near"), -1);
+    EXPECT_EQ(run.readout("far"), 1);
+    EXPECT_EQ(run.matrix("clipFromView"), diagonal(1, 1, -1));
+    run.set("mirror-depth", "on").picture();
+    EXPECT_EQ(run.readout("near"), 1);
+    EXPECT_EQ(run.readout("far"), -1);
+    EXPECT_EQ(run.matrix("clipFromView"), mat4(1));
+    // The same said by ortho itself.
+    EXPECT_EQ(ortho(-1, 1, -1, 1, -1, 1), diagonal(1, 1, -1));
+    EXPECT_EQ(ortho(-1, 1, -1, 1, 1, -1), mat4(1));
+}
+
+TEST(CubeOrtho, far_hides_near) {
+    DemoRun run("cube-ortho");
+    const Picture near = straight(run).picture();
+    EXPECT_EQ(countPixels(near, red), 256L * 256);  // the face at z = +0.5, half the window wide
+    EXPECT_EQ(countPixels(near, blue), 0);
+    const Picture far = run.set("mirror-depth", "on").picture();
+    EXPECT_EQ(countPixels(far, blue), 256L * 256);  // the face at z = -0.5
+    EXPECT_EQ(countPixels(far, red), 0);
+    // Turned, the three faces seen are the other three, and the outline is the same.
+    const Picture turned = run.set("spin-x", 30).set("spin-y", 40).picture();
+    const Picture usual = run.set("mirror-depth", "off").picture();
+    for (const Pixel& color : faceColors) {
+        EXPECT_NE(countPixels(turned, color) > 1000, countPixels(usual, color) > 1000);
+    }
+    EXPECT_EQ(countPixels(turned, white), countPixels(usual, white));
+}
+
+TEST(CubeOrtho, distance_changes_nothing) {
+    DemoRun run("cube-ortho");
+    const Picture here = run.picture();
+    for (const double distance : {1.0, 2.0, 5.0}) {
+        EXPECT_EQ(run.set("distance", distance).picture(), here) << distance;
+        EXPECT_EQ(run.readout("near"), distance - 1);
+        EXPECT_EQ(run.readout("far"), distance + 1);
+    }
+    // It is the box that goes along: a box that stays around the origin would lose the cube.
+    EXPECT_GT(ndcFromClip(ortho(-1, 1, -1, 1, -1, 1) * run.matrix("viewFromModel") * vec4(0, 0, 0, 1)).z, 1);
+}
+
+TEST(CubeOrtho, box_fills_window) {
+    DemoRun run("cube-ortho");
+    straight(run);
+    for (const double width : {1.0, 2.0, 4.0, 8.0}) {
+        for (const double height : {1.0, 2.0, 4.0}) {
+            const Picture picture = run.set("width", width).set("height", height).picture();
+            // Powers of two: the cube's edges fall between pixels, so the count is exact.
+            EXPECT_EQ(countPixels(picture, red), static_cast<long>(512 / width * (512 / height)));
+            EXPECT_EQ(run.readout("pixels-per-unit"), 512 / width);
+        }
+    }
+}
+
+TEST(CubeOrtho, slab_is_a_hexagon) {
+    DemoRun run("cube-ortho");
+    // acos(1/sqrt 3) from the y axis: the diagonal of the cube is the line of sight.
+    const double tilt = degrees(std::atan(std::sqrt(0.5)));
+    const Picture picture = run.set("depth", 0.05).set("spin-x", tilt).set("spin-y", 45).picture();
+    long ring = 0;
+    std::array<long, 6> count{};
+    for (std::size_t i = 0; i < 6; ++i) ring += count[i] = countPixels(picture, faceColors[i]);
+    for (const long side : count) EXPECT_NEAR(double(side), double(ring) / 6, 0.05 * double(ring));  // pixels of edges
+    EXPECT_EQ(ring + countPixels(picture, white), 512L * 512);
+    EXPECT_EQ(picture.at(256, 256), white);
+    // A regular hexagon of side sqrt(1/2), 256 pixels a unit; 0.05 deep on faces sloped by sqrt(2) is a band of
+    // 0.05/sqrt(2). Within 5 %: the band is 9 pixels wide, and pixels are whole.
+    const double area = 6 * std::sqrt(0.5) * 0.05 / std::sqrt(2.0) * 256 * 256;
+    EXPECT_NEAR(double(ring), area, 0.05 * area);
+}
+
+TEST(CubeOrtho, minus_in_row_three) {
+    DemoRun run("cube-ortho");
+    run.set("distance", 2).picture();
+    ASSERT_EQ(run.readout("near"), 1);
+    ASSERT_EQ(run.readout("far"), 3);
+    const mat4 m = run.matrix("clipFromView");
+    EXPECT_EQ(m[3][2], -2);
+    EXPECT_EQ(ndcFromClip(m * vec4(0, 0, -1, 1)).z, -1);
+    EXPECT_EQ(ndcFromClip(m * vec4(0, 0, -3, 1)).z, 1);
+    mat4 slide = m;
+    slide[3][2] = +2;
+    EXPECT_EQ(ndcFromClip(slide * vec4(0, 0, -1, 1)).z, 3);  // beyond the far plane already
+    EXPECT_EQ(ndcFromClip(slide * vec4(0, 0, -3, 1)).z, 5);
+    // At the start, where near = -far, the sign cannot be seen.
+    run.set("distance", 0).picture();
+    EXPECT_EQ(run.matrix("clipFromView")[3][2], 0);
+}
+
+TEST(CubeOrtho, nothing_is_refused) {
+    DemoRun run("cube-ortho", 128, 128);
+    for (const char* knob : {"depth", "width", "height"}) {
+        try {
+            run.set(knob, 0);
+            ADD_FAILURE() << knob;
+        } catch (const Error& error) {
+            const std::string range = std::string(knob) == "depth" ? "0.05 .. 3" : "0.05 .. 10";
+            EXPECT_EQ(error.what(), "--" + std::string(knob) + ": must be " + range + ", '0'");
+        }
+    }
+    straight(run).set("depth", 0.9);
+    EXPECT_EQ(run.refusal().rfind("--depth: must reach a face", 0), 0U) << run.refusal();
+    run.set("spin-x", 10).set("depth", 0.3).set("width", 0.05).set("height", 0.05);
+    EXPECT_EQ(run.refusal().rfind("--depth: must reach a face", 0), 0U) << run.refusal();
+    // What is let pass has something of the cube in it; every fourth case has faces edge on.
+    std::mt19937 random(7);
+    const auto pick = [&](double low, double high) {
+        return low + (high - low) * (static_cast<double>(random() % 1000U) / 999.0);
+    };
+    int drawn = 0, empty = 0;
+    for (int i = 0; i < 200; ++i) {
+        run.set("spin-x", pick(-360, 360))
+            .set("spin-y", i % 4 ? pick(-360, 360) : 180)
+            .set("mirror-depth", i % 2 ? "on" : "off");
+        run.set("depth", pick(0.05, 1.2)).set("width", pick(0.05, 1.5)).set("height", pick(0.05, 1.5));
+        if (!run.refusal().empty()) continue;
+        ++drawn;
+        empty += countPixels(run.picture(), white) == 128L * 128;
+    }
+    EXPECT_GT(drawn, 100);
+    EXPECT_LT(drawn, 200);
+    EXPECT_LE(empty, 2);  // an edge may just come into the box, by less than a pixel
+}
