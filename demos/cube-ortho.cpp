@@ -27,8 +27,8 @@ struct CubeOrtho final : Demo {
     Real height{this, "height", 2, {0.05, 10}, "how high the box of view is"};
     Real distance{this, "distance", 0, {0, 5}, "how far in front of the eye the cube and the box are"};
     Toggle mirrorDepth{this, "mirror-depth", false, "exchange near and far"};
-    Angle spinX{this, "spin-x", 30, "turn about the x axis"};
-    Angle spinY{this, "spin-y", 40, "turn about the y axis"};
+    Angle spinX{this, "spin-x", 0, "turn about the x axis"};
+    Angle spinY{this, "spin-y", 0, "turn about the y axis"};
 
     Readout nearPlane{this, "near", "near, as ortho is told; negative is behind the eye"};
     Readout farPlane{this, "far", "far, as ortho is told"};
@@ -98,6 +98,7 @@ const bool added = addDemo<CubeOrtho>({
     .width = 512,
     .height = 512,
     .needs = {.depth = true},
+    .sweepAt = {{"spin-x", "30"}, {"spin-y", "40"}},
 });
 
 }  // namespace

@@ -35,7 +35,9 @@ TEST_P(Sweep, knobs) {
     const std::vector<Knob*>& knobs = run.demo().knobs();
     expectPicture("initial");
     int cases = 1, refused = 0;
+    for (const auto& [name, value] : stage().info().sweepAt) run.set(name, value);
     for (Knob* knob : knobs) {
+        const std::string before = knob->text();
         for (const std::string& value : knob->sweep()) {
             knob->parse(value);
             EXPECT_EQ(knob->text(), value);
@@ -49,7 +51,7 @@ TEST_P(Sweep, knobs) {
                 EXPECT_THROW(stage().draw(1), Error);
             }
         }
-        knob->reset();
+        knob->parse(before);
     }
     EXPECT_LE(refused, cases / 10) << "at least 90 % of the settings draw";
     std::printf("%s on %s: %d settings, %d refused\n", GetParam().c_str(), stage().driver().host.c_str(), cases,

@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "mv/demo/binding.h"
@@ -81,6 +82,9 @@ struct DemoInfo {
     int width = 512, height = 512;  // the original's canvas
     bool animated = false;          // the picture depends on the frame index
     Needs needs = {};
+    // Where the sweep test stands while it moves one knob at a time, for a demo whose first picture would show nothing of
+    // them (a cube seen straight on): knobs and values.
+    std::vector<std::pair<std::string, std::string>> sweepAt = {};
     std::function<std::unique_ptr<Demo>()> make = {};
 };
 
