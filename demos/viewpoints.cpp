@@ -45,7 +45,7 @@ struct Viewpoints final : Demo {
                       "where the eye is"};
     Real height{this, "height", 0, {-4, 100}, "how much higher the eye is than the view says"};
     Toggle exact{this, "exact", false, "view 5: one lookAt in world space instead of the slide's formula"};
-    Real aim{this, "aim", 0, {0, 10}, "view 5: how high on the house to look; 5 is level with the eye"};
+    Real aim{this, "aim", 0, {0, 10}, "view 5: how high on the house to look; at height 0, 5 is level"};
 
     Readout direction{this, "direction", "how far the car has come, clockwise from +y", "deg"};
     Readout eyeHeight{this, "eye-height", "how high the eye is above the ground"};

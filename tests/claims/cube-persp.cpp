@@ -1,0 +1,157 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "mv/gl/gl.h"
+#include "mv/math/projection.h"
+#include "support/demo_run.h"
+
+using namespace mv::test;
+using mv::mat4;
+using mv::Picture;
+using mv::Pixel;
+using mv::vec3;
+using mv::vec4;
+
+namespace {
+
+constexpr Pixel red{255, 0, 0}, blue{0, 0, 255}, magenta{255, 0, 255}, yellow{255, 255, 0};
+
+DemoRun& straight(DemoRun& run) { return run.set("spin-x", 0).set("spin-y", 0); }
+
+// How many pixels of the middle row have this colour.
+int widthOf(const Picture& picture, Pixel color) {
+    int count = 0;
+    for (int x = 0; x < picture.width; ++x) {
+        const Pixel p = picture.at(x, picture.height / 2);
+        count += p.red == color.red && p.green == color.green && p.blue == color.blue;
+    }
+    return count;
+}
+
+// The depths in the buffer that the cube takes, least and most.
+std::array<float, 2> cubeDepths(DemoRun& run) {
+    const Picture picture = run.picture();
+    stage().front().bind();
+    std::vector<float> depths(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height));
+    glReadPixels(0, 0, picture.width, picture.height, GL_DEPTH_COMPONENT, GL_FLOAT, depths.data());
+    std::array<float, 2> range{1, 0};
+    for (const float depth : depths) {
+        if (depth < 1) range = {std::min(range[0], depth), std::max(range[1], depth)};
+    }
+    return range;
+}
+
+}  // namespace
+
+TEST(CubePersp, same_as_frustum) {
+    DemoRun run("cube-persp", 16, 16);
+    for (const double fov : {10.0, 65.0, 120.0}) {
+        for (const double aspect : {0.5, 1.0, 2.0}) {
+            for (const double near : {0.01, 0.3, 1.4}) {
+                run.set("fov", fov).set("aspect", aspect).set("near", near).picture();
+                // Measured from the edges of the volume: what goes to the corners of the canonical near plane.
+                const auto corners = mv::viewVolumeCorners(run.matrix("clipFromView"));
+                EXPECT_NEAR(run.readout("left"), corners[0].x, 1e-13);  // an inverse of a matrix with entries of 100
+                EXPECT_NEAR(run.readout("bottom"), corners[0].y, 1e-13);
+                EXPECT_NEAR(run.readout("right"), corners[3].x, 1e-13);
+                EXPECT_NEAR(run.readout("top"), corners[3].y, 1e-13);
+                EXPECT_NEAR(run.readout("top"), near * std::tan(glm::radians(fov) / 2), 1e-15);  // of up to 2.4
+                const mat4 byFrustum = glm::frustumRH_NO(run.readout("left"), run.readout("right"),
+                                                         run.readout("bottom"), run.readout("top"), near, 3.0);
+                const mat4 byPerspective = run.matrix("clipFromView");
+                for (int column = 0; column < 4; ++column) {
+                    for (int row = 0; row < 4; ++row) {
+                        const double entry = byPerspective[column][row];
+                        // Five roundings of 1.1e-16 each.
+                        EXPECT_NEAR(byFrustum[column][row], entry, 6e-16 * std::abs(entry));
+                    }
+                }
+                EXPECT_LT(run.readout("difference"), 6e-16 * 23);  // the largest entry is 1/(0.5 tan 5)
+            }
+        }
+    }
+}
+
+TEST(CubePersp, fovx_follows) {
+    DemoRun run("cube-persp", 16, 16);
+    for (const double fov : {10.0, 65.0, 120.0}) {
+        for (const double aspect : {0.5, 1.0, 2.0}) {
+            run.set("fov", fov).set("aspect", aspect).picture();
+            const double fovx = run.readout("fovx");
+            EXPECT_NEAR(std::tan(glm::radians(fovx / 2)), aspect * std::tan(glm::radians(fov / 2)), 1e-14);
+            // A ray at that angle goes through the edge of the picture.
+            const vec4 ray(std::sin(glm::radians(fovx / 2)), 0, -std::cos(glm::radians(fovx / 2)), 1);
+            EXPECT_NEAR(mv::ndcFromClip(run.matrix("clipFromView") * ray).x, 1, 1e-14);  // some 20 roundings of 1
+            if (aspect == 1.0) {
+                EXPECT_NEAR(fovx, fov, 1e-13);
+            } else if (fov > 60) {
+                EXPECT_GT(std::abs(fovx - aspect * fov), 1);  // angles are not in the proportion of the sides
+            }
+        }
+    }
+}
+
+TEST(CubePersp, farther_is_smaller) {
+    DemoRun run("cube-persp");
+    straight(run);
+    for (const double fov : {40.0, 65.0, 100.0}) {
+        run.set("fov", fov);
+        const double unitAtOne = 512 / (2 * std::tan(glm::radians(fov / 2)));  // pixels of a length 1 at distance 1
+        const int front = widthOf(run.set("near", 0.3).picture(), red);        // the face at z = +0.5
+        const int back = widthOf(run.set("near", 1.6).picture(), blue);        // at z = -0.5, once the front is cut off
+        EXPECT_NEAR(front, unitAtOne / 1.5, 1);                                // whole pixels, an edge on each side
+        EXPECT_NEAR(back, unitAtOne / 2.5, 1);
+    }
+}
+
+TEST(CubePersp, near_opens_the_cube) {
+    DemoRun run("cube-persp");
+    straight(run);
+    const Picture closed = run.set("near", 1.4).picture();
+    EXPECT_GT(countPixels(closed, red), 10000);
+    for (const Pixel& inside : {blue, magenta, yellow}) EXPECT_EQ(countPixels(closed, inside), 0);
+    const Picture open = run.set("near", 1.6).picture();
+    EXPECT_EQ(countPixels(open, red), 0);
+    for (const Pixel& inside : {blue, magenta, yellow}) EXPECT_GT(countPixels(open, inside), 1000);
+}
+
+TEST(CubePersp, near_costs_depth) {
+    DemoRun run("cube-persp");
+    run.picture();
+    const double usualStep = run.readout("depth-step");
+    const auto usual = cubeDepths(run);
+    const auto close = cubeDepths(run.set("near", 0.01));
+    // What the cube takes of the range, as drawn: n f/(f - n) times the same difference of 1/d in each.
+    const double factor = (0.3 * 3 / (3 - 0.3)) / (0.01 * 3 / (3 - 0.01));
+    // One step of 2^-24 on each end of a range of 0.005: 2e-5 of it; the pixels seen are the same.
+    EXPECT_NEAR(double(usual[1] - usual[0]) / double(close[1] - close[0]), factor, factor * 1e-4);
+    EXPECT_LT(close[1] - close[0], 0.01);
+    // The readout: two points a step apart at the distance 2 are 2^-24 of the range apart.
+    const double step = run.readout("depth-step");
+    EXPECT_NEAR(step / usualStep, factor, 1e-12 * factor);
+    const mat4 m = run.matrix("clipFromView");
+    const auto depth = [&](double d) { return mv::ndcFromClip(m * vec4(0, 0, -d, 1)).z / 2 + 0.5; };
+    // The step is 2e-5: the curvature of 1/d takes 1e-5 of it, rounding of the difference 4e-9.
+    EXPECT_NEAR((depth(2 + step) - depth(2)) * 16777216, 1, 1e-4);
+    // Far from 3 to 5 changes the step by a few per cent, where near changed it 33 times.
+    run.set("far", 5).picture();
+    EXPECT_NEAR(run.readout("depth-step") / step, 1, 0.05);
+    EXPECT_GT(factor, 33);
+}
+
+TEST(CubePersp, near_below_far) {
+    DemoRun run("cube-persp");
+    run.set("near", 2).set("far", 1.8);
+    EXPECT_EQ(run.refusal(), "--near: must be less than --far 1.8, 2");
+    EXPECT_THROW(run.picture(), mv::Error);
+    EXPECT_EQ(run.set("far", 2).refusal(), "--near: must be less than --far 2, 2");
+    run.set("far", 2.1).set("fov", 10);
+    EXPECT_EQ(run.refusal(), "--near: must leave a face of the cube in view, between it and --far 2.1, 2");
+    // The same between faces, with a pyramid wide enough to reach them.
+    EXPECT_EQ(run.set("fov", 65).refusal(), "");
+    EXPECT_GT(countColors(run.picture()), 3);
+}
