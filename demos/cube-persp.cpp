@@ -25,8 +25,8 @@ struct CubePersp final : Demo {
     Real far{this, "far", 3, {1.6, 5}, "where it ends"};
     Real fov{this, "fov", 65, {10, 120}, "the field of view upwards, fovy: the whole angle", "deg"};
     Real aspect{this, "aspect", 1, {0.5, 2}, "how many times as wide as high the pyramid is"};
-    Angle spinX{this, "spin-x", 30, "turn about the x axis"};
-    Angle spinY{this, "spin-y", 40, "turn about the y axis"};
+    Angle spinX{this, "spin-x", 0, "turn about the x axis"};
+    Angle spinY{this, "spin-y", 0, "turn about the y axis"};
 
     Readout left{this, "left", "the window on the near plane, as frustum is told"};
     Readout right{this, "right", "the window on the near plane"};
@@ -77,14 +77,13 @@ struct CubePersp final : Demo {
 
     // The same pyramid said by frustum: the window that the field of view opens on the plane z = -near.
     void measure(const Frame& frame) {
-        const double halfHeight = near * std::tan(radians(fov / 2));
-        const double halfWidth = aspect * halfHeight;
-        left = -halfWidth;
-        right = halfWidth;
-        bottom = -halfHeight;
-        top = halfHeight;
-        fovx = degrees(2 * std::atan(halfWidth / near));
-        const mat4 fromBounds = frustum(-halfWidth, halfWidth, -halfHeight, halfHeight, near, far);
+        const FrustumBounds window = frustumBounds(fov, aspect, near, far);
+        left = window.left;
+        right = window.right;
+        bottom = window.bottom;
+        top = window.top;
+        fovx = degrees(2 * std::atan(window.right / near));
+        const mat4 fromBounds = frustum(window);
         frame.show("clipFromViewByFrustum", fromBounds);
         double most = 0;
         for (int column = 0; column < 4; ++column) {
@@ -108,6 +107,7 @@ const bool added = addDemo<CubePersp>({
     .width = 512,
     .height = 512,
     .needs = {.depth = true},
+    .sweepAt = {{"spin-x", "30"}, {"spin-y", "40"}},
 });
 
 }  // namespace

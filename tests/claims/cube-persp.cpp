@@ -121,7 +121,7 @@ TEST(CubePersp, near_opens_the_cube) {
 
 TEST(CubePersp, near_costs_depth) {
     DemoRun run("cube-persp");
-    run.picture();
+    run.set("spin-x", 30).set("spin-y", 40).picture();  // turned, so that its pixels have different depths
     const double usualStep = run.readout("depth-step");
     const auto usual = cubeDepths(run);
     const auto close = cubeDepths(run.set("near", 0.01));
