@@ -110,6 +110,7 @@ struct ShadowFloor final : Demo {
 
     void measure(const std::array<vec3, 4>& corners, const mat4& shadowFromWorld) {
         std::vector<vec4> shadow;
+        shadow.reserve(corners.size());
         for (const vec3& corner : corners) shadow.push_back(shadowFromWorld * vec4(corner, 1));
         area = areaOf(shadow);
         // |x| <= half w and |z| <= half w, before the division
@@ -121,6 +122,7 @@ struct ShadowFloor final : Demo {
 
     static double areaOf(const std::vector<vec4>& homogeneous) {
         std::vector<vec3> corners;
+        corners.reserve(homogeneous.size());
         for (const vec4& corner : homogeneous) corners.push_back(vec3(corner) / corner.w);
         return polygonArea(corners);
     }

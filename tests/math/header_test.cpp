@@ -8,6 +8,7 @@
 #include <string>
 
 #include "mv/geometry/check.h"
+#include "mv/geometry/in_view.h"
 #include "mv/geometry/mesh_data.h"
 #include "mv/geometry/shapes.h"
 #include "mv/math/clip.h"
@@ -16,6 +17,7 @@
 #include "mv/math/robust.h"
 #include "mv/math/shadow.h"
 #include "mv/math/shadow_caster.h"
+#include "mv/math/stereo.h"
 #include "mv/math/transform.h"
 #include "mv/math/types.h"
 

@@ -130,7 +130,7 @@ struct Program::State {
 // The live programs, for reloading.
 struct ProgramList {
     static std::vector<Program::State*>& all() {
-        static std::vector<Program::State*> list;
+        static auto& list = *new std::vector<Program::State*>;  // outlives every static that owns a Program
         return list;
     }
     static Reloaded reload() {

@@ -125,7 +125,7 @@ struct Quad {
 };
 
 std::unique_ptr<Quad>& quad() {
-    static std::unique_ptr<Quad> kept;
+    static auto& kept = *new std::unique_ptr<Quad>;  // outlives every static that owns a Stage
     return kept;
 }
 

@@ -1,0 +1,239 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <vector>
+
+#include "mv/math/projection.h"
+#include "mv/math/transform.h"
+#include "support/demo_run.h"
+
+using namespace mv;
+using namespace mv::test;
+
+namespace {
+
+// Which pixels are inked, by a rule that says what ink is.
+using Ink = std::vector<bool>;
+Ink inkOf(const Picture& picture, const std::function<bool(Pixel)>& isInk) {
+    Ink ink;
+    for (int y = 0; y < picture.height; ++y) {
+        for (int x = 0; x < picture.width; ++x) ink.push_back(isInk(picture.at(x, y)));
+    }
+    return ink;
+}
+
+// What is seen through the filters: the red one lets the red channel pass, the cyan one green and blue. Ink is what is
+// not as bright as the paper.
+Ink throughRed(const Picture& picture, int paper) {
+    return inkOf(picture, [=](Pixel p) { return p.red != paper; });
+}
+Ink throughCyan(const Picture& picture, int paper) {
+    return inkOf(picture, [=](Pixel p) { return p.green != paper || p.blue != paper; });
+}
+Ink anyInk(const Picture& picture, int paper) {
+    return inkOf(picture, [=](Pixel p) { return p.red != paper || p.green != paper || p.blue != paper; });
+}
+
+long count(const Ink& ink) { return std::count(ink.begin(), ink.end(), true); }
+
+// Inked in a and not in b.
+long lost(const Ink& a, const Ink& b) {
+    long pixels = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) pixels += a[i] && !b[i];
+    return pixels;
+}
+
+// Mean column, first and last row of the ink in a picture of this width.
+struct Extent {
+    double middle = 0;
+    std::size_t top = 0, bottom = 0;
+};
+Extent extentOf(const Ink& ink, std::size_t width) {
+    Extent extent;
+    double columns = 0, pixels = 0;
+    for (std::size_t i = 0; i < ink.size(); ++i) {
+        if (!ink[i]) continue;
+        if (pixels == 0) extent.top = i / width;
+        extent.bottom = i / width;
+        columns += static_cast<double>(i % width);
+        ++pixels;
+    }
+    extent.middle = columns / pixels;
+    return extent;
+}
+
+struct EyePictures {
+    Picture both, left, right;
+};
+EyePictures pictures(DemoRun& run) {
+    EyePictures result{run.set("eyes", "both").picture(), run.set("eyes", "left").picture(),
+                       run.set("eyes", "right").picture()};
+    run.set("eyes", "both");
+    return result;
+}
+
+int paperOf(const std::string& background) { return background == "white" ? 255 : 0; }
+
+// Where the eye of a view matrix stands.
+vec3 placeOf(const mat4& eyeFromWorld) { return vec3(glm::inverse(eyeFromWorld) * vec4(0, 0, 0, 1)); }
+
+// A few dozen roundings of numbers up to 600, each 1e-13 at most.
+constexpr double rounding = 1e-11;
+
+}  // namespace
+
+TEST(Stereocube, left_is_red_channel) {
+    DemoRun run("stereocube");
+    run.set("spin-x", 20).set("spin-y", 30);
+    for (const std::string background : {"white", "black"}) {
+        const int paper = paperOf(background);
+        for (const std::string colors : {"lines", "masks"}) {
+            SCOPED_TRACE(testing::Message() << colors << " on " << background);
+            const EyePictures p = pictures(run.set("background", background).set("colors", colors));
+            // Alone, each eye's picture is seen whole through its own filter, and not at all through the other.
+            EXPECT_GT(count(throughRed(p.left, paper)), 1000);
+            EXPECT_EQ(count(throughCyan(p.left, paper)), 0);
+            EXPECT_GT(count(throughCyan(p.right, paper)), 1000);
+            EXPECT_EQ(count(throughRed(p.right, paper)), 0);
+            // Together, each filter shows its own eye's lines and none of the other's.
+            EXPECT_EQ(lost(throughRed(p.both, paper), anyInk(p.left, paper)), 0);
+            EXPECT_EQ(lost(throughCyan(p.both, paper), anyInk(p.right, paper)), 0);
+            EXPECT_GT(count(throughRed(p.both, paper)), 1000);
+            EXPECT_GT(count(throughCyan(p.both, paper)), 1000);
+        }
+    }
+}
+
+TEST(Stereocube, left_is_left) {
+    DemoRun run("stereocube");
+    run.picture();
+    // The original: red is the eye at x = -0.1, cyan the one at +0.1. They look along +z, so right is -x.
+    const mat4 red = lookAt({-0.1, 0, -3}, {0, 0, -1}, {0, 1, 0}), cyan = lookAt({0.1, 0, -3}, {0, 0, -1}, {0, 1, 0});
+    EXPECT_EQ(run.matrix("rightFromWorld"), red);
+    EXPECT_EQ(run.matrix("leftFromWorld"), cyan);
+    for (const std::string stereo : {"toe-in", "off-axis"}) {
+        run.set("stereo", stereo).picture();
+        const mat4 left = run.matrix("leftFromWorld");
+        const vec3 rightwards(glm::inverse(left) * vec4(1, 0, 0, 0));
+        EXPECT_GT(glm::dot(rightwards, placeOf(run.matrix("rightFromWorld")) - placeOf(left)), 0.19);
+    }
+    // In the pictures: the whole cube before the screen, so the left eye sees it further to the right.
+    for (const std::string background : {"white", "black"}) {
+        for (const std::string colors : {"lines", "masks"}) {
+            run.set("background", background).set("colors", colors).set("z-dist", -2).set("convergence", 6);
+            const Picture picture = run.picture();
+            const int paper = paperOf(background);
+            const double behindRed = extentOf(throughRed(picture, paper), 600).middle;
+            const double behindCyan = extentOf(throughCyan(picture, paper), 600).middle;
+            EXPECT_GT(behindRed, behindCyan + 5) << colors << " on " << background;
+            EXPECT_LT(run.readout("parallax-max"), 0);
+        }
+    }
+}
+
+TEST(Stereocube, masks_lose_nothing) {
+    DemoRun run("stereocube");
+    run.set("spin-x", 20).set("spin-y", 30);
+    for (const std::string background : {"white", "black"}) {
+        const int paper = paperOf(background);
+        const EyePictures masks = pictures(run.set("background", background).set("colors", "masks"));
+        EXPECT_EQ(throughRed(masks.both, paper), anyInk(masks.left, paper));
+        EXPECT_EQ(throughCyan(masks.both, paper), anyInk(masks.right, paper));
+        const EyePictures lines = pictures(run.set("colors", "lines"));
+        const long gaps = lost(anyInk(lines.left, paper), throughRed(lines.both, paper)) +
+                          lost(anyInk(lines.right, paper), throughCyan(lines.both, paper));
+        EXPECT_GT(gaps, 10);
+        // The gaps are where both have lines, and nowhere else.
+        const Ink left = anyInk(lines.left, paper), right = anyInk(lines.right, paper);
+        EXPECT_EQ(gaps, count(left) - lost(left, right));
+    }
+}
+
+TEST(Stereocube, toe_in_is_crooked) {
+    DemoRun run("stereocube");
+    run.set("convergence", 1).picture();
+    const double nearest = run.readout("vertical-parallax");
+    EXPECT_GT(nearest, 5);
+    for (const double convergence : {2, 4, 8}) {
+        run.set("convergence", convergence).picture();
+        // As the angle between the eyes, so as 1/convergence but for the difference of angle and tangent.
+        EXPECT_NEAR(run.readout("vertical-parallax") * convergence / nearest, 1, 0.01);
+    }
+    // The readout against the corners themselves: the front face's are the nearest, and the worst.
+    run.set("convergence", 1).picture();
+    double largest = 0;
+    for (const vec3 corner : {vec3(0.5, 0.5, -0.5), vec3(-0.5, 0.5, -0.5)}) {
+        const auto height = [&](const std::string& clip, const std::string& eye) {
+            return ndcFromClip(run.matrix(clip) * run.matrix(eye) * vec4(corner, 1)).y * 300;
+        };
+        largest = std::max(
+            largest, std::abs(height("clipFromLeft", "leftFromWorld") - height("clipFromRight", "rightFromWorld")));
+    }
+    EXPECT_NEAR(run.readout("vertical-parallax"), largest, rounding);
+    // And in the picture: the upper corners of the left eye's cube, left and right, are at different heights.
+    const Ink ink = anyInk(run.set("eye-sep", 0.5).set("eyes", "left").picture(), 255);
+    const auto topOfColumn = [&](std::size_t x) {
+        for (std::size_t y = 0; y < 600; ++y) {
+            if (ink[y * 600 + x]) return static_cast<int>(y);
+        }
+        return 600;
+    };
+    std::vector<int> tops;
+    for (std::size_t x = 0; x < 600; ++x) {
+        if (topOfColumn(x) < 600) tops.push_back(topOfColumn(x));
+    }
+    ASSERT_GT(tops.size(), 100U);
+    EXPECT_GT(std::abs(tops.front() - tops.back()), 10);
+}
+
+TEST(Stereocube, off_axis_is_level) {
+    DemoRun run("stereocube");
+    run.set("stereo", "off-axis");
+    for (const double convergence : {0.25, 0.5, 1.0, 3.0, 10.0}) {
+        for (const double spin : {0, 33}) {
+            run.set("convergence", convergence).set("spin-x", spin).set("spin-y", 2 * spin).picture();
+            EXPECT_LT(run.readout("vertical-parallax"), rounding) << convergence;
+        }
+    }
+    run.set("convergence", 2).set("spin-x", 20).set("spin-y", 30).set("eye-sep", 0.5);
+    const auto rows = [&](const std::string& eye) {
+        return extentOf(anyInk(run.set("eyes", eye).picture(), 255), 600);
+    };
+    EXPECT_EQ(rows("left").top, rows("right").top);
+    EXPECT_EQ(rows("left").bottom, rows("right").bottom);
+    run.set("stereo", "toe-in");
+    EXPECT_NE(rows("left").top, rows("right").top);  // the twin
+    // As near as the near plane, or nearer, there is no screen: refused by the range.
+    EXPECT_THROW(run.set("convergence", 0.2), Error);
+}
+
+TEST(Stereocube, zero_at_convergence) {
+    DemoRun run("stereocube");
+    run.set("stereo", "off-axis").set("colors", "masks").set("z-dist", -2.5);
+    const Picture picture = run.picture();
+    EXPECT_NEAR(run.readout("parallax-min"), 0, rounding);  // the near face, 2 ahead
+    const double focal = 300 / std::tan(radians(25.0));
+    EXPECT_NEAR(run.readout("parallax-max"), focal * 0.2 * (1 / 2.0 - 1 / 3.0), rounding);  // the far face, 3 ahead
+    // Both eyes ink the near face's four edges at the same pixels: black, nothing left of either channel.
+    const double side = focal * 1 / 2.0;
+    EXPECT_GT(static_cast<double>(countPixels(picture, {0, 0, 0})), 3.9 * side);
+    EXPECT_LT(static_cast<double>(countPixels(run.set("stereo", "toe-in").picture(), {0, 0, 0})), side);
+}
+
+TEST(Stereocube, cube_out_of_view) {
+    DemoRun run("stereocube");
+    for (const double z : {-0.4, 0.0, 0.3, 2.0}) {
+        EXPECT_EQ(run.set("z-dist", z).refusal(),
+                  "--z-dist: must leave some of the cube in view of an eye, " + numberText(z));
+    }
+    // On the way through a turned cube there is something to see from the middle of it.
+    EXPECT_EQ(run.set("z-dist", 0).set("spin-y", 45).set("spin-x", 30).refusal(), "");
+    EXPECT_GT(countColors(run.picture()), 1);
+    // Each setting is in its range, and yet the eyes squint past the cube.
+    run.set("spin-y", 0).set("spin-x", 0).set("z-dist", -3).set("eye-sep", 1).set("convergence", 0.25);
+    EXPECT_EQ(run.refusal().rfind("--z-dist", 0), 0U);
+}
