@@ -282,12 +282,31 @@ TEST(NormalMatrix, OfARotationOrAUniformScaleIsTheRotation) {
     }
 }
 
+// Two columns 1e-9 apart: the plain cross product of them would be wrong from the seventh digit on.
+TEST(NormalMatrix, IsAccurateWhereThePointsAreSqueezedNearlyFlat) {
+    mat4 m(1);
+    m[0] = vec4(0.3, 0.7, 0.9, 0);
+    m[1] = vec4(0.3, 0.7 + 0x1p-30, 0.9, 0);
+    m[2] = vec4(0.3, 0.7, 0.9 + 0x1p-30, 0);
+    const mat3 ours = normalMatrix(m);
+    for (int i = 0; i < 3; ++i) {
+        for (int k = 0; k < 3; ++k) {
+            if (k == i) continue;
+            // Each column is perpendicular to the other two of m; both have a length of about 1.
+            EXPECT_NEAR(glm::dot(ours[i], vec3(m[k])), 0, rounding) << i << k;
+        }
+    }
+}
+
 TEST(NormalMatrix, X38StaysFiniteUnderAFlatteningScale) {
     const mat3 flat = normalMatrix(rotateX(30) * scale(1, 0, 1));
     const vec3 image = glm::normalize(flat * vec3(0, 1, 0));
     EXPECT_LT(distance(image, mat3(rotateX(30)) * vec3(0, 1, 0)), rounding);
     EXPECT_EQ(normalMatrix(scale(0, 0, 1)), mat3(0));  // no surface is left
     EXPECT_EQ(normalMatrix(scale(0)), mat3(0));
+    // Nearly none: the squares of the cofactors would vanish.
+    const mat3 needle = normalMatrix(scale(1, 1e-200, 1e-200));
+    EXPECT_LT(distance(needle * vec3(0, 1, 0), {0, std::sqrt(1.5), 0}), rounding);
     // The twin: the inverse does not exist.
     EXPECT_FALSE(std::isfinite(glm::inverseTranspose(mat3(scale(1, 0, 1)))[1][1]));
     mat4 broken(1);

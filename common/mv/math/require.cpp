@@ -51,6 +51,7 @@ void requireFinite(std::string_view subject, std::string_view name, const vec4& 
     requireAllFinite(subject, name, value);
 }
 void requireFinite(std::string_view subject, std::string_view name, const mat4& value) {
+    if (isFinite(value)) return;
     // The first column that is not finite is named, so that the sentence stays short.
     for (int column = 0; column < 4; ++column) {
         requireAllFinite(subject, std::string(name).append(" column ").append(std::to_string(column)), value[column]);

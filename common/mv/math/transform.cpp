@@ -62,7 +62,7 @@ mat4 cameraFromWorld(std::string_view subject, const vec3& eye, const vec3& view
 
     // Perpendicular to the view and up. The plain product has the bits of MV.js; near parallelism it would cancel.
     vec3 sideways = glm::cross(forward, upward);
-    if (glm::length(sideways) < 1e-3 * glm::length(upward)) {
+    if (glm::dot(sideways, sideways) < 1e-6 * glm::dot(upward, upward)) {  // less than 1e-3 rad
         sideways = accurateCross(toAt, upward);
         const double angle = glm::length(sideways) / (glm::length(toAt) * glm::length(upward));
         if (angle < 1e-12) {
@@ -168,9 +168,15 @@ mat3 normalMatrix(const mat4& m) {
     if (size == 0) return mat3(0);
     const mat3 linear = timesPowerOfTwo(mat3(m), -scalingExponent(size));
 
-    // The columns of the cofactor matrix are cross products of the columns.
-    mat3 cofactors(accurateCross(linear[1], linear[2]), accurateCross(linear[2], linear[0]),
-                   accurateCross(linear[0], linear[1]));
+    // The columns of the cofactor matrix are cross products of the columns. Where the columns span little, the plain
+    // products have cancelled, and are made again with care.
+    mat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
+                   glm::cross(linear[0], linear[1]));
+    const double span = glm::dot(cofactors[0], linear[0]);
+    if (std::abs(span) <= 1e-3 * glm::length(linear[0]) * glm::length(linear[1]) * glm::length(linear[2])) {
+        cofactors = mat3(accurateCross(linear[1], linear[2]), accurateCross(linear[2], linear[0]),
+                         accurateCross(linear[0], linear[1]));
+    }
     const double cofactorSize = largestElement(cofactors);
     if (cofactorSize == 0) return mat3(0);
     cofactors = timesPowerOfTwo(cofactors, -scalingExponent(cofactorSize));
@@ -179,7 +185,7 @@ mat3 normalMatrix(const mat4& m) {
     double squares = 0;
     for (int i = 0; i < 3; ++i) squares += glm::dot(cofactors[i], cofactors[i]);
     const double length = std::sqrt(3.0 / squares);
-    const bool mirrors = glm::dot(cofactors[0], linear[0]) < 0;
+    const bool mirrors = glm::dot(cofactors[0], linear[0]) < 0;  // the determinant
     return cofactors * (mirrors ? -length : length);
 }
 
