@@ -25,6 +25,7 @@ class Error : public std::runtime_error {
 
 // The shortest text that reads back as exactly the same number ("0.1", "1e+20", "nan").
 inline std::string numberText(double value) {
+    if (value != value) return "nan";  // whatever its sign bit
     char buffer[32];
     const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
     return {buffer, end};

@@ -1,0 +1,21 @@
+# Run as a script: writes OUTPUT, a C++ file that adds each of FILES to the embedded shaders.
+# A file in a folder called include keeps that folder in its name. PATHS=ON also notes where the files are.
+set(code "// Generated from shader files; do not edit.\n#include \"mv/gl/shader_source.h\"\n\n")
+set(number 0)
+foreach(file IN LISTS FILES)
+  file(READ "${file}" text)
+  get_filename_component(name "${file}" NAME)
+  get_filename_component(folder "${file}" DIRECTORY)
+  get_filename_component(folder "${folder}" NAME)
+  if(folder STREQUAL "include")
+    set(name "include/${name}")
+  endif()
+  set(path "")
+  if(PATHS)
+    set(path "${file}")
+  endif()
+  string(APPEND code
+    "static const bool added${number} = mv::addShaderFile(\"${name}\", R\"glsl(${text})glsl\", \"${path}\");\n")
+  math(EXPR number "${number} + 1")
+endforeach()
+file(WRITE "${OUTPUT}" "${code}")

@@ -1,0 +1,155 @@
+#include "mv/demo/demo.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace mv {
+
+Readout::Readout(Demo* owner, std::string name, std::string help, std::string unit)
+    : name_(std::move(name)), help_(std::move(help)), unit_(std::move(unit)) {
+    owner->add(this);
+}
+
+void Demo::add(Knob* knob) {
+    for (const Knob* other : knobs_) {
+        if (other->name() == knob->name()) throw Error("knob " + knob->name(), "must be declared once");
+    }
+    knobs_.push_back(knob);
+}
+
+Knob& Demo::knob(std::string_view name) const {
+    std::vector<std::string> names;
+    for (Knob* knob : knobs_) {
+        if (knob->name() == name) return *knob;
+        names.push_back(knob->name());
+    }
+    throw Error("--" + std::string(name), "is no knob of this demo" + suggestion(name, names));
+}
+
+bool Demo::press(Key key) {
+    bool moved = false;
+    for (const Binding& binding : bindings_) {
+        if (binding.gesture != Gesture::key || binding.key != key) continue;
+        if (binding.text.empty()) {
+            moved |= binding.knob->step(binding.amount);
+        } else if (binding.knob->text() != binding.text) {
+            binding.knob->parse(binding.text);
+            moved = true;
+        }
+    }
+    return moved;
+}
+
+bool Demo::drag(double across, double down) {
+    bool moved = false;
+    for (const Binding& binding : bindings_) {
+        if (binding.gesture == Gesture::dragAcross) moved |= binding.knob->step(binding.amount * across);
+        if (binding.gesture == Gesture::dragDown) moved |= binding.knob->step(binding.amount * down);
+    }
+    return moved;
+}
+
+bool Demo::wheel(double notches) {
+    bool moved = false;
+    for (const Binding& binding : bindings_) {
+        if (binding.gesture == Gesture::wheel) moved |= binding.knob->step(binding.amount * notches);
+    }
+    return moved;
+}
+
+void Demo::bindKeys(Key less, Key more, Knob& knob, double amount) {
+    bindings_.push_back({Gesture::key, less, &knob, -amount});
+    bindings_.push_back({Gesture::key, more, &knob, amount});
+}
+
+void Demo::bindKey(Key key, Knob& knob, std::string text) {
+    bindings_.push_back({Gesture::key, key, &knob, 0, std::move(text)});
+}
+
+void Demo::bindDrag(Knob& across, double perPixelAcross, Knob& down, double perPixelDown) {
+    bindings_.push_back({Gesture::dragAcross, Key{}, &across, perPixelAcross});
+    bindings_.push_back({Gesture::dragDown, Key{}, &down, perPixelDown});
+}
+
+void Demo::bindWheel(Knob& knob, double perNotch) { bindings_.push_back({Gesture::wheel, Key{}, &knob, perNotch}); }
+
+std::string keyName(Key key) {
+    switch (key) {
+        case Key::left:
+            return "Left";
+        case Key::right:
+            return "Right";
+        case Key::up:
+            return "Up";
+        case Key::down:
+            return "Down";
+    }
+    return std::string(1, static_cast<char>(key));
+}
+
+namespace {
+
+// A function's static, so that it exists before the first demo at file scope adds itself.
+std::vector<DemoInfo>& demos() {
+    static std::vector<DemoInfo> all;
+    return all;
+}
+
+std::size_t editDistance(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        std::size_t diagonal = std::exchange(row[0], i + 1);
+        for (std::size_t j = 0; j < b.size(); ++j) {
+            const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+            diagonal = row[j + 1];
+            row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
+        }
+    }
+    return row.back();
+}
+
+}  // namespace
+
+const std::vector<DemoInfo>& catalogue() { return demos(); }
+
+bool addDemo(DemoInfo info) {
+    auto& all = demos();
+    for (const DemoInfo& other : all) {
+        if (other.name == info.name) throw Error("demo " + info.name, "must be added once");
+    }
+    const auto place = std::find_if(all.begin(), all.end(), [&](const DemoInfo& d) { return d.number > info.number; });
+    all.insert(place, std::move(info));
+    return true;
+}
+
+const DemoInfo& findDemo(std::string_view name) {
+    std::vector<std::string> names;
+    for (const DemoInfo& info : catalogue()) {
+        if (info.name == name) return info;
+        names.push_back(info.name);
+    }
+    throw Error("'" + std::string(name) + "'",
+                "is no demo of this program (--list shows them)" + suggestion(name, names));
+}
+
+std::string nearestName(std::string_view word, const std::vector<std::string>& candidates) {
+    std::string best;
+    std::size_t least = std::max<std::size_t>(2, word.size() / 3) + 1;  // further off, it is another word
+    for (const std::string& candidate : candidates) {
+        const std::size_t distance = editDistance(word, candidate);
+        if (distance < least) {
+            least = distance;
+            best = candidate;
+        }
+    }
+    return best;
+}
+
+std::string suggestion(std::string_view word, const std::vector<std::string>& candidates) {
+    const std::string nearest = nearestName(word, candidates);
+    return nearest.empty() ? "" : "; did you mean '" + nearest + "'?";
+}
+
+}  // namespace mv

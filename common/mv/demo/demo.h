@@ -1,0 +1,104 @@
+// A demo: a class with knobs and readouts as members, an init and a draw. The framework owns the loop.
+//
+// From that one declaration come a standalone program with a window and a panel, the same program without a window, a
+// row in the launcher, the tests that move every knob, and the tables of its page.
+#pragma once
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "mv/demo/binding.h"
+#include "mv/demo/frame.h"
+#include "mv/demo/knob.h"
+#include "mv/demo/readout.h"
+#include "mv/error.h"
+
+namespace mv {
+
+class Demo {
+  public:
+    virtual ~Demo() = default;
+    Demo() = default;
+    Demo(const Demo&) = delete;
+    Demo& operator=(const Demo&) = delete;
+
+    // Makes the GL objects; a context is current. Called once, before the first draw.
+    virtual void init() = 0;
+    // Draws frame.index(): a pure function of the knobs and the index. Sets every state it relies on.
+    virtual void draw(const Frame& frame) = 0;
+    // Throws Error where settings that are each in range make no picture together (near beyond far, eye at the target).
+    // Headless that ends the program; the window keeps its last picture and shows the sentence.
+    virtual void check() const {}
+
+    const std::vector<Knob*>& knobs() const { return knobs_; }
+    const std::vector<Readout*>& readouts() const { return readouts_; }
+    const std::vector<Binding>& bindings() const { return bindings_; }
+
+    // The knob of that name, or Error naming the nearest one.
+    Knob& knob(std::string_view name) const;
+
+    // Gestures, in the order of their bindings; true when a knob moved.
+    bool press(Key key);
+    bool drag(double across, double down);
+    bool wheel(double notches);
+
+  protected:
+    // Declared in a demo's constructor; `amount` as in Binding.
+    void bindKeys(Key less, Key more, Knob& knob, double amount);
+    void bindKey(Key key, Knob& knob, std::string text);
+    void bindDrag(Knob& across, double perPixelAcross, Knob& down, double perPixelDown);
+    void bindWheel(Knob& knob, double perNotch);
+
+  private:
+    friend class Knob;
+    friend class Readout;
+    void add(Knob* knob);
+    void add(Readout* readout) { readouts_.push_back(readout); }
+
+    std::vector<Knob*> knobs_;
+    std::vector<Readout*> readouts_;
+    std::vector<Binding> bindings_;
+};
+
+// What a demo needs of the context and of its framebuffer. What is not asked for is not made.
+struct Needs {
+    bool depth = false;
+    bool stencil = false;
+    int samples = 0;  // 0 or what the driver has; another number is refused by name
+    int gl = 33;      // core version, 10 * major + minor
+    // Empty: the shaders also compile as GLSL ES 3.00 (WebGL 2). Else what ES 3.0 lacks for it, and the fallback.
+    std::string beyondEs = {};
+};
+
+// What is known of a demo before one is made.
+struct DemoInfo {
+    std::string name;               // kebab-case; the program, the page and the shaders have the same name
+    std::string sentence;           // what it shows
+    std::string lookFor;            // what to look for, one sentence
+    std::string chapter;            // the heading it stands under
+    int number = 0;                 // its row in the course's catalogue, which orders the lists
+    int width = 512, height = 512;  // the original's canvas
+    bool animated = false;          // the picture depends on the frame index
+    Needs needs = {};
+    std::function<std::unique_ptr<Demo>()> make = {};
+};
+
+// All demos linked into this program, in the order of their numbers.
+const std::vector<DemoInfo>& catalogue();
+// The demo of that name, or Error naming the nearest one.
+const DemoInfo& findDemo(std::string_view name);
+// Adds a demo; called at file scope by the last line of its file. Two of one name: Error.
+bool addDemo(DemoInfo info);
+template <class T>
+bool addDemo(DemoInfo info) {
+    info.make = [] { return std::make_unique<T>(); };
+    return addDemo(std::move(info));
+}
+
+// The candidate nearest to `word` by edit distance, or "" where none is near enough to be a slip of the hand.
+std::string nearestName(std::string_view word, const std::vector<std::string>& candidates);
+// ", did you mean 'x'?" or "".
+std::string suggestion(std::string_view word, const std::vector<std::string>& candidates);
+
+}  // namespace mv

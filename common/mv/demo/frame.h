@@ -1,0 +1,45 @@
+// What a demo is told about the picture it draws, and what it may tell back.
+#pragma once
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "mv/math/types.h"
+
+namespace mv {
+
+// What draw() left for the panel and the report, beside the picture.
+struct FrameNotes {
+    std::vector<std::pair<std::string, mat4>> matrices;
+    std::vector<std::string> messages;
+};
+
+class Frame {
+  public:
+    Frame(int index, int width, int height, FrameNotes& notes, bool readouts = false)
+        : index_(index), width_(width), height_(height), readouts_(readouts), notes_(&notes) {}
+
+    // Frame n is the original's picture after n of its steps; the first picture of an original is frame 1.
+    int index() const { return index_; }
+    // Seconds, index/60: never a clock, so frame n is the same picture in a window, headless and in a test.
+    double time() const { return index_ / 60.0; }
+    // The size of the picture in pixels; the viewport covers it.
+    int width() const { return width_; }
+    int height() const { return height_; }
+    double aspect() const { return double(width_) / height_; }
+    // Whether anybody reads the readouts of this frame. One that costs draws of its own (a count of triangles, say) is
+    // left out where nobody does; the picture is the same either way.
+    bool readouts() const { return readouts_; }
+
+    // Shows a matrix as a live table, under its name in the form aFromB.
+    void show(std::string name, const mat4& matrix) const { notes_->matrices.emplace_back(std::move(name), matrix); }
+    // One sentence that the user must see beside this picture (a shadow that cannot be, say).
+    void say(std::string message) const { notes_->messages.push_back(std::move(message)); }
+
+  private:
+    int index_, width_, height_;
+    bool readouts_;
+    FrameNotes* notes_;
+};
+
+}  // namespace mv

@@ -1,0 +1,171 @@
+#include "mv/demo/knob.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+#include "mv/demo/demo.h"
+
+namespace mv {
+namespace {
+
+// Reads the whole of `text` as a number; nan, inf and hexadecimal are no settings.
+template <class Number>
+bool readNumber(std::string_view text, Number& number) {
+    if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+    const auto end = text.data() + text.size();
+    const auto result = std::from_chars(text.data(), end, number);
+    if (result.ec != std::errc() || result.ptr != end) return false;
+    return std::isfinite(static_cast<double>(number));
+}
+
+}  // namespace
+
+Knob::Knob(Demo* owner, std::string name, std::string help, std::string unit)
+    : name_(std::move(name)), help_(std::move(help)), unit_(std::move(unit)) {
+    owner->add(this);
+}
+
+Error Knob::refused(std::string_view text) const {
+    std::string rule = "must be " + range();
+    if (!unit_.empty()) rule += " " + unit_;
+    return Error("--" + name_, rule, "'" + std::string(text) + "'");
+}
+
+// ---- Real
+
+Real::Real(Demo* owner, std::string name, double initial, Range range, std::string help, std::string unit)
+    : Knob(owner, std::move(name), std::move(help), std::move(unit)),
+      value_(initial),
+      initial_(initial),
+      range_(range) {
+    if (!(range.low <= initial && initial <= range.high)) throw refused(numberText(initial));
+}
+
+void Real::parse(std::string_view text) {
+    double number = 0;
+    if (!readNumber(text, number) || number < range_.low || number > range_.high) throw refused(text);
+    value_ = number == 0 ? 0 : number;  // -0 would print as "-0"
+}
+
+std::string Real::range() const { return numberText(range_.low) + " .. " + numberText(range_.high); }
+
+std::vector<std::string> Real::sweep() const {
+    return {numberText(range_.low), initialText(), numberText(range_.high)};
+}
+
+bool Real::step(double amount) {
+    // Steps of 0.1 or 0.2 are not exact in binary; on a grid of 1e-9 twenty of them lead from -4 to 0 and not to 1e-15.
+    const double moved = std::round((value_ + amount) * 1e9) / 1e9;
+    const double stopped = std::clamp(moved, range_.low, range_.high);
+    if (stopped == value_) return false;
+    value_ = stopped == 0 ? 0 : stopped;
+    return true;
+}
+
+bool Real::widget(Panel& panel) { return panel.slider(*this, value_, range_.low, range_.high); }
+
+// ---- Angle
+
+Angle::Angle(Demo* owner, std::string name, double initial, std::string help)
+    : Real(owner, std::move(name), initial, {-360, 360}, std::move(help), "deg") {}
+
+bool Angle::step(double amount) {
+    if (amount == 0) return false;
+    value_ = std::fmod(std::round((value_ + amount) * 1e9) / 1e9, 360.0);
+    if (value_ == 0) value_ = 0;
+    return true;
+}
+
+// ---- Whole
+
+Whole::Whole(Demo* owner, std::string name, int initial, Range range, std::string help, std::string unit)
+    : Knob(owner, std::move(name), std::move(help), std::move(unit)),
+      value_(initial),
+      initial_(initial),
+      range_(range) {
+    if (initial < range.low || initial > range.high) throw refused(std::to_string(initial));
+}
+
+void Whole::parse(std::string_view text) {
+    int number = 0;
+    if (!readNumber(text, number) || number < range_.low || number > range_.high) throw refused(text);
+    value_ = number;
+}
+
+std::string Whole::range() const { return std::to_string(range_.low) + " .. " + std::to_string(range_.high); }
+
+std::vector<std::string> Whole::sweep() const {
+    std::vector<std::string> texts;
+    if (range_.high - range_.low < 12) {  // few enough to try each
+        for (int i = range_.low; i <= range_.high; ++i) texts.push_back(std::to_string(i));
+        return texts;
+    }
+    return {std::to_string(range_.low), initialText(), std::to_string(range_.high)};
+}
+
+bool Whole::step(double amount) {
+    const int stopped =
+        static_cast<int>(std::clamp(value_ + std::round(amount), double(range_.low), double(range_.high)));
+    return std::exchange(value_, stopped) != stopped;
+}
+
+bool Whole::widget(Panel& panel) { return panel.slider(*this, value_, range_.low, range_.high); }
+
+// ---- Toggle
+
+Toggle::Toggle(Demo* owner, std::string name, bool initial, std::string help)
+    : Knob(owner, std::move(name), std::move(help), ""), value_(initial), initial_(initial) {}
+
+void Toggle::parse(std::string_view text) {
+    if (text != "on" && text != "off") throw refused(text);
+    value_ = text == "on";
+}
+
+bool Toggle::step(double amount) {
+    if (amount == 0) return false;
+    value_ = !value_;
+    return true;
+}
+
+bool Toggle::widget(Panel& panel) { return panel.checkbox(*this, value_); }
+
+// ---- Choice
+
+WordChoice::WordChoice(Demo* owner, std::string name, int initial, std::vector<Option> options, std::string help)
+    : Knob(owner, std::move(name), std::move(help), ""),
+      index_(initial),
+      initial_(initial),
+      options_(std::move(options)) {
+    if (initial < 0 || initial >= static_cast<int>(options_.size())) throw refused(std::to_string(initial));
+}
+
+void WordChoice::parse(std::string_view text) {
+    const auto found = std::find_if(options_.begin(), options_.end(), [&](const Option& o) { return o.word == text; });
+    if (found == options_.end()) throw refused(text);
+    index_ = static_cast<int>(found - options_.begin());
+}
+
+std::string WordChoice::range() const {
+    std::string words;
+    for (const Option& option : options_) words += (words.empty() ? "" : " | ") + option.word;
+    return words;
+}
+
+std::vector<std::string> WordChoice::sweep() const {
+    std::vector<std::string> texts;
+    for (const Option& option : options_) texts.push_back(option.word);
+    return texts;
+}
+
+bool WordChoice::step(double amount) {
+    if (amount == 0) return false;
+    const int count = static_cast<int>(options_.size());
+    index_ = (index_ + (amount > 0 ? 1 : count - 1)) % count;
+    return true;
+}
+
+bool WordChoice::widget(Panel& panel) { return panel.choose(*this, index_, options_); }
+
+}  // namespace mv

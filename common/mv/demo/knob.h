@@ -1,0 +1,161 @@
+// Knobs: the settings of a demo. Declared once as a member, a knob is a value in the code, a flag on the command line,
+// a widget in the window, a row in the documentation and a case in the sweep test.
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mv/demo/panel.h"
+#include "mv/error.h"
+
+namespace mv {
+
+class Demo;
+
+// A setting. To add a kind of knob, derive from it and answer these questions; nothing else has to know the new kind.
+class Knob {
+  public:
+    Knob(Demo* owner, std::string name, std::string help, std::string unit);
+    virtual ~Knob() = default;
+    Knob& operator=(const Knob&) = delete;
+
+    const std::string& name() const { return name_; }  // in kebab-case; the flag is --name
+    const std::string& help() const { return help_; }
+    const std::string& unit() const { return unit_; }  // "" for a pure number; degrees are "deg"
+
+    // The present value; parse(text()) gives exactly the same value again.
+    virtual std::string text() const = 0;
+    // Takes a value, or throws Error naming the flag and its range and leaves the value as it was.
+    virtual void parse(std::string_view text) = 0;
+    virtual std::string initialText() const = 0;
+    // What is allowed, for people: "0.05 .. 10", "none | back | front | both".
+    virtual std::string range() const = 0;
+    // The settings a test tries, as texts: the ends of the range and the initial one, or every choice.
+    virtual std::vector<std::string> sweep() const = 0;
+    // Moves the value by `amount` (a key, a drag, a wheel notch). False where the range ends: nothing moved.
+    virtual bool step(double amount) = 0;
+    // Shows the knob; true when the user changed it.
+    virtual bool widget(Panel& panel) = 0;
+    // What each option means, for a Choice; empty for the rest.
+    virtual std::vector<Option> options() const { return {}; }
+
+    bool isInitial() const { return text() == initialText(); }
+    void reset() { parse(initialText()); }
+
+  protected:
+    // A copy belongs to no demo; it exists so that vec3(0, 0, knob) works, which takes its arguments by value.
+    Knob(const Knob&) = default;
+    // The error of a value that is not allowed.
+    Error refused(std::string_view text) const;
+
+  private:
+    std::string name_, help_, unit_;
+};
+
+// A number. Outside its range it is refused, never clamped.
+class Real : public Knob {
+  public:
+    struct Range {
+        double low, high;
+    };
+    Real(Demo* owner, std::string name, double initial, Range range, std::string help, std::string unit = "");
+    operator double() const { return value_; }
+
+    std::string text() const override { return numberText(value_); }
+    void parse(std::string_view text) override;
+    std::string initialText() const override { return numberText(initial_); }
+    std::string range() const override;
+    std::vector<std::string> sweep() const override;
+    bool step(double amount) override;
+    bool widget(Panel& panel) override;
+
+  protected:
+    double value_;
+    double initial_;
+    Range range_;
+};
+
+// An angle in degrees between -360 and 360 that goes on turning: a step past either end drops whole turns, with the
+// sign kept, as % does in JavaScript.
+class Angle : public Real {
+  public:
+    Angle(Demo* owner, std::string name, double initial, std::string help);
+    bool step(double amount) override;
+};
+
+// A whole number.
+class Whole : public Knob {
+  public:
+    struct Range {
+        int low, high;
+    };
+    Whole(Demo* owner, std::string name, int initial, Range range, std::string help, std::string unit = "");
+    operator int() const { return value_; }
+
+    std::string text() const override { return std::to_string(value_); }
+    void parse(std::string_view text) override;
+    std::string initialText() const override { return std::to_string(initial_); }
+    std::string range() const override;
+    std::vector<std::string> sweep() const override;
+    bool step(double amount) override;
+    bool widget(Panel& panel) override;
+
+  private:
+    int value_;
+    int initial_;
+    Range range_;
+};
+
+// On or off.
+class Toggle : public Knob {
+  public:
+    Toggle(Demo* owner, std::string name, bool initial, std::string help);
+    operator bool() const { return value_; }
+
+    std::string text() const override { return value_ ? "on" : "off"; }
+    void parse(std::string_view text) override;
+    std::string initialText() const override { return initial_ ? "on" : "off"; }
+    std::string range() const override { return "on | off"; }
+    std::vector<std::string> sweep() const override { return {"off", "on"}; }
+    bool step(double amount) override;
+    bool widget(Panel& panel) override;
+
+  private:
+    bool value_;
+    bool initial_;
+};
+
+// One of a few words; Choice below gives it an enumeration.
+class WordChoice : public Knob {
+  public:
+    WordChoice(Demo* owner, std::string name, int initial, std::vector<Option> options, std::string help);
+
+    std::string text() const override { return options_[static_cast<std::size_t>(index_)].word; }
+    void parse(std::string_view text) override;
+    std::string initialText() const override { return options_[static_cast<std::size_t>(initial_)].word; }
+    std::string range() const override;
+    std::vector<std::string> sweep() const override;
+    bool step(double amount) override;
+    bool widget(Panel& panel) override;
+    std::vector<Option> options() const override { return options_; }
+
+  protected:
+    int index_;
+
+  private:
+    int initial_;
+    std::vector<Option> options_;
+};
+
+// A choice held as an enumeration whose values count from 0 in the order of the options:
+//     enum class Cull { none, back, front, both };
+//     Choice<Cull> cull{this, "cull", Cull::back, {{"none"}, {"back"}, {"front"}, {"both"}}, "faces to discard"};
+template <class Enum>
+class Choice : public WordChoice {
+  public:
+    Choice(Demo* owner, std::string name, Enum initial, std::vector<Option> options, std::string help)
+        : WordChoice(owner, std::move(name), static_cast<int>(initial), std::move(options), std::move(help)) {}
+    operator Enum() const { return static_cast<Enum>(index_); }
+};
+
+}  // namespace mv

@@ -1,0 +1,26 @@
+// What a knob may ask of a user interface, without naming one: the window's panel implements it with Dear ImGui.
+#pragma once
+#include <string>
+#include <vector>
+
+namespace mv {
+
+class Knob;
+
+// One setting of a Choice: the word typed on the command line and what it means.
+struct Option {
+    std::string word;
+    std::string meaning = {};
+};
+
+// The widgets a knob can be shown with. Each returns true when the user has just changed `value`.
+class Panel {
+  public:
+    virtual ~Panel() = default;
+    virtual bool slider(const Knob& knob, double& value, double low, double high) = 0;
+    virtual bool slider(const Knob& knob, int& value, int low, int high) = 0;
+    virtual bool checkbox(const Knob& knob, bool& value) = 0;
+    virtual bool choose(const Knob& knob, int& index, const std::vector<Option>& options) = 0;
+};
+
+}  // namespace mv

@@ -1,0 +1,39 @@
+// Readouts: numbers a demo reports about its picture. Declared like a knob, shown in the panel, printed by --report,
+// checked by the tests.
+#pragma once
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "mv/error.h"
+
+namespace mv {
+
+class Demo;
+
+class Readout {
+  public:
+    Readout(Demo* owner, std::string name, std::string help, std::string unit = "");
+    Readout(const Readout&) = delete;
+    Readout& operator=(const Readout&) = delete;
+
+    // Sets the number for this frame. A readout that is not finite is a defect of the demo: Error.
+    Readout& operator=(double value) {
+        if (!std::isfinite(value)) throw Error("readout " + name_, "must be finite", numberText(value));
+        value_ = value;
+        return *this;
+    }
+    void clear() { value_.reset(); }
+
+    const std::string& name() const { return name_; }
+    const std::string& help() const { return help_; }
+    const std::string& unit() const { return unit_; }
+    std::optional<double> value() const { return value_; }  // empty: this setting does not measure it
+
+  private:
+    std::string name_, help_, unit_;
+    std::optional<double> value_;
+};
+
+}  // namespace mv

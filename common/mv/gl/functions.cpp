@@ -1,0 +1,218 @@
+#include "mv/gl/functions.h"
+
+#include <utility>
+
+#include "mv/error.h"
+
+#define X(name, TYPE, version) PFNGL##TYPE##PROC gl##name = nullptr;
+#include "mv/gl/function_list.inc"
+#undef X
+
+namespace mv {
+namespace {
+
+// What the driver gave, before counting and refusing are laid over it.
+struct Driver {
+#define X(name, TYPE, version) PFNGL##TYPE##PROC name = nullptr;
+#include "mv/gl/function_list.inc"
+#undef X
+};
+Driver driver;
+PFNGLOBJECTLABELPROC driverObjectLabel = nullptr;
+
+Counters counted;
+long live = 0;
+int allowed = 33;
+bool es = false;
+std::vector<std::string> debugMessages;
+
+// ---- Functions that stand for a call newer than the demo declares: one refusal each, with the call's own signature.
+
+struct FunctionFacts {
+    const char* name;
+    int version;
+};
+
+#define X(name, TYPE, version) constexpr FunctionFacts facts##name{"gl" #name, version};
+#include "mv/gl/function_list.inc"
+#undef X
+
+template <const FunctionFacts& facts, class Function>
+struct Refusal;
+template <const FunctionFacts& facts, class Result, class... Arguments>
+struct Refusal<facts, Result (*)(Arguments...)> {
+    static Result call(Arguments...) {
+        throw Error(facts.name, "needs OpenGL " + std::to_string(facts.version / 10) + "." +
+                                    std::to_string(facts.version % 10) +
+                                    "; declare it with .needs = {.gl = " + std::to_string(facts.version) + "}");
+    }
+};
+
+// ---- Counting
+
+void countPrimitives(GLenum mode, GLsizei count) {
+    ++counted.draws;
+    counted.vertices += count;
+    if (mode == GL_TRIANGLES) counted.triangles += count / 3;
+    if ((mode == GL_TRIANGLE_STRIP || mode == GL_TRIANGLE_FAN) && count > 2) counted.triangles += count - 2;
+}
+
+void countedDrawArrays(GLenum mode, GLint first, GLsizei count) {
+    countPrimitives(mode, count);
+    driver.DrawArrays(mode, first, count);
+}
+void countedDrawElements(GLenum mode, GLsizei count, GLenum type, const void* indices) {
+    countPrimitives(mode, count);
+    driver.DrawElements(mode, count, type, indices);
+}
+
+// Gen* and Delete* of the object kinds that all have the signatures (count, names).
+using Generate = void (*)(GLsizei, GLuint*);
+using Delete = void (*)(GLsizei, const GLuint*);
+template <Generate Driver::*function>
+void countedGenerate(GLsizei count, GLuint* names) {
+    (driver.*function)(count, names);
+    live += count;
+}
+template <Delete Driver::*function>
+void countedDelete(GLsizei count, const GLuint* names) {
+    for (GLsizei i = 0; i < count; ++i) live -= names[i] != 0 ? 1 : 0;  // GL ignores the name 0
+    (driver.*function)(count, names);
+}
+GLuint countedCreateProgram() {
+    ++live;
+    return driver.CreateProgram();
+}
+GLuint countedCreateShader(GLenum kind) {
+    ++live;
+    return driver.CreateShader(kind);
+}
+void countedDeleteProgram(GLuint name) {
+    live -= name != 0 ? 1 : 0;
+    driver.DeleteProgram(name);
+}
+void countedDeleteShader(GLuint name) {
+    live -= name != 0 ? 1 : 0;
+    driver.DeleteShader(name);
+}
+
+void layCountersOver() {
+    glDrawArrays = countedDrawArrays;
+    glDrawElements = countedDrawElements;
+    glGenBuffers = countedGenerate<&Driver::GenBuffers>;
+    glGenFramebuffers = countedGenerate<&Driver::GenFramebuffers>;
+    glGenQueries = countedGenerate<&Driver::GenQueries>;
+    glGenRenderbuffers = countedGenerate<&Driver::GenRenderbuffers>;
+    glGenTextures = countedGenerate<&Driver::GenTextures>;
+    glGenVertexArrays = countedGenerate<&Driver::GenVertexArrays>;
+    glDeleteBuffers = countedDelete<&Driver::DeleteBuffers>;
+    glDeleteFramebuffers = countedDelete<&Driver::DeleteFramebuffers>;
+    glDeleteQueries = countedDelete<&Driver::DeleteQueries>;
+    glDeleteRenderbuffers = countedDelete<&Driver::DeleteRenderbuffers>;
+    glDeleteTextures = countedDelete<&Driver::DeleteTextures>;
+    glDeleteVertexArrays = countedDelete<&Driver::DeleteVertexArrays>;
+    glCreateProgram = countedCreateProgram;
+    glCreateShader = countedCreateShader;
+    glDeleteProgram = countedDeleteProgram;
+    glDeleteShader = countedDeleteShader;
+}
+
+// ---- KHR_debug, outside the table: it belongs to the framework, and it is newer than the floor.
+
+void onDebugMessage(GLenum, GLenum, GLuint, GLenum severity, GLsizei, const GLchar* message, const void*) {
+    if (severity != GL_DEBUG_SEVERITY_HIGH && severity != GL_DEBUG_SEVERITY_MEDIUM) return;
+    debugMessages.emplace_back(message);
+}
+
+bool hasExtension(const char* name) {
+    GLint count = 0;
+    glGetIntegerv(GL_NUM_EXTENSIONS, &count);
+    for (GLint i = 0; i < count; ++i) {
+        const auto extension = glGetStringi(GL_EXTENSIONS, static_cast<GLuint>(i));
+        if (extension && std::string(reinterpret_cast<const char*>(extension)) == name) return true;
+    }
+    return false;
+}
+
+template <class Function>
+Function lookUp(const std::function<void*(const char*)>& address, const char* name) {
+    return reinterpret_cast<Function>(address(name));
+}
+
+}  // namespace
+
+void loadFunctions(const std::function<void*(const char*)>& address) {
+#define X(name, TYPE, version) driver.name = lookUp<PFNGL##TYPE##PROC>(address, "gl" #name);
+#include "mv/gl/function_list.inc"
+#undef X
+    counted = {};
+    live = 0;
+    debugMessages.clear();
+    allowVersion(33);
+
+    const auto version = reinterpret_cast<const char*>(glGetString(GL_VERSION));
+    if (!version) throw Error("OpenGL", "has no current context");
+    es = std::string(version).rfind("OpenGL ES", 0) == 0;
+
+    driverObjectLabel = nullptr;
+    if (!hasExtension("GL_KHR_debug")) return;
+    // In ES the entry points carry the suffix KHR.
+    auto callback = lookUp<PFNGLDEBUGMESSAGECALLBACKPROC>(address, "glDebugMessageCallback");
+    if (!callback) callback = lookUp<PFNGLDEBUGMESSAGECALLBACKPROC>(address, "glDebugMessageCallbackKHR");
+    driverObjectLabel = lookUp<PFNGLOBJECTLABELPROC>(address, "glObjectLabel");
+    if (!driverObjectLabel) driverObjectLabel = lookUp<PFNGLOBJECTLABELPROC>(address, "glObjectLabelKHR");
+    if (!callback) return;
+    callback(onDebugMessage, nullptr);
+    glEnable(GL_DEBUG_OUTPUT);
+    glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
+}
+
+void allowVersion(int newest) {
+    allowed = newest;
+#define X(name, TYPE, version) \
+    gl##name = version <= allowed ? driver.name : &Refusal<facts##name, PFNGL##TYPE##PROC>::call;
+#include "mv/gl/function_list.inc"
+#undef X
+    layCountersOver();
+    // ES 3.0 lacks a few functions of desktop GL; those stay null there and no demo that claims ES calls them.
+    if (!glGetString || !glDrawArrays) throw Error("OpenGL", "has no functions; is a driver installed?");
+}
+int allowedVersion() { return allowed; }
+bool isEs() { return es; }
+
+const Counters& counters() { return counted; }
+void resetCounters(const Counters& to) { counted = to; }
+long liveObjects() { return live; }
+
+void labelObject(GLenum kind, GLuint id, const std::string& label) {
+    if (driverObjectLabel) driverObjectLabel(kind, id, static_cast<GLsizei>(label.size()), label.c_str());
+}
+
+std::vector<std::string> takeErrors() {
+    std::vector<std::string> errors = std::exchange(debugMessages, {});
+    for (GLenum code = glGetError(); code != GL_NO_ERROR; code = glGetError()) {
+        switch (code) {
+            case GL_INVALID_ENUM:
+                errors.emplace_back("GL_INVALID_ENUM");
+                break;
+            case GL_INVALID_VALUE:
+                errors.emplace_back("GL_INVALID_VALUE");
+                break;
+            case GL_INVALID_OPERATION:
+                errors.emplace_back("GL_INVALID_OPERATION");
+                break;
+            case GL_INVALID_FRAMEBUFFER_OPERATION:
+                errors.emplace_back("GL_INVALID_FRAMEBUFFER_OPERATION");
+                break;
+            case GL_OUT_OF_MEMORY:
+                errors.emplace_back("GL_OUT_OF_MEMORY");
+                break;
+            default:
+                errors.emplace_back("GL error " + std::to_string(code));
+                return errors;
+        }
+    }
+    return errors;
+}
+
+}  // namespace mv

@@ -1,0 +1,48 @@
+// The OpenGL functions, filled in by loadFunctions() from the host's own getProcAddress.
+//
+// No packaged loader serves OSMesa, EGL and GLFW alike, so the table is ours. The variables are called glEnable,
+// glClear ... as in every book; their symbols are mv_glEnable, mv_glClear ..., so that no gl* call of another library
+// (OSMesa and libGL export the plain names) can ever bind to them.
+#pragma once
+#include <GL/glcorearb.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#define X(name, TYPE, version) extern PFNGL##TYPE##PROC gl##name __asm__("mv_gl" #name);
+#include "mv/gl/function_list.inc"
+#undef X
+
+namespace mv {
+
+// Fills the table for the current context and switches KHR_debug on where the context has it.
+// Error: a function of OpenGL 3.3 is missing.
+void loadFunctions(const std::function<void*(const char*)>& address);
+
+// Only functions of this core version (10 * major + minor) and older may be called; a newer one throws Error with its
+// name. Set to what the demo declares, so that a demo that says 3.3 runs on 3.3.
+void allowVersion(int version);
+int allowedVersion();
+// Whether the current context is OpenGL ES.
+bool isEs();
+
+// What was called since the last resetCounters().
+struct Counters {
+    long draws = 0;
+    long triangles = 0;  // submitted
+    long vertices = 0;   // submitted
+};
+const Counters& counters();
+void resetCounters(const Counters& to = {});
+
+// GL objects made and not yet deleted.
+long liveObjects();
+
+// Names a GL object for debuggers and debug messages, where the context has KHR_debug.
+void labelObject(GLenum kind, GLuint id, const std::string& label);
+
+// KHR_debug messages of severity medium and high since the last call, and glGetError's codes by name.
+std::vector<std::string> takeErrors();
+
+}  // namespace mv

@@ -1,0 +1,9 @@
+// All that a demo needs to draw with.
+#pragma once
+#include "mv/gl/functions.h"
+#include "mv/gl/mesh.h"
+#include "mv/gl/program.h"
+#include "mv/gl/target.h"
+#include "mv/gl/text.h"
+#include "mv/gl/texture.h"
+#include "mv/gl/triangle_count.h"

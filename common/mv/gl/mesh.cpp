@@ -1,0 +1,83 @@
+#include "mv/gl/mesh.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <vector>
+
+#include "mv/error.h"
+#include "mv/gl/program.h"
+
+namespace mv {
+namespace {
+
+GLenum glPrimitive(Primitive primitive) {
+    switch (primitive) {
+        case Primitive::triangles:
+            return GL_TRIANGLES;
+        case Primitive::triangleStrip:
+            return GL_TRIANGLE_STRIP;
+        case Primitive::triangleFan:
+            return GL_TRIANGLE_FAN;
+        case Primitive::lines:
+            return GL_LINES;
+        case Primitive::points:
+            return GL_POINTS;
+    }
+    throw Error("mesh", "must have a known primitive");
+}
+
+template <class Vector>
+std::size_t byteSize(const std::vector<Vector>& values) {
+    return values.size() * sizeof(Vector);
+}
+
+// Appends one attribute's array to the buffer's bytes and points the attribute at it.
+template <class Vector>
+void attach(Attribute attribute, const std::vector<Vector>& values, std::vector<std::byte>& bytes) {
+    if (values.empty()) return;
+    const std::size_t offset = bytes.size();
+    bytes.resize(offset + byteSize(values));
+    std::memcpy(bytes.data() + offset, values.data(), byteSize(values));
+    const auto index = static_cast<GLuint>(attribute);
+    glEnableVertexAttribArray(index);
+    glVertexAttribPointer(index, Vector::length(), GL_FLOAT, GL_FALSE, 0, reinterpret_cast<const void*>(offset));
+}
+
+}  // namespace
+
+Mesh::Mesh(const MeshData& data, const std::string& label) : primitive_(glPrimitive(data.primitive)) {
+    if (data.positions.empty()) throw Error("mesh " + label, "must have vertices");
+    vertexArray_ = makeVertexArray();
+    vertices_ = makeBuffer();
+    glBindVertexArray(vertexArray_.id());
+    glBindBuffer(GL_ARRAY_BUFFER, vertices_.id());
+    std::vector<std::byte> bytes;
+    attach(Attribute::position, data.positions, bytes);
+    attach(Attribute::normal, data.normals, bytes);
+    attach(Attribute::color, data.colors, bytes);
+    attach(Attribute::texCoord, data.texCoords, bytes);
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes.size()), bytes.data(), GL_STATIC_DRAW);
+    labelObject(GL_BUFFER, vertices_.id(), label + " vertices");
+    labelObject(GL_VERTEX_ARRAY, vertexArray_.id(), label);
+    count_ = static_cast<GLsizei>(data.positions.size());
+    if (data.indices.empty()) return;
+    indices_ = makeBuffer();
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(byteSize(data.indices)), data.indices.data(),
+                 GL_STATIC_DRAW);
+    labelObject(GL_BUFFER, indices_.id(), label + " indices");
+    count_ = static_cast<GLsizei>(data.indices.size());
+}
+
+void Mesh::draw() const {
+    if (!vertexArray_) throw Error("Mesh", "must be made in init() before it is drawn");
+    glBindVertexArray(vertexArray_.id());
+    if (indices_) {
+        glDrawElements(primitive_, count_, GL_UNSIGNED_INT, nullptr);
+    } else {
+        glDrawArrays(primitive_, 0, count_);
+    }
+}
+
+}  // namespace mv

@@ -1,0 +1,269 @@
+#include "mv/gl/program.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <utility>
+
+#include "mv/error.h"
+#include "mv/gl/object.h"
+#include "mv/gl/shader_source.h"
+
+namespace mv {
+namespace {
+
+struct Stage {
+    const char* extension;
+    GLenum kind;
+    bool always;
+};
+constexpr Stage stages[] = {{"vert", GL_VERTEX_SHADER, true},
+                            {"frag", GL_FRAGMENT_SHADER, true},
+                            {"geom", GL_GEOMETRY_SHADER, false},
+                            {"tesc", GL_TESS_CONTROL_SHADER, false},
+                            {"tese", GL_TESS_EVALUATION_SHADER, false}};
+
+struct Uniform {
+    GLint location;
+    GLenum type;
+};
+
+// The sources of a program, by stage; made anew for each compilation, so that an edited file is read again.
+using Sources = std::vector<std::pair<GLenum, ShaderSource>>;
+
+struct Linked {
+    ProgramObject program;
+    std::map<std::string, Uniform, std::less<>> uniforms;
+    std::map<std::filesystem::path, std::filesystem::file_time_type> files;
+};
+
+std::string shaderLog(GLuint shader) {
+    GLint length = 0;
+    glGetShaderiv(shader, GL_INFO_LOG_LENGTH, &length);
+    std::string log(static_cast<std::size_t>(std::max(length, 1)), '\0');
+    glGetShaderInfoLog(shader, length, nullptr, log.data());
+    return log;
+}
+
+ShaderObject compile(GLenum kind, const ShaderSource& source) {
+    ShaderObject shader(glCreateShader(kind));
+    const char* text = source.text.c_str();
+    glShaderSource(shader.id(), 1, &text, nullptr);
+    glCompileShader(shader.id());
+    GLint compiled = GL_FALSE;
+    glGetShaderiv(shader.id(), GL_COMPILE_STATUS, &compiled);
+    if (compiled != GL_TRUE) {
+        takeErrors();  // KHR_debug repeats the log, which the Error has
+        throw Error(source.files.front(), "must compile", "\n" + readableLog(shaderLog(shader.id()), source));
+    }
+    labelObject(GL_SHADER, shader.id(), source.files.front());
+    return shader;
+}
+
+std::map<std::string, Uniform, std::less<>> activeUniforms(GLuint program) {
+    std::map<std::string, Uniform, std::less<>> uniforms;
+    GLint count = 0;
+    glGetProgramiv(program, GL_ACTIVE_UNIFORMS, &count);
+    for (GLint i = 0; i < count; ++i) {
+        char name[256];
+        GLint size = 0;
+        GLenum type = 0;
+        glGetActiveUniform(program, static_cast<GLuint>(i), sizeof name, nullptr, &size, &type, name);
+        uniforms[name] = {glGetUniformLocation(program, name), type};
+    }
+    return uniforms;
+}
+
+Linked link(const std::string& name, const Sources& sources) {
+    Linked linked;
+    linked.program = ProgramObject(glCreateProgram());
+    const GLuint program = linked.program.id();
+    std::vector<ShaderObject> shaders;
+    for (const auto& [kind, source] : sources) {
+        for (const auto& path : source.readFrom) linked.files[path] = std::filesystem::last_write_time(path);
+        shaders.push_back(compile(kind, source));
+        glAttachShader(program, shaders.back().id());
+    }
+    glBindAttribLocation(program, static_cast<GLuint>(Attribute::position), "position");
+    glBindAttribLocation(program, static_cast<GLuint>(Attribute::normal), "normal");
+    glBindAttribLocation(program, static_cast<GLuint>(Attribute::color), "color");
+    glBindAttribLocation(program, static_cast<GLuint>(Attribute::texCoord), "texCoord");
+    // So that countTriangles() can read back where each vertex went; costs nothing while no capture is active.
+    const char* captured = "gl_Position";
+    glTransformFeedbackVaryings(program, 1, &captured, GL_INTERLEAVED_ATTRIBS);
+    glLinkProgram(program);
+    for (const ShaderObject& shader : shaders) glDetachShader(program, shader.id());
+
+    GLint ok = GL_FALSE;
+    glGetProgramiv(program, GL_LINK_STATUS, &ok);
+    if (ok != GL_TRUE) {
+        takeErrors();
+        GLint length = 0;
+        glGetProgramiv(program, GL_INFO_LOG_LENGTH, &length);
+        std::string log(static_cast<std::size_t>(std::max(length, 1)), '\0');
+        glGetProgramInfoLog(program, length, nullptr, log.data());
+        throw Error("program " + name, "must link", "\n" + readableLog(log, {}));
+    }
+    labelObject(GL_PROGRAM, program, name);
+    linked.uniforms = activeUniforms(program);
+    return linked;
+}
+
+// A number beyond float's range would arrive as infinity: it is refused like one.
+void requireFinite(const char* name, const double* values, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+        if (!std::isfinite(static_cast<float>(values[i])))
+            throw Error(std::string("uniform ") + name, "must be finite as a float", numberText(values[i]));
+    }
+}
+
+}  // namespace
+
+struct Program::State {
+    std::string name;
+    std::function<Sources()> sources;
+    Linked linked;
+};
+
+// The live programs, for reloading.
+struct ProgramList {
+    static std::vector<Program::State*>& all() {
+        static std::vector<Program::State*> list;
+        return list;
+    }
+    static Reloaded reload() {
+        Reloaded result;
+        for (Program::State* state : all()) {
+            bool changed = false;
+            for (auto& [path, time] : state->linked.files) {
+                std::error_code unreadable;  // an editor may be replacing the file just now: look again next time
+                const auto now = std::filesystem::last_write_time(path, unreadable);
+                if (!unreadable && now != time) {
+                    time = now;
+                    changed = true;
+                }
+            }
+            if (!changed) continue;
+            try {
+                Linked linked = link(state->name, state->sources());
+                state->linked = std::move(linked);
+                ++result.programs;
+            } catch (const Error& error) {
+                result.errors.emplace_back(error.what());
+            }
+        }
+        return result;
+    }
+};
+
+namespace {
+GLuint programInUse = 0;
+}
+
+Program::Program() = default;
+
+Program::Program(std::unique_ptr<State> state) : state_(std::move(state)) {
+    state_->linked = link(state_->name, state_->sources());
+    ProgramList::all().push_back(state_.get());
+}
+
+Program::Program(const std::string& stem, const std::string& variant) {
+    auto state = std::make_unique<State>();
+    state->name = variant.empty() ? stem : stem + "." + variant;
+    state->sources = [name = state->name] {
+        Sources sources;
+        for (const Stage& stage : stages) {
+            const std::string file = name + "." + stage.extension;
+            if (stage.always || hasShaderFile(file)) sources.emplace_back(stage.kind, assembleShader(file));
+        }
+        return sources;
+    };
+    *this = Program(std::move(state));
+}
+
+Program Program::fromText(const std::string& name, const std::string& vertex, const std::string& fragment) {
+    auto state = std::make_unique<State>();
+    state->name = name;
+    state->sources = [name, vertex, fragment] {
+        return Sources{{GL_VERTEX_SHADER, assembleShaderText(name + ".vert", vertex)},
+                       {GL_FRAGMENT_SHADER, assembleShaderText(name + ".frag", fragment)}};
+    };
+    return Program(std::move(state));
+}
+
+Program::Program(Program&&) noexcept = default;
+
+Program& Program::operator=(Program&& other) noexcept {
+    std::swap(state_, other.state_);
+    return *this;
+}
+
+Program::~Program() {
+    if (!state_) return;
+    std::erase(ProgramList::all(), state_.get());
+    if (programInUse == id()) programInUse = 0;
+}
+
+GLuint Program::id() const { return state_ ? state_->linked.program.id() : 0; }
+
+void Program::use() const {
+    if (!state_) throw Error("Program", "must be made in init() before it is used");
+    glUseProgram(id());
+    programInUse = id();
+}
+
+GLint Program::location(const char* name, std::initializer_list<GLenum> types) const {
+    if (id() == 0 || programInUse != id()) {
+        throw Error(std::string("uniform ") + name, "is set on the program in use; call use() first");
+    }
+    const auto found = state_->linked.uniforms.find(std::string_view(name));
+    if (found == state_->linked.uniforms.end()) {
+        std::string list;
+        for (const auto& [active, uniform] : state_->linked.uniforms) list += (list.empty() ? "" : ", ") + active;
+        throw Error(std::string("uniform ") + name,
+                    "must be in program " + state_->name + " and used by it; it has " + (list.empty() ? "none" : list));
+    }
+    if (std::find(types.begin(), types.end(), found->second.type) == types.end()) {
+        throw Error(std::string("uniform ") + name, "must be set with the type the shader declares");
+    }
+    return found->second.location;
+}
+
+void Program::set(const char* name, double value) const {
+    requireFinite(name, &value, 1);
+    glUniform1f(location(name, {GL_FLOAT}), static_cast<GLfloat>(value));
+}
+void Program::set(const char* name, int value) const {
+    glUniform1i(location(name, {GL_INT, GL_BOOL, GL_SAMPLER_2D, GL_SAMPLER_2D_SHADOW, GL_SAMPLER_CUBE}), value);
+}
+void Program::set(const char* name, const vec2& value) const {
+    requireFinite(name, &value.x, 2);
+    const fvec2 rounded(value);
+    glUniform2fv(location(name, {GL_FLOAT_VEC2}), 1, &rounded.x);
+}
+void Program::set(const char* name, const vec3& value) const {
+    requireFinite(name, &value.x, 3);
+    const fvec3 rounded(value);
+    glUniform3fv(location(name, {GL_FLOAT_VEC3}), 1, &rounded.x);
+}
+void Program::set(const char* name, const vec4& value) const {
+    requireFinite(name, &value.x, 4);
+    const fvec4 rounded(value);
+    glUniform4fv(location(name, {GL_FLOAT_VEC4}), 1, &rounded.x);
+}
+void Program::set(const char* name, const mat3& value) const {
+    requireFinite(name, &value[0].x, 9);
+    const fmat3 rounded(value);
+    glUniformMatrix3fv(location(name, {GL_FLOAT_MAT3}), 1, GL_FALSE, &rounded[0].x);
+}
+void Program::set(const char* name, const mat4& value) const {
+    requireFinite(name, &value[0].x, 16);
+    const fmat4 rounded(value);
+    glUniformMatrix4fv(location(name, {GL_FLOAT_MAT4}), 1, GL_FALSE, &rounded[0].x);
+}
+
+Reloaded reloadChangedPrograms() { return ProgramList::reload(); }
+
+}  // namespace mv

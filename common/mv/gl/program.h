@@ -1,0 +1,59 @@
+// A linked GLSL program, made from the shader files of its name.
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "mv/gl/functions.h"
+#include "mv/math/types.h"
+
+namespace mv {
+
+// Vertex attributes have one fixed location each; a shader declares those it uses by these names.
+enum class Attribute : GLuint { position = 0, normal = 1, color = 2, texCoord = 3 };
+
+class Program {
+  public:
+    Program();
+    // Compiles shaders/<stem>[.<variant>].vert and .frag (and .geom, .tesc, .tese where they exist) and links them.
+    // Error: "shaders/<stem>.frag:7: message" for each mistake.
+    explicit Program(const std::string& stem, const std::string& variant = "");
+    // From texts of the framework itself; `name` stands for the file name in messages.
+    static Program fromText(const std::string& name, const std::string& vertex, const std::string& fragment);
+    Program(Program&&) noexcept;
+    Program& operator=(Program&&) noexcept;
+    ~Program();
+
+    // Makes it the current program; set() and draws refer to that.
+    void use() const;
+
+    // Sets a uniform of the current program. Matrices and vectors are rounded to float here, once.
+    // Error: no active uniform of that name, another type, a number that is not finite, or the program is not in use.
+    void set(const char* name, double value) const;
+    void set(const char* name, int value) const;  // also bool and samplers (the texture unit)
+    void set(const char* name, bool value) const { set(name, value ? 1 : 0); }
+    void set(const char* name, const vec2& value) const;
+    void set(const char* name, const vec3& value) const;
+    void set(const char* name, const vec4& value) const;
+    void set(const char* name, const mat3& value) const;
+    void set(const char* name, const mat4& value) const;
+
+    GLuint id() const;
+
+  private:
+    friend struct ProgramList;
+    struct State;
+    explicit Program(std::unique_ptr<State> state);
+    GLint location(const char* name, std::initializer_list<GLenum> types) const;
+    std::unique_ptr<State> state_;
+};
+
+// What became of the programs whose files were edited.
+struct Reloaded {
+    int programs = 0;                 // compiled anew
+    std::vector<std::string> errors;  // one for each that failed; its last good version stays in use
+};
+// Compiles each program again one of whose files on disk has changed. For developer builds; else nothing changes.
+Reloaded reloadChangedPrograms();
+
+}  // namespace mv

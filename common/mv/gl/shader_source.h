@@ -1,0 +1,32 @@
+// Shader files by name: embedded in the program at build time, read from the source tree in a developer build.
+#pragma once
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mv {
+
+// Adds a file to the embedded ones; the build makes one call for each file. `path` is where a developer build finds the
+// file itself, so that an edit is seen without a build; it is empty in an installed library.
+bool addShaderFile(std::string name, std::string text, std::string path);
+
+// A shader ready to compile: the version line put before it, its #include lines replaced by the files.
+struct ShaderSource {
+    std::string text;
+    std::vector<std::string> files;               // shown names, by the source number that #line gives
+    std::vector<std::filesystem::path> readFrom;  // files on disk that it was read from
+};
+
+// Whether there is a shader file of that name ("cube-cull.vert").
+bool hasShaderFile(const std::string& name);
+
+// The shader file, for the current context's dialect: "#version 330 core" on OpenGL, "#version 300 es" on OpenGL ES.
+// `#include "x.glsl"` stands for shaders/include/x.glsl. Error: no such file, or a file that includes itself.
+ShaderSource assembleShader(const std::string& name);
+ShaderSource assembleShaderText(const std::string& shownName, std::string_view text);
+
+// A driver's log with its source numbers turned into file names: "shaders/cube-cull.frag:7: message", a line each.
+std::string readableLog(std::string_view log, const ShaderSource& source);
+
+}  // namespace mv

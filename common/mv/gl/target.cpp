@@ -1,0 +1,111 @@
+#include "mv/gl/target.h"
+
+#include <algorithm>
+
+#include "mv/error.h"
+
+namespace mv {
+namespace {
+
+Renderbuffer storage(GLenum format, int samples, int width, int height) {
+    Renderbuffer buffer = makeRenderbuffer();
+    glBindRenderbuffer(GL_RENDERBUFFER, buffer.id());
+    if (samples > 0) {
+        glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width, height);
+        GLint given = 0;
+        glGetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_SAMPLES, &given);
+        if (given != samples) {  // drivers round up in silence
+            throw Error("samples", "must be a number the driver has; it gives " + std::to_string(given) + " instead of",
+                        std::to_string(samples));
+        }
+    } else {
+        glRenderbufferStorage(GL_RENDERBUFFER, format, width, height);
+    }
+    return buffer;
+}
+
+void requireComplete(const std::string& label) {
+    const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
+    if (status != GL_FRAMEBUFFER_COMPLETE) {
+        throw Error("framebuffer " + label, "must be complete; the driver refuses these buffers",
+                    std::to_string(status));
+    }
+}
+
+}  // namespace
+
+Target::Target(int width, int height, Buffers buffers, const std::string& label)
+    : width_(width), height_(height), buffers_(buffers) {
+    GLint largest = 0;
+    glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &largest);
+    GLint widest[2] = {0, 0};
+    glGetIntegerv(GL_MAX_VIEWPORT_DIMS, widest);
+    largest = std::min({largest, widest[0], widest[1]});
+    if (width < 1 || height < 1 || width > largest || height > largest) {
+        throw Error("size",
+                    "must be 1x1 .. " + std::to_string(largest) + "x" + std::to_string(largest) + " on this driver",
+                    std::to_string(width) + "x" + std::to_string(height));
+    }
+    if (buffers.samples > 0) {
+        GLint most = 0;
+        glGetIntegerv(GL_MAX_SAMPLES, &most);
+        if (buffers.samples > most) {
+            throw Error("samples", "must be at most " + std::to_string(most) + " on this driver",
+                        std::to_string(buffers.samples));
+        }
+    }
+    framebuffer_ = makeFramebuffer();
+    color_ = storage(GL_RGBA8, buffers.samples, width, height);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color_.id());
+    if (buffers.depth || buffers.stencil) {
+        // Stencil alone is not a format every driver completes; beside depth it always is.
+        depthStencil_ =
+            storage(buffers.stencil ? GL_DEPTH24_STENCIL8 : GL_DEPTH_COMPONENT24, buffers.samples, width, height);
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, buffers.stencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT,
+                                  GL_RENDERBUFFER, depthStencil_.id());
+    }
+    requireComplete(label);
+    labelObject(GL_FRAMEBUFFER, framebuffer_.id(), label);
+    if (buffers.samples > 0) {
+        single_ = makeFramebuffer();
+        singleColor_ = storage(GL_RGBA8, 0, width, height);
+        glBindFramebuffer(GL_FRAMEBUFFER, single_.id());
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, singleColor_.id());
+        requireComplete(label + " resolved");
+        labelObject(GL_FRAMEBUFFER, single_.id(), label + " resolved");
+    }
+    bind();
+}
+
+void Target::bind() const {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+    glViewport(0, 0, width_, height_);
+}
+
+GLuint Target::resolved() const {
+    if (!single_) return framebuffer_.id();
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.id());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, single_.id());
+    glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    return single_.id();
+}
+
+Picture Target::read() const {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved());
+    Picture picture(width_, height_);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, picture.rgba.data());
+    bind();
+    flipRows(picture);
+    return picture;
+}
+
+void Target::blitToWindow(int x, int y) const {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    glBlitFramebuffer(0, 0, width_, height_, x, y, x + width_, y + height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+}  // namespace mv

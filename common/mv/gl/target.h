@@ -1,0 +1,42 @@
+// The framebuffer a picture is drawn into: exactly the buffers that were asked for.
+#pragma once
+#include <string>
+
+#include "mv/gl/object.h"
+#include "mv/image/picture.h"
+
+namespace mv {
+
+// Every host draws into one of these and never into its window: only then are the bytes the same on OSMesa, EGL and in
+// a window.
+class Target {
+  public:
+    struct Buffers {
+        bool depth = false;
+        bool stencil = false;
+        int samples = 0;
+    };
+    Target() = default;
+    // Error: a size the driver cannot make, a number of samples it does not have.
+    Target(int width, int height, Buffers buffers, const std::string& label = "target");
+
+    int width() const { return width_; }
+    int height() const { return height_; }
+    const Buffers& buffers() const { return buffers_; }
+
+    // Draws go here from now on, the viewport covering all of it.
+    void bind() const;
+    // The colours as a picture, samples resolved. Leaves the target bound.
+    Picture read() const;
+    // Copies the colours to the window's framebuffer with the lower left corner at (x, y), and leaves that bound.
+    void blitToWindow(int x, int y) const;
+
+  private:
+    GLuint resolved() const;  // the framebuffer to read from
+    int width_ = 0, height_ = 0;
+    Buffers buffers_;
+    Framebuffer framebuffer_, single_;
+    Renderbuffer color_, depthStencil_, singleColor_;
+};
+
+}  // namespace mv

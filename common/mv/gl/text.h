@@ -1,0 +1,30 @@
+// Words and pictures in the picture itself, headless too.
+#pragma once
+#include <string_view>
+
+#include "mv/demo/frame.h"
+#include "mv/gl/texture.h"
+
+namespace mv {
+
+struct TextStyle {
+    int height = 16;  // of a line, pixels
+    vec4 color{0.1, 0.1, 0.1, 1};
+    vec4 background{1, 1, 1, 0.8};  // of a box behind the words; alpha 0: none
+};
+
+// Draws a line of UTF-8 text in DejaVu Sans with its upper left corner at (x, y), in pixels from the upper left corner
+// of the picture. Changes the current program, and switches depth test, culling and blending off.
+void drawText(const Frame& frame, int x, int y, std::string_view text, const TextStyle& style = {});
+
+// The width in pixels that drawText needs for the text, its box included.
+int textWidth(std::string_view text, const TextStyle& style = {});
+
+// Draws a picture with its upper left corner at (x, y), one pixel to a pixel, in pixels from the upper left corner.
+// Changes the same state as drawText.
+void showImage(const Frame& frame, int x, int y, const Picture& picture);
+
+// Deletes what the two above keep between calls (shaders, the font's pictures); before the context goes.
+void forgetText();
+
+}  // namespace mv

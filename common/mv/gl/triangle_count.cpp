@@ -1,0 +1,90 @@
+#include "mv/gl/triangle_count.h"
+
+#include <array>
+#include <vector>
+
+#include "mv/error.h"
+#include "mv/math/types.h"
+
+namespace mv {
+namespace {
+
+bool beyondOnePlane(const std::array<fvec4, 3>& corners) {
+    for (int axis = 0; axis < 3; ++axis) {
+        bool allBelow = true, allAbove = true;
+        for (const fvec4& corner : corners) {
+            allBelow &= corner[axis] < -corner.w;
+            allAbove &= corner[axis] > corner.w;
+        }
+        if (allBelow || allAbove) return true;
+    }
+    return false;
+}
+
+// The sign of the triangle's area on the screen, counter-clockwise positive. As a determinant of (x, y, w) it needs no
+// division, so that a corner behind the eye (w < 0) does not turn the triangle round (Olano and Greer 1997).
+double signedArea(const std::array<fvec4, 3>& c) {
+    const mat3 m(vec3(c[0].x, c[0].y, c[0].w), vec3(c[1].x, c[1].y, c[1].w), vec3(c[2].x, c[2].y, c[2].w));
+    return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[1][0] * (m[0][1] * m[2][2] - m[0][2] * m[2][1]) +
+           m[2][0] * (m[0][1] * m[1][2] - m[0][2] * m[1][1]);
+}
+
+bool culledByState(double area, bool culling, GLint face, GLint front) {
+    if (!culling) return false;
+    if (face == GL_FRONT_AND_BACK) return true;
+    const bool facesFront = (front == GL_CCW) ? area > 0 : area < 0;
+    return (face == GL_FRONT) == facesFront;
+}
+
+std::vector<fvec4> captureClipPositions(const Mesh& mesh) {
+    // The feedback expands strips and fans into separate triangles.
+    const GLsizei perPrimitive = mesh.primitive() == GL_TRIANGLES ? mesh.count() : (mesh.count() - 2) * 3;
+    std::vector<fvec4> positions(static_cast<std::size_t>(perPrimitive));
+    const auto bytes = static_cast<GLsizeiptr>(positions.size() * sizeof(fvec4));
+    const Buffer buffer = makeBuffer();
+    glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffer.id());
+    glBufferData(GL_TRANSFORM_FEEDBACK_BUFFER, bytes, nullptr, GL_STREAM_READ);
+    glEnable(GL_RASTERIZER_DISCARD);
+    glBeginTransformFeedback(GL_TRIANGLES);
+    mesh.draw();
+    glEndTransformFeedback();
+    glDisable(GL_RASTERIZER_DISCARD);
+    const void* mapped = glMapBufferRange(GL_TRANSFORM_FEEDBACK_BUFFER, 0, bytes, GL_MAP_READ_BIT);
+    if (!mapped) throw Error("countTriangles", "must read back the vertices; the driver maps no feedback buffer");
+    const auto first = static_cast<const fvec4*>(mapped);
+    positions.assign(first, first + positions.size());
+    glUnmapBuffer(GL_TRANSFORM_FEEDBACK_BUFFER);
+    glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, 0);
+    return positions;
+}
+
+}  // namespace
+
+TriangleCount countTriangles(const Mesh& mesh) {
+    const GLenum p = mesh.primitive();
+    if (p != GL_TRIANGLES && p != GL_TRIANGLE_STRIP && p != GL_TRIANGLE_FAN) {
+        throw Error("countTriangles", "needs a mesh of triangles");
+    }
+    const bool culling = glIsEnabled(GL_CULL_FACE) == GL_TRUE;
+    GLint face = 0, front = 0;
+    glGetIntegerv(GL_CULL_FACE_MODE, &face);
+    glGetIntegerv(GL_FRONT_FACE, &front);
+    const Counters before = counters();  // a count is no part of the frame it counts
+    const std::vector<fvec4> positions = captureClipPositions(mesh);
+    resetCounters(before);
+    TriangleCount count;
+    for (std::size_t i = 0; i + 2 < positions.size(); i += 3) {
+        const std::array<fvec4, 3> corners{positions[i], positions[i + 1], positions[i + 2]};
+        ++count.submitted;
+        if (beyondOnePlane(corners)) {
+            ++count.outside;
+        } else if (culledByState(signedArea(corners), culling, face, front)) {
+            ++count.culled;
+        } else {
+            ++count.surviving;
+        }
+    }
+    return count;
+}
+
+}  // namespace mv

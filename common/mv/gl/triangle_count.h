@@ -1,0 +1,20 @@
+// Where the triangles of a draw went.
+#pragma once
+#include "mv/gl/mesh.h"
+
+namespace mv {
+
+struct TriangleCount {
+    long submitted = 0;
+    long outside = 0;    // all three corners beyond one plane of the clip volume
+    long culled = 0;     // not outside, and discarded by the face culling in force
+    long surviving = 0;  // go on to the rasterizer
+};
+
+// Draws the mesh once more with the current program and uniforms, with the rasterizer switched off, reads back where
+// gl_Position went (transform feedback) and counts on the CPU, by the current GL_CULL_FACE, glCullFace and glFrontFace.
+// The driver's own statistics are not used: they count other things on each driver. Draws no pixel and changes no
+// state.
+TriangleCount countTriangles(const Mesh& mesh);
+
+}  // namespace mv

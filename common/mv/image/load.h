@@ -1,0 +1,27 @@
+// Pictures from PNG and JPEG files.
+#pragma once
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string_view>
+
+#include "mv/image/picture.h"
+
+namespace mv {
+
+// What loadPicture accepts at most: pictures for textures, not whatever a hostile file claims to be.
+inline constexpr std::size_t maximumPictureFileBytes = std::size_t{64} << 20U;
+inline constexpr int maximumLoadedSide = 8192;
+
+// The picture in a PNG or JPEG file, top row first, RGBA; alpha is 255 where the file has none, grey becomes
+// red = green = blue, and 16 bits per channel become 8. For glTexImage2D turn the rows about (flipRows).
+// Colours come as stored (nearly always sRGB); profiles, gamma, and a JPEG's turned-camera note are not applied.
+// Error, with the path and the reason, if the file cannot be read, is larger than maximumPictureFileBytes, has a side
+// above maximumLoadedSide, is neither PNG nor JPEG, or is cut off or damaged.
+// The trap: a JPEG has no checksums. One that is cut off is refused, but a flipped bit may show as a smear instead.
+[[nodiscard]] Picture loadPicture(const std::filesystem::path& path);
+
+// The same from bytes in memory; `name` stands for them in an Error.
+[[nodiscard]] Picture decodePicture(std::span<const std::byte> bytes, std::string_view name);
+
+}  // namespace mv

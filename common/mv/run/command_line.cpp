@@ -1,0 +1,277 @@
+#include "mv/run/command_line.h"
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <algorithm>
+#include <charconv>
+#include <optional>
+
+namespace mv {
+namespace {
+
+std::optional<int> wholeNumber(std::string_view text) {
+    int number = 0;
+    const auto result = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (result.ec != std::errc() || result.ptr != text.data() + text.size()) return {};
+    return number;
+}
+
+std::pair<std::string, std::string> splitAt(const std::string& text, const std::string& separator) {
+    const auto at = text.find(separator);
+    if (at == std::string::npos) return {text, ""};
+    return {text.substr(0, at), text.substr(at + separator.size())};
+}
+
+int frameNumber(const std::string& flag, const std::string& text) {
+    const auto number = wholeNumber(text);
+    if (!number || *number < 0) throw UsageError(flag, "must be a whole number from 0", "'" + text + "'");
+    return *number;
+}
+
+void readFrames(const std::string& text, Command& command) {
+    const auto [first, last] = splitAt(text, "..");
+    if (last.empty()) throw UsageError("--frames", "must be two frames, as 1..60", "'" + text + "'");
+    command.firstFrame = frameNumber("--frames", first);
+    command.lastFrame = frameNumber("--frames", last);
+    if (command.lastFrame < command.firstFrame) throw UsageError("--frames", "must go upwards", "'" + text + "'");
+}
+
+void readSize(const std::string& text, Command& command) {
+    const auto [width, height] = splitAt(text, "x");
+    const auto w = wholeNumber(width), h = wholeNumber(height);
+    if (!w || !h || *w < 1 || *h < 1 || *w > 16384 || *h > 16384) {
+        throw UsageError("--size", "must be WIDTHxHEIGHT, each 1 .. 16384, as 640x480", "'" + text + "'");
+    }
+    command.width = *w;
+    command.height = *h;
+}
+
+HostKind readHost(const std::string& text) {
+    if (text == "automatic") return HostKind::automatic;
+    if (text == "osmesa") return HostKind::osmesa;
+    if (text == "egl") return HostKind::egl;
+    throw UsageError("--headless", "must be osmesa | egl, or alone", "'" + text + "'");
+}
+
+void readCompare(const std::string& text, const Demo& demo, Command& command) {
+    const auto [knob, values] = splitAt(text, "=");
+    const auto [a, b] = splitAt(values, ",");
+    if (knob.empty() || a.empty() || b.empty() || b.find(',') != std::string::npos) {
+        throw UsageError("--compare", "must be one knob and two values, as cull=back,front", "'" + text + "'");
+    }
+    demo.knob(knob);
+    command.compareKnob = knob;
+    command.compareValues = {a, b};
+}
+
+std::string knobHelp(const Knob& knob) {
+    std::string text = knob.help() + "; " + knob.range() + (knob.unit().empty() ? "" : " " + knob.unit()) +
+                       ", initially " + knob.initialText();
+    for (const Option& option : knob.options()) {
+        if (!option.meaning.empty()) text += "\n" + option.word + ": " + option.meaning;
+    }
+    return text;
+}
+
+// The flags of the command line; each has one line here, and its value is read below.
+struct Flags {
+    std::string shot, frame, frames, headless, size, compare, report, knobs, gallery, docs;
+    bool list = false, version = false, copyable = false;
+};
+
+void declareFlags(CLI::App& app, Flags& flags, bool launcher) {
+    app.add_option("--shot", flags.shot, "write the picture to a PNG file; opens no window")->type_name("FILE");
+    app.add_option("--frame", flags.frame, "which frame, at 60 a second; 1 is the original's first picture")
+        ->type_name("N");
+    app.add_option("--frames", flags.frames, "several frames; the file is then named a.%04d.png")->type_name("A..B");
+    app.add_option("--size", flags.size, "of the picture in pixels; the original's canvas if not given")
+        ->type_name("WxH");
+    app.add_flag("--headless{automatic}", flags.headless, "open no window; =osmesa or =egl chooses the host");
+    app.add_option("--compare", flags.compare, "two settings side by side, and their difference (with --shot)")
+        ->type_name("KNOB=A,B");
+    app.add_flag("--report{text}", flags.report, "print readouts, counters, matrices and times; =json as JSON");
+    app.add_flag("--knobs{text}", flags.knobs, "list the knobs; =json as JSON");
+    app.add_flag("--copyable", flags.copyable, "print the command line of these settings");
+    app.add_flag("--list", flags.list, "list the demos of this program");
+    app.add_flag("--version", flags.version, "print the version");
+    if (launcher) {
+        app.add_option("--gallery", flags.gallery, "write a picture of each demo and index.html to a folder")
+            ->type_name("DIR");
+        app.add_option("--docs", flags.docs, "write the generated pages into a source tree")->type_name("DIR");
+    }
+    app.set_help_flag("--help", "print this");
+}
+
+// CLI11 writes a flag's value for "alone" in braces; what can be typed says more.
+std::string helpText(const CLI::App& app) {
+    std::string text = app.help();
+    for (const auto& [braces, words] : {std::pair<std::string, std::string>{"{automatic}", "[=osmesa|egl]"},
+                                        {"--report{text} ", "--report[=json]"},
+                                        {"--knobs{text} ", "--knobs[=json]"}}) {
+        const auto at = text.find(braces);
+        if (at == std::string::npos) continue;
+        // The column of the descriptions stays where it is.
+        const std::size_t longer = words.size() > braces.size() ? words.size() - braces.size() : 0;
+        text.replace(at, braces.size() + longer, words);
+    }
+    return text;
+}
+
+// A flag that is no flag, said with the nearest one.
+UsageError unknown(const CLI::App& app, const std::string& word) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : app.get_options()) names.push_back(option->get_name());
+    if (word.rfind("-", 0) != 0) return {"'" + word + "'", "is no flag; flags begin with -- (--help lists them)"};
+    const std::string flag = word.substr(0, word.find('='));
+    return {flag, "is no flag here (--help lists them)" + suggestion(flag, names)};
+}
+
+Command readFlags(const Flags& flags, Command command, const Demo* demo) {
+    if (!flags.frame.empty() && !flags.frames.empty()) throw UsageError("--frame", "must not stand beside --frames");
+    if (!flags.frame.empty()) command.firstFrame = command.lastFrame = frameNumber("--frame", flags.frame);
+    if (!flags.frames.empty()) readFrames(flags.frames, command);
+    command.frameGiven = !flags.frame.empty() || !flags.frames.empty();
+    if (!flags.size.empty()) readSize(flags.size, command);
+    if (!flags.headless.empty()) command.host = readHost(flags.headless);
+    if (!flags.report.empty()) {
+        if (flags.report != "text" && flags.report != "json") {
+            throw UsageError("--report", "must be json, or alone", "'" + flags.report + "'");
+        }
+        command.report = flags.report == "json" ? ReportForm::json : ReportForm::text;
+    }
+    if (!flags.knobs.empty()) {
+        if (flags.knobs != "text" && flags.knobs != "json") {
+            throw UsageError("--knobs", "must be json, or alone", "'" + flags.knobs + "'");
+        }
+        command.json = flags.knobs == "json";
+    }
+    command.shot = flags.shot;
+    if (flags.list) {
+        command.action = Action::list;
+    } else if (flags.version) {
+        command.action = Action::version;
+    } else if (!flags.gallery.empty()) {
+        command.action = Action::gallery;
+        command.folder = flags.gallery;
+    } else if (!flags.docs.empty()) {
+        command.action = Action::docs;
+        command.folder = flags.docs;
+    } else if (!flags.knobs.empty()) {
+        command.action = Action::knobs;
+    } else if (flags.copyable) {
+        command.action = Action::copyable;
+    } else if (!flags.shot.empty() || !flags.headless.empty()) {
+        command.action = Action::render;
+    }
+    const bool wantsDemo = command.action == Action::knobs || command.action == Action::copyable ||
+                           command.action == Action::render || !flags.compare.empty() || !flags.size.empty() ||
+                           command.frameGiven || !flags.report.empty();
+    if (!demo && wantsDemo && command.action != Action::gallery && command.action != Action::docs) {
+        throw UsageError("demo", "must be named first, as in: mvgl cube-cull --shot a.png (--list shows them)");
+    }
+    if (!flags.compare.empty()) {
+        readCompare(flags.compare, *demo, command);
+        if (flags.shot.empty()) throw UsageError("--compare", "needs --shot FILE for its picture");
+    }
+    if (command.lastFrame > command.firstFrame) {
+        if (flags.shot.empty()) throw UsageError("--frames", "needs --shot FILE with %d or %04d in its name");
+        if (frameFile(flags.shot, 1) == flags.shot) {
+            throw UsageError("--shot", "must have %d or %04d in its name for several frames", "'" + flags.shot + "'");
+        }
+    }
+    // A report without a window needs no picture, but it is headless: that is asked for by name.
+    if (command.action == Action::render && flags.shot.empty() && command.report == ReportForm::none) {
+        command.report = ReportForm::text;
+    }
+    return command;
+}
+
+}  // namespace
+
+std::string frameFile(const std::string& pattern, int frame) {
+    for (std::size_t at = pattern.find('%'); at != std::string::npos; at = pattern.find('%', at + 1)) {
+        std::size_t end = at + 1;
+        while (end < pattern.size() && pattern[end] >= '0' && pattern[end] <= '9') ++end;
+        if (end >= pattern.size() || pattern[end] != 'd' || end - at > 3) continue;
+        std::string digits = std::to_string(frame);
+        const auto width = static_cast<std::size_t>(wholeNumber(pattern.substr(at + 1, end - at - 1)).value_or(0));
+        if (digits.size() < width) digits.insert(0, width - digits.size(), '0');
+        return pattern.substr(0, at) + digits + pattern.substr(end + 1);
+    }
+    return pattern;
+}
+
+Command parseCommandLine(const std::vector<std::string>& arguments) {
+    Command command;
+    const bool launcher = catalogue().size() != 1;
+    std::vector<std::string> rest = arguments;
+    if (!launcher) {
+        command.demo = &catalogue().front();
+        // Its own name may stand first all the same, as in the line that --copyable prints.
+        if (!rest.empty() && rest.front() == command.demo->name) rest.erase(rest.begin());
+    } else if (!rest.empty() && rest.front().rfind("-", 0) != 0) {
+        try {
+            command.demo = &findDemo(rest.front());
+        } catch (const Error& error) {
+            throw UsageError("demo", error.what());
+        }
+        rest.erase(rest.begin());
+    }
+    const std::unique_ptr<Demo> demo = command.demo ? command.demo->make() : nullptr;
+
+    CLI::App app(command.demo ? command.demo->sentence : "mvgl: small OpenGL programs for learning computer graphics.",
+                 command.demo ? command.demo->name : "mvgl");
+    if (launcher && !command.demo) app.footer("A demo is named first: mvgl cube-cull --help. --list shows them all.");
+    if (command.demo && !command.demo->lookFor.empty()) app.footer("Look for: " + command.demo->lookFor);
+    app.allow_extras();
+    Flags flags;
+    declareFlags(app, flags, launcher);
+    if (demo) {
+        for (const Knob* knob : demo->knobs()) {
+            const std::string name = knob->name();
+            if (app.get_option_no_throw("--" + name)) throw Error("knob " + name, "must not be named like a flag");
+            app.add_option_function<std::string>(
+                   "--" + name,
+                   [&command, name](const std::string& text) {
+                       command.knobs.push_back({name, text});
+                   },
+                   knobHelp(*knob))
+                ->type_name("VALUE")
+                ->group("Knobs");
+        }
+    }
+    try {
+        std::reverse(rest.begin(), rest.end());  // CLI11 takes its words from the back
+        app.parse(rest);
+    } catch (const CLI::CallForHelp&) {
+        command.action = Action::help;
+        command.text = helpText(app);
+        return command;
+    } catch (const CLI::ParseError& error) {
+        throw UsageError(command.demo ? command.demo->name : "mvgl", error.what());
+    }
+    if (const auto left = app.remaining(); !left.empty()) throw unknown(app, left.front());
+    try {
+        if (demo) applyKnobs(*demo, command.knobs);
+        return readFlags(flags, command, demo.get());
+    } catch (const UsageError&) {
+        throw;
+    } catch (const Error& error) {  // a knob's value, with its range
+        throw UsageError(error);
+    }
+}
+
+std::string copyableCommand(const DemoInfo& info, const Demo& demo, int frame, int width, int height) {
+    std::string text = info.name;
+    for (const Knob* knob : demo.knobs()) {
+        if (!knob->isInitial()) text += " --" + knob->name() + " " + knob->text();
+    }
+    if (info.animated && frame != 1) text += " --frame " + std::to_string(frame);
+    if (width != info.width || height != info.height) {
+        text += " --size " + std::to_string(width) + "x" + std::to_string(height);
+    }
+    return text;
+}
+
+}  // namespace mv

@@ -1,0 +1,50 @@
+// The command line, the same for every demo.
+#pragma once
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "mv/demo/demo.h"
+#include "mv/host/context.h"
+#include "mv/run/stage.h"
+
+namespace mv {
+
+// What was typed cannot be understood: exit status 2. Any other Error: exit status 1.
+class UsageError : public Error {
+  public:
+    using Error::Error;
+    explicit UsageError(const Error& error) : Error(error) {}
+};
+
+enum class Action { window, render, help, list, version, knobs, copyable, gallery, docs };
+enum class ReportForm { none, text, json };
+
+struct Command {
+    Action action = Action::window;
+    const DemoInfo* demo = nullptr;  // none: the launcher's menu
+    std::vector<KnobSetting> knobs;
+    int firstFrame = 1, lastFrame = 1;
+    bool frameGiven = false;
+    int width = 0, height = 0;  // 0: the original's canvas
+    HostKind host = HostKind::automatic;
+    std::string shot;         // the picture's file; "" for none. With several frames it contains %d or %04d
+    std::string compareKnob;  // "" for no comparison
+    std::vector<std::string> compareValues;
+    ReportForm report = ReportForm::none;
+    bool json = false;   // --knobs=json
+    std::string folder;  // of --gallery and --docs
+    std::string text;    // what --help prints
+};
+
+// Reads the arguments after the program's name. With one demo linked in, that is the demo; with more, the first
+// argument names it. Error: UsageError naming the flag, the rule and, for a slip of the hand, the nearest flag.
+Command parseCommandLine(const std::vector<std::string>& arguments);
+
+// The command line that reproduces the picture: demo, the knobs that are not at their initial value, frame and size.
+std::string copyableCommand(const DemoInfo& info, const Demo& demo, int frame, int width, int height);
+
+// `pattern` with the frame's number for its "%d" or "%04d".
+std::string frameFile(const std::string& pattern, int frame);
+
+}  // namespace mv

@@ -1,0 +1,151 @@
+#include "mv/run/docs.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <sstream>
+
+#include "mv/image/file.h"
+#include "mv/image/png.h"
+#include "mv/run/render.h"
+
+namespace mv {
+namespace {
+
+// A cell of a table: a bar would end it.
+std::string cell(const std::string& text) {
+    std::string escaped;
+    for (const char c : text) escaped += c == '|' ? std::string("\\|") : std::string(1, c);
+    return escaped;
+}
+
+std::string signedText(double value) { return (value > 0 ? "+" : "") + numberText(value); }
+
+std::string controlText(const Binding& binding) {
+    std::string effect = "`" + binding.knob->name() + "` " + signedText(binding.amount);
+    switch (binding.gesture) {
+        case Gesture::key:
+            if (!binding.text.empty()) effect = "`" + binding.knob->name() + "` = " + binding.text;
+            return "key " + keyName(binding.key) + ": " + effect;
+        case Gesture::dragAcross:
+            return "drag to the right: " + effect + " a pixel";
+        case Gesture::dragDown:
+            return "drag down: " + effect + " a pixel";
+        case Gesture::wheel:
+            return "wheel away from you: " + effect;
+    }
+    return effect;
+}
+
+std::string tables(const DemoInfo& info) {
+    const auto demo = info.make();
+    std::string text = "| knob | range | initially | what it does |\n|---|---|---|---|\n";
+    for (const Knob* knob : demo->knobs()) {
+        std::string help = knob->help();
+        for (const Option& option : knob->options()) {
+            if (!option.meaning.empty()) help += "<br>`" + option.word + "`: " + option.meaning;
+        }
+        text += "| `--" + knob->name() + "` | " + cell(knob->range()) +
+                (knob->unit().empty() ? "" : " " + knob->unit()) + " | " + knob->initialText() + " | " + cell(help) +
+                " |\n";
+    }
+    if (!demo->readouts().empty()) {
+        text += "\n| readout | unit | what it says |\n|---|---|---|\n";
+        for (const Readout* readout : demo->readouts()) {
+            text += "| `" + readout->name() + "` | " + readout->unit() + " | " + cell(readout->help()) + " |\n";
+        }
+    }
+    if (!demo->bindings().empty()) {
+        text += "\nControls: ";
+        bool first = true;
+        for (const Binding& binding : demo->bindings()) {
+            text += (first ? "" : " · ") + controlText(binding);
+            first = false;
+        }
+        text += ".\n";
+    }
+    return text;
+}
+
+std::string needsText(const Needs& needs) {
+    std::string text = "color buffer";
+    if (needs.depth) text += ", depth buffer";
+    if (needs.stencil) text += ", stencil buffer";
+    if (needs.samples) text += ", " + std::to_string(needs.samples) + " samples";
+    text += "; OpenGL " + std::to_string(needs.gl / 10) + "." + std::to_string(needs.gl % 10);
+    text += needs.beyondEs.empty() ? ", shaders also GLSL ES 3.00" : "; not ES 3.0: " + needs.beyondEs;
+    return text;
+}
+
+std::string fileText(const std::string& path) {
+    std::ifstream stream(path, std::ios::binary);
+    if (!stream) throw Error(path, "must be readable");
+    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+}  // namespace
+
+std::string cataloguePage() {
+    std::string text =
+        "# The demos\n\nGenerated from the declarations in `demos/*.cpp` by `./run --docs`; do not edit.\n"
+        "Every demo also understands `--shot`, `--frame`, `--size`, `--compare`, `--report` and the rest of the\n"
+        "[command line](../README.md#the-command-line).\n";
+    std::string chapter;
+    for (const DemoInfo& info : catalogue()) {
+        if (info.chapter != chapter) {
+            chapter = info.chapter;
+            text += "\n## " + chapter + "\n";
+        }
+        text += "\n### [" + info.name + "](../demos/" + info.name + ".md)\n\n" + info.sentence +
+                "\n\nLook for: " + info.lookFor + "\n\nNeeds: " + needsText(info.needs) +
+                ". Picture: " + std::to_string(info.width) + "x" + std::to_string(info.height) + ", " +
+                (info.animated ? "60 frames a second" : "drawn when something changes") + ".\n\n" + tables(info);
+    }
+    return text;
+}
+
+std::string lessonPage(const std::string& page, const DemoInfo& info) {
+    const std::string begin = "<!-- knobs -->\n", end = "<!-- /knobs -->";
+    const auto from = page.find(begin), to = page.find(end);
+    if (from == std::string::npos || to == std::string::npos || to < from) {
+        throw Error("demos/" + info.name + ".md", "must have the lines <!-- knobs --> and <!-- /knobs -->");
+    }
+    return page.substr(0, from + begin.size()) + "\n" + tables(info) + "\n" + page.substr(to);
+}
+
+Picture pictureStrip() {
+    HeadlessStage headless;
+    constexpr int side = 150, gap = 6;
+    const int count = static_cast<int>(catalogue().size());
+    Picture strip(count * side + (count - 1) * gap, side);
+    std::fill(strip.rgba.begin(), strip.rgba.end(), std::uint8_t{255});
+    int left = 0;
+    for (const DemoInfo& info : catalogue()) {
+        headless.stage.open(info, info.width, info.height);
+        headless.stage.draw(1);
+        const Picture small = shrink(headless.stage.picture(), side, side);
+        for (int y = 0; y < small.height; ++y) {
+            for (int x = 0; x < small.width; ++x) {
+                strip.set(left + (side - small.width) / 2 + x, (side - small.height) / 2 + y, small.at(x, y));
+            }
+        }
+        left += side + gap;
+    }
+    headless.stage.close();
+    return strip;
+}
+
+void writeDocs(const std::string& root) {
+    writeFileAtomically(root + "/docs/demos.md", std::string_view(cataloguePage()));
+    std::cout << root << "/docs/demos.md\n";
+    for (const DemoInfo& info : catalogue()) {
+        const std::string path = root + "/demos/" + info.name + ".md";
+        writeFileAtomically(path, std::string_view(lessonPage(fileText(path), info)));
+        std::cout << path << "\n";
+    }
+    writePng(root + "/docs/strip.png", pictureStrip());
+    std::cout << root << "/docs/strip.png\n";
+}
+
+}  // namespace mv

@@ -1,0 +1,24 @@
+// Pages made from the declarations, so that nothing about a demo is written twice.
+#pragma once
+#include <string>
+
+#include "mv/demo/demo.h"
+#include "mv/image/picture.h"
+
+namespace mv {
+
+// docs/demos.md: every demo with its sentence, controls, knobs, readouts and needs.
+std::string cataloguePage();
+
+// The lesson page with the tables between its markers <!-- knobs --> and <!-- /knobs --> made anew.
+// Error: the markers are missing.
+std::string lessonPage(const std::string& page, const DemoInfo& info);
+
+// Writes docs/demos.md, the tables of demos/*.md and docs/strip.png into a source tree.
+void writeDocs(const std::string& root);
+
+// All demos at their first frame, in one row, for the README.
+
+Picture pictureStrip();
+
+}  // namespace mv

@@ -1,0 +1,112 @@
+#include "mv/run/render.h"
+
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+
+#include "mv/image/file.h"
+#include "mv/image/png.h"
+#include "mv/run/compare.h"
+#include "mv/run/report.h"
+
+namespace mv {
+namespace {
+
+std::unique_ptr<Context> openNoted(HostKind host) {
+    std::vector<std::string> notes;
+    auto context = openHeadless(host, {}, notes);
+    for (const std::string& note : notes) std::cerr << "note: " << note << "\n";
+    return context;
+}
+
+void printReport(const Command& command, Stage& stage, int index, double firstMs) {
+    const FrameTimes times = timeFrames(stage, index, 9, firstMs);
+    const std::string text =
+        command.report == ReportForm::json ? reportJson(stage, index, times) : reportText(stage, index, times);
+    std::cout << text << std::flush;
+    if (!std::cout) throw Error("standard output", "could not be written");
+}
+
+std::string htmlEscaped(const std::string& text) {
+    std::string escaped;
+    for (const char c : text) {
+        if (c == '&') {
+            escaped += "&amp;";
+        } else if (c == '<') {
+            escaped += "&lt;";
+        } else {
+            escaped += c;
+        }
+    }
+    return escaped;
+}
+
+}  // namespace
+
+HeadlessStage::HeadlessStage(HostKind host) : context(openNoted(host)), stage(*context) {}
+
+void render(const Command& command) {
+    HeadlessStage headless(command.host);
+    Stage& stage = headless.stage;
+    const DemoInfo& info = *command.demo;
+    const auto start = std::chrono::steady_clock::now();
+    stage.open(info, command.width ? command.width : info.width, command.height ? command.height : info.height);
+    applyKnobs(stage.demo(), command.knobs);
+
+    if (!command.compareKnob.empty()) {
+        writePng(command.shot, compareSettings(stage, command.firstFrame, command.compareKnob, command.compareValues));
+        return;
+    }
+    double firstMs = 0;
+    auto shown = start;
+    for (int index = command.firstFrame; index <= command.lastFrame; ++index) {
+        const auto before = std::chrono::steady_clock::now();
+        stage.draw(index, command.report != ReportForm::none);
+        if (command.report != ReportForm::none) glFinish();
+        const auto now = std::chrono::steady_clock::now();
+        if (index == command.firstFrame) {
+            firstMs = std::chrono::duration<double, std::milli>(now - before).count();
+            for (const std::string& message : stage.notes().messages) std::cerr << "note: " << message << "\n";
+        }
+        if (!command.shot.empty()) writePng(frameFile(command.shot, index), stage.picture());
+        if (now - shown > std::chrono::seconds(2)) {
+            shown = now;
+            std::fprintf(stderr, "frame %d of %d..%d\n", index, command.firstFrame, command.lastFrame);
+        }
+    }
+    if (command.report != ReportForm::none) printReport(command, stage, command.lastFrame, firstMs);
+    stage.close();
+}
+
+void writeGallery(const std::string& folder) {
+    std::error_code failure;
+    std::filesystem::create_directories(folder, failure);
+    if (failure) throw Error(folder, "could not be made", failure.message());
+    HeadlessStage headless;
+    std::string html =
+        "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n"
+        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>mvgl gallery</title>\n"
+        "<style>\nbody{font:16px/1.5 sans-serif;margin:2em auto;max-width:76em;padding:0 1em;color:#222}\n"
+        "main{display:grid;grid-template-columns:repeat(auto-fill,minmax(20em,1fr));gap:1.5em}\n"
+        "figure{margin:0;border:1px solid #ccc;border-radius:6px;overflow:hidden}\n"
+        "img{width:100%;display:block}\nfigcaption{padding:.8em 1em}\ncode{background:#eee;padding:.1em "
+        ".3em}\n</style>\n"
+        "<h1>mvgl gallery</h1>\n<p>Each demo at its first frame. Click a picture for its full size.</p>\n<main>\n";
+    for (const DemoInfo& info : catalogue()) {
+        std::fprintf(stderr, "gallery: %s\n", info.name.c_str());
+        headless.stage.open(info, info.width, info.height);
+        headless.stage.draw(1);
+        writePng(folder + "/" + info.name + ".png", headless.stage.picture());
+        html += "<figure><a href=\"" + info.name + ".png\"><img src=\"" + info.name + ".png\" alt=\"" +
+                htmlEscaped(info.sentence) + "\"></a><figcaption><b>" + info.name + "</b> &middot; " + info.chapter +
+                "<br>" + htmlEscaped(info.sentence) + "<br><i>Look for:</i> " + htmlEscaped(info.lookFor) +
+                "<br><code>./run " + info.name + "</code></figcaption></figure>\n";
+    }
+    html += "</main>\n</html>\n";
+    writeFileAtomically(folder + "/index.html", std::string_view(html));
+    headless.stage.close();
+    std::cout << folder << "/index.html\n";
+}
+
+}  // namespace mv

@@ -1,0 +1,139 @@
+#include "mv/run/report.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+namespace mv {
+namespace {
+
+double median(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    const std::size_t half = values.size() / 2;
+    return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
+}
+
+std::string formatted(const char* format, double value) {
+    char text[64];
+    std::snprintf(text, sizeof text, format, value);
+    return text;
+}
+
+std::string padded(std::string text, std::size_t width) {
+    if (text.size() < width) text.append(width - text.size(), ' ');
+    return text;
+}
+
+}  // namespace
+
+FrameTimes timeFrames(Stage& stage, int index, int runs, double firstMs) {
+    std::vector<double> times;
+    for (int i = 0; i < runs; ++i) {
+        const auto start = std::chrono::steady_clock::now();
+        stage.draw(index);
+        glFinish();
+        times.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+    }
+    FrameTimes result{firstMs, median(times), 0, runs};
+    for (double& time : times) time = std::abs(time - result.medianMs);
+    result.madMs = median(times);
+    return result;
+}
+
+std::string matrixText(const mat4& matrix) {
+    std::string text;
+    for (int row = 0; row < 4; ++row) {
+        text += "   ";
+        for (int column = 0; column < 4; ++column) text += formatted(" %11.6g", matrix[column][row]);
+        text += "\n";
+    }
+    return text;
+}
+
+std::string reportText(Stage& stage, int index, const FrameTimes& times) {
+    const Target& target = stage.front();
+    std::string text = stage.info().name + ", frame " + std::to_string(index) + ", " + std::to_string(target.width()) +
+                       "x" + std::to_string(target.height()) + "\n";
+    text += "host      " + stage.driver().host + "; " + stage.driver().renderer + "; OpenGL " + stage.driver().version +
+            "\n";
+    text += "knobs    ";
+    for (const Knob* knob : stage.demo().knobs()) text += " " + knob->name() + "=" + knob->text();
+    text += "\n";
+    for (const Readout* readout : stage.demo().readouts()) {
+        text += "readout   " + padded(readout->name(), 18) +
+                (readout->value() ? formatted("%.6g", *readout->value()) : std::string("-")) +
+                (readout->unit().empty() ? "" : " " + readout->unit()) + "   (" + readout->help() + ")\n";
+    }
+    text += "counters  " + std::to_string(stage.frameCounters().draws) + " draws, " +
+            std::to_string(stage.frameCounters().triangles) + " triangles and " +
+            std::to_string(stage.frameCounters().vertices) + " vertices submitted\n";
+    text += "buffers   color" + std::string(stage.info().needs.depth ? ", depth" : "") +
+            (stage.info().needs.stencil ? ", stencil" : "") + ", " + std::to_string(stage.info().needs.samples) +
+            " samples\n";
+    text += "time      first " + formatted("%.3f", times.firstMs) + " ms, then median " +
+            formatted("%.3f", times.medianMs) + " ms, MAD " + formatted("%.3f", times.madMs) + " ms of " +
+            std::to_string(times.runs) + " runs\n";
+    for (const auto& [name, matrix] : stage.notes().matrices) text += "matrix    " + name + "\n" + matrixText(matrix);
+    for (const std::string& message : stage.notes().messages) text += "note      " + message + "\n";
+    return text;
+}
+
+std::string reportJson(Stage& stage, int index, const FrameTimes& times) {
+    nlohmann::ordered_json json;
+    json["demo"] = stage.info().name;
+    json["frame"] = index;
+    json["width"] = stage.front().width();
+    json["height"] = stage.front().height();
+    json["host"] = stage.driver().host;
+    json["renderer"] = stage.driver().renderer;
+    json["opengl"] = stage.driver().version;
+    json["knobs"] = nlohmann::ordered_json::object();
+    for (const Knob* knob : stage.demo().knobs()) json["knobs"][knob->name()] = knob->text();
+    json["readouts"] = nlohmann::ordered_json::object();
+    for (const Readout* readout : stage.demo().readouts()) {
+        auto& entry = json["readouts"][readout->name()];
+        entry["value"] = readout->value() ? nlohmann::ordered_json(*readout->value()) : nlohmann::ordered_json();
+        entry["unit"] = readout->unit();
+    }
+    json["counters"] = {{"draws", stage.frameCounters().draws},
+                        {"triangles", stage.frameCounters().triangles},
+                        {"vertices", stage.frameCounters().vertices}};
+    json["buffers"] = {{"depth", stage.info().needs.depth},
+                       {"stencil", stage.info().needs.stencil},
+                       {"samples", stage.info().needs.samples}};
+    json["milliseconds"] = {
+        {"first", times.firstMs}, {"median", times.medianMs}, {"mad", times.madMs}, {"runs", times.runs}};
+    json["matrices"] = nlohmann::ordered_json::object();
+    for (const auto& [name, matrix] : stage.notes().matrices) {
+        for (int row = 0; row < 4; ++row) {
+            json["matrices"][name].push_back({matrix[0][row], matrix[1][row], matrix[2][row], matrix[3][row]});
+        }
+    }
+    json["messages"] = stage.notes().messages;
+    return json.dump(2) + "\n";
+}
+
+std::string knobsText(const Demo& demo) {
+    std::string text;
+    for (const Knob* knob : demo.knobs()) {
+        text += padded("--" + knob->name(), 18) + padded(knob->text(), 10) + knob->range() +
+                (knob->unit().empty() ? "" : " " + knob->unit()) + "  (" + knob->help() + ")\n";
+    }
+    return text;
+}
+
+std::string knobsJson(const Demo& demo) {
+    auto json = nlohmann::ordered_json::array();
+    for (const Knob* knob : demo.knobs()) {
+        nlohmann::ordered_json entry = {{"name", knob->name()},           {"value", knob->text()},
+                                        {"initial", knob->initialText()}, {"range", knob->range()},
+                                        {"unit", knob->unit()},           {"help", knob->help()}};
+        json.push_back(std::move(entry));
+    }
+    return json.dump(2) + "\n";
+}
+
+}  // namespace mv

@@ -1,0 +1,29 @@
+// What is known of a drawn frame, as text or as JSON.
+#pragma once
+#include <string>
+
+#include "mv/run/stage.h"
+
+namespace mv {
+
+struct FrameTimes {
+    double firstMs = 0;   // the first draw, with what it compiles and uploads
+    double medianMs = 0;  // of the later ones, each finished with glFinish
+    double madMs = 0;     // median absolute deviation from that median
+    int runs = 0;
+};
+
+// Draws frame `index` `runs` times more and times each. The picture stays the same.
+FrameTimes timeFrames(Stage& stage, int index, int runs, double firstMs);
+
+std::string reportText(Stage& stage, int index, const FrameTimes& times);
+std::string reportJson(Stage& stage, int index, const FrameTimes& times);
+
+// The knobs of a demo: names, ranges, initial and present values.
+std::string knobsText(const Demo& demo);
+std::string knobsJson(const Demo& demo);
+
+// A matrix laid out as on paper, row by row.
+std::string matrixText(const mat4& matrix);
+
+}  // namespace mv

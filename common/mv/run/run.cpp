@@ -1,0 +1,82 @@
+#include "mv/run/run.h"
+
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "mv/run/command_line.h"
+#include "mv/run/docs.h"
+#include "mv/run/render.h"
+#include "mv/run/report.h"
+#include "mv/run/window_module.h"
+
+namespace mv {
+namespace {
+
+void print(const std::string& text) {
+    std::cout << text << std::flush;
+    if (!std::cout) throw Error("standard output", "could not be written");
+}
+
+std::string list() {
+    std::string text;
+    for (const DemoInfo& info : catalogue()) {
+        text += info.name + std::string(info.name.size() < 14 ? 14 - info.name.size() : 1, ' ') + info.sentence + "\n";
+    }
+    return text;
+}
+
+std::unique_ptr<Demo> demoWithKnobs(const Command& command) {
+    auto demo = command.demo->make();
+    applyKnobs(*demo, command.knobs);
+    return demo;
+}
+
+void act(const Command& command) {
+    switch (command.action) {
+        case Action::help:
+            return print(command.text);
+        case Action::version:
+            return print("mvgl " MVGL_VERSION "\n");
+        case Action::list:
+            return print(list());
+        case Action::knobs: {
+            const auto demo = demoWithKnobs(command);
+            return print(command.json ? knobsJson(*demo) : knobsText(*demo));
+        }
+        case Action::copyable: {
+            const auto demo = demoWithKnobs(command);
+            const DemoInfo& info = *command.demo;
+            return print(copyableCommand(info, *demo, command.firstFrame, command.width ? command.width : info.width,
+                                         command.height ? command.height : info.height) +
+                         "\n");
+        }
+        case Action::gallery:
+            return writeGallery(command.folder);
+        case Action::docs:
+            return writeDocs(command.folder);
+        case Action::render:
+            return render(command);
+        case Action::window:
+            return openWindow(command);
+    }
+}
+
+}  // namespace
+
+int runMain(int count, char** arguments) {
+    try {
+        act(parseCommandLine({arguments + 1, arguments + count}));
+        return 0;
+    } catch (const UsageError& error) {
+        std::cerr << "error: " << error.what() << "\n";
+        return 2;
+    } catch (const std::exception& error) {
+        std::cerr << "error: " << error.what() << "\n";
+        return 1;
+    }
+}
+
+}  // namespace mv

@@ -1,0 +1,66 @@
+// Where a demo is drawn: a context, a target with just the buffers it needs, and the demo itself.
+#pragma once
+#include <memory>
+#include <string>
+
+#include "mv/demo/demo.h"
+#include "mv/gl/functions.h"
+#include "mv/gl/target.h"
+#include "mv/host/context.h"
+
+namespace mv {
+
+// Who draws, in the driver's own words.
+struct DriverInfo {
+    std::string host, vendor, renderer, version;
+    int glVersion = 0;  // 10 * major + minor
+};
+
+class Stage {
+  public:
+    // Takes over the current context. With `keepLast`, a frame that fails leaves the last picture as it was (a window
+    // shows it on); without, no second target is made.
+    explicit Stage(const Context& context, bool keepLast = false);
+    ~Stage();
+    Stage(const Stage&) = delete;
+    Stage& operator=(const Stage&) = delete;
+
+    // Makes the demo and its target. Error: the driver lacks what the demo needs, or a shader fails.
+    void open(const DemoInfo& info, int width, int height);
+    // Deletes both. Error: the demo leaves GL objects behind.
+    void close();
+    bool isOpen() const { return demo_ != nullptr; }
+    void resize(int width, int height);
+
+    // Draws frame `index`; with `readouts`, also measures what the demo reads out. Error: the settings make no picture
+    // (check()), or GL reports an error.
+    void draw(int index, bool readouts = false);
+    // What the last good draw left.
+    const FrameNotes& notes() const { return notes_; }
+    const Counters& frameCounters() const { return counters_; }
+    Picture picture() const { return front().read(); }
+    const Target& front() const { return targets_[shown_]; }
+
+    Demo& demo() { return *demo_; }
+    const DemoInfo& info() const { return *info_; }
+    const DriverInfo& driver() const { return driver_; }
+
+  private:
+    void makeTargets(int width, int height);
+    bool keepLast_;
+    DriverInfo driver_;
+    const DemoInfo* info_ = nullptr;
+    std::unique_ptr<Demo> demo_;
+    Target targets_[2];
+    int shown_ = 0;
+    FrameNotes notes_;
+    Counters counters_;
+};
+
+// A knob and the value it is set to, as text.
+struct KnobSetting {
+    std::string name, text;
+};
+void applyKnobs(Demo& demo, const std::vector<KnobSetting>& settings);
+
+}  // namespace mv

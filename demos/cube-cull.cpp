@@ -1,0 +1,117 @@
+// cube-cull: a cube whose back faces, front faces or both are discarded before they are drawn.
+//
+// Claims (each is a test in tests/claims/cube-cull.cpp):
+// - [convex-needs-no-depth] The cube is closed and convex: with back faces culled its pixels need no depth test.
+// - [front-is-inside] Culling front faces shows the inside, and so does culling back faces of the other winding.
+// - [half-to-five-sixths] From outside 1, 2 or 3 faces are seen, so culling discards 1/2 to 5/6 of all triangles.
+// - [eye-inside] From inside no face turns to the eye: culling back faces leaves the axes alone.
+// - [lines-stay] Lines have no faces: culling both leaves the axes.
+#include "mv/demo/demo.h"
+#include "mv/geometry/shapes.h"
+#include "mv/gl/gl.h"
+#include "mv/math/projection.h"
+#include "mv/math/transform.h"
+
+using namespace mv;
+
+namespace {
+
+enum class Cull { none, back, front, both };
+enum class Winding { ccw, cw };
+
+struct CubeCull final : Demo {
+    Choice<Cull> cull{this, "cull", Cull::back, {{"none"}, {"back"}, {"front"}, {"both"}}, "which faces to discard"};
+    Choice<Winding> winding{this,
+                            "winding",
+                            Winding::ccw,
+                            {{"ccw", "counter-clockwise on the screen"}, {"cw", "clockwise"}},
+                            "which way round the corners of a front face run"};
+    Toggle depth{this, "depth", true, "let near faces hide far ones (depth test)"};
+    Real zDist{this, "z-dist", -4, {-10, 10}, "where the eye stands on the z axis, looking at the middle"};
+    Angle spinX{this, "spin-x", 0, "turn about the x axis"};
+    Angle spinY{this, "spin-y", 0, "turn about the y axis"};
+
+    Readout facing{this, "facing", "faces of the cube turned towards the eye, of 6"};
+    Readout culled{this, "culled", "triangles discarded by culling, of 12"};
+    Readout outside{this, "outside", "triangles wholly outside the view"};
+    Readout surviving{this, "surviving", "triangles that go on to the rasterizer"};
+
+    Program program;
+    Mesh cube, crossOfAxes;
+
+    CubeCull() {
+        bindDrag(spinY, -1, spinX, 1);
+        bindKeys(Key::down, Key::up, zDist, 0.2);
+        bindWheel(zDist, -0.2);
+    }
+
+    void init() override {
+        program = Program("cube-cull");
+        cube = Mesh(colorCube(), "cube");
+        crossOfAxes = Mesh(axes(1.5), "axes");
+    }
+
+    void check() const override {
+        if (zDist == 0) throw Error("--z-dist", "must not be 0: the eye would stand on the point it looks at");
+    }
+
+    void draw(const Frame& frame) override {
+        // Clear the picture
+        glClearColor(0.9F, 1.0F, 1.0F, 1.0F);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+
+        // Say which faces are front faces, and discard those not wanted
+        glFrontFace(winding == Winding::ccw ? GL_CCW : GL_CW);
+        if (cull == Cull::none) {
+            glDisable(GL_CULL_FACE);
+        } else {
+            glEnable(GL_CULL_FACE);
+            glCullFace(cull == Cull::back ? GL_BACK : cull == Cull::front ? GL_FRONT : GL_FRONT_AND_BACK);
+        }
+        if (depth) {
+            glEnable(GL_DEPTH_TEST);
+        } else {
+            glDisable(GL_DEPTH_TEST);
+        }
+
+        // Look at the middle from the z axis
+        const mat4 viewFromModel =
+            lookAt(vec3(0, 0, zDist), vec3(0, 0, 0), vec3(0, 1, 0)) * rotateX(-spinX) * rotateY(-spinY);
+        const mat4 clipFromView = perspective(50, frame.aspect(), 0.2, 100);
+        frame.show("viewFromModel", viewFromModel);
+        frame.show("clipFromView", clipFromView);
+
+        // Draw
+        program.use();
+        program.set("viewFromModel", viewFromModel);
+        program.set("clipFromView", clipFromView);
+        cube.draw();
+        crossOfAxes.draw();
+
+        if (frame.readouts()) count(viewFromModel);
+    }
+
+    void count(const mat4& viewFromModel) {
+        const vec3 eye = vec3(inverse(viewFromModel) * vec4(0, 0, 0, 1));  // in the cube's own coordinates
+        int faces = 0;
+        for (int axis = 0; axis < 3; ++axis) faces += (eye[axis] > 0.5) + (eye[axis] < -0.5);
+        facing = faces;
+        const TriangleCount triangles = countTriangles(cube);
+        culled = double(triangles.culled);
+        outside = double(triangles.outside);
+        surviving = double(triangles.surviving);
+    }
+};
+
+const bool added = addDemo<CubeCull>({
+    .name = "cube-cull",
+    .sentence = "Back-face culling: on a closed solid, what faces away is never seen.",
+    .lookFor = "Turn the cube with back and with none: the same picture. Then front: you look into the far half.",
+    .chapter = "Hidden surfaces",
+    .number = 7,
+    .width = 600,
+    .height = 600,
+    .needs = {.depth = true},
+});
+
+}  // namespace

@@ -1,0 +1,86 @@
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "support/demo_run.h"
+
+using namespace mv;
+using namespace mv::test;
+
+namespace {
+
+// Turns that show one, two and three faces, and some between.
+constexpr std::array<std::array<int, 2>, 6> turns{{{0, 0}, {0, 40}, {35, 30}, {-60, 200}, {90, 0}, {17, -133}}};
+
+}  // namespace
+
+TEST(CubeCull, convex_needs_no_depth) {
+    DemoRun run("cube-cull");
+    for (const auto& [spinX, spinY] : turns) {
+        run.set("spin-x", spinX).set("spin-y", spinY).set("cull", "both");
+        // The axes pierce the cube, so they are what depth decides; the faces alone are compared by their colours.
+        const Picture with = run.set("cull", "back").set("depth", "on").picture();
+        const Picture axesOnly = run.set("cull", "both").picture();
+        const Picture without = run.set("cull", "back").set("depth", "off").picture();
+        long wrong = 0;
+        for (int y = 0; y < with.height; ++y) {
+            for (int x = 0; x < with.width; ++x) {
+                const bool axis = axesOnly.at(x, y) != axesOnly.at(0, 0);
+                wrong += !axis && with.at(x, y) != without.at(x, y);
+            }
+        }
+        EXPECT_EQ(wrong, 0) << "turned by " << spinX << ", " << spinY;
+    }
+    // The other order of faces, so that the check can fail: with all faces drawn, depth does decide.
+    const Picture withAll = run.set("cull", "none").set("depth", "on").picture();
+    EXPECT_GT(differentPixels(withAll, run.set("depth", "off").picture()), 1000);
+}
+
+TEST(CubeCull, front_is_inside) {
+    DemoRun run("cube-cull");
+    run.set("spin-x", 20).set("spin-y", 30);
+    const Picture outside = run.picture();
+    const Picture inside = run.set("cull", "front").picture();
+    EXPECT_EQ(run.readout("surviving"), 6);
+    EXPECT_GT(differentPixels(outside, inside), 10000);
+    const Picture otherWinding = run.set("cull", "back").set("winding", "cw").picture();
+    EXPECT_EQ(inside, otherWinding);
+    // From outside the far faces are blue, magenta and cyan's opposites: yellow, red and green.
+    EXPECT_GT(countPixels(inside, {255, 255, 0}), 1000);
+    EXPECT_EQ(countPixels(inside, {0, 255, 255}), 0);
+}
+
+TEST(CubeCull, half_to_five_sixths) {
+    DemoRun run("cube-cull");
+    std::array<bool, 4> seen{};
+    for (const auto& [spinX, spinY] : turns) {
+        run.set("spin-x", spinX).set("spin-y", spinY).picture();
+        const double facing = run.readout("facing");
+        ASSERT_GE(facing, 1);
+        ASSERT_LE(facing, 3);
+        seen[static_cast<std::size_t>(facing)] = true;
+        EXPECT_EQ(run.readout("culled"), 12 - 2 * facing);  // two triangles a face
+        EXPECT_EQ(run.readout("surviving"), 2 * facing);
+        EXPECT_EQ(run.readout("outside"), 0);
+    }
+    EXPECT_TRUE(seen[1] && seen[2] && seen[3]) << "the turns must show one, two and three faces";
+}
+
+TEST(CubeCull, eye_inside) {
+    DemoRun run("cube-cull");
+    run.set("z-dist", 0.3).set("spin-y", 10).picture();
+    EXPECT_EQ(run.readout("facing"), 0);
+    EXPECT_EQ(run.readout("surviving"), 0);
+    const Picture onlyAxes = run.set("cull", "both").picture();
+    EXPECT_EQ(run.set("cull", "back").picture(), onlyAxes);
+    EXPECT_GT(differentPixels(run.set("cull", "front").picture(), onlyAxes), 100000);
+}
+
+TEST(CubeCull, lines_stay) {
+    DemoRun run("cube-cull");
+    const Picture picture = run.set("cull", "both").set("spin-x", 20).set("spin-y", 30).picture();
+    EXPECT_EQ(run.readout("surviving"), 0);
+    for (const Pixel axis : {Pixel{255, 0, 0}, Pixel{0, 255, 0}, Pixel{0, 0, 255}})
+        EXPECT_GT(countPixels(picture, axis), 50);
+    EXPECT_EQ(countColors(picture), 4);  // the three axes and the background
+}

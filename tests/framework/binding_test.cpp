@@ -1,0 +1,55 @@
+#include <gtest/gtest.h>
+
+#include "mv/demo/demo.h"
+
+using namespace mv;
+
+namespace {
+
+struct Controls : Demo {
+    Real distance{this, "distance", -4, {-10, 10}, ""};
+    Angle across{this, "across", 0, ""}, down{this, "down", 0, ""};
+    Whole view{this, "view", 1, {1, 9}, ""};
+    Controls() {
+        bindKeys(Key::down, Key::up, distance, 0.2);
+        bindKey(key('3'), view, "3");
+        bindDrag(across, 1, down, -1);
+        bindWheel(distance, -0.1);
+    }
+    void init() override {}
+    void draw(const Frame&) override {}
+};
+
+}  // namespace
+
+TEST(Bindings, gestures_move_their_knobs) {
+    Controls demo;
+    EXPECT_TRUE(demo.press(Key::up));
+    EXPECT_EQ(demo.distance.text(), "-3.8");
+    EXPECT_TRUE(demo.press(Key::down));
+    EXPECT_EQ(demo.distance.text(), "-4");
+    EXPECT_TRUE(demo.press(key('3')));
+    EXPECT_EQ(int(demo.view), 3);
+    EXPECT_FALSE(demo.press(key('3'))) << "already there: nothing to draw anew";
+    EXPECT_FALSE(demo.press(key('Q'))) << "a key of no binding";
+    EXPECT_TRUE(demo.drag(40, 10));
+    EXPECT_EQ(demo.across.text(), "40");
+    EXPECT_EQ(demo.down.text(), "-10");
+    EXPECT_FALSE(demo.drag(0, 0));
+    EXPECT_TRUE(demo.wheel(1));
+    EXPECT_EQ(demo.distance.text(), "-4.1");
+}
+
+TEST(Bindings, keys_have_names) {
+    EXPECT_EQ(keyName(Key::up), "Up");
+    EXPECT_EQ(keyName(key('7')), "7");
+}
+
+TEST(Names, slips_of_the_hand_find_the_nearest) {
+    const std::vector<std::string> names{"cube-cull", "cube-ortho", "shadow"};
+    EXPECT_EQ(nearestName("cube-cul", names), "cube-cull");
+    EXPECT_EQ(nearestName("shaddow", names), "shadow");
+    EXPECT_EQ(nearestName("teapot", names), "");
+    EXPECT_EQ(suggestion("teapot", names), "");
+    EXPECT_EQ(suggestion("cube-cul", names), "; did you mean 'cube-cull'?");
+}

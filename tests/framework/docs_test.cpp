@@ -1,0 +1,32 @@
+#include "mv/run/docs.h"
+
+#include <gtest/gtest.h>
+
+using namespace mv;
+
+TEST(Docs, tables_stand_between_their_markers) {
+    const DemoInfo& info = findDemo("cube-cull");
+    const std::string page = "# a\nbefore\n<!-- knobs -->\nold\n<!-- /knobs -->\nafter\n";
+    const std::string made = lessonPage(page, info);
+    EXPECT_EQ(made.find("old"), std::string::npos);
+    EXPECT_NE(made.find("| `--cull` | none \\| back \\| front \\| both | back | which faces to discard |"),
+              std::string::npos)
+        << made;
+    EXPECT_NE(made.find("| `facing` |"), std::string::npos);
+    EXPECT_NE(made.find("drag to the right: `spin-y` -1 a pixel"), std::string::npos);
+    EXPECT_EQ(made.substr(0, 11), page.substr(0, 11));
+    EXPECT_EQ(made.substr(made.size() - 6), "after\n");
+    EXPECT_EQ(lessonPage(made, info), made) << "made once, it stays";
+    EXPECT_THROW(lessonPage("no markers", info), Error);
+}
+
+TEST(Docs, the_catalogue_names_every_demo) {
+    const std::string page = cataloguePage();
+    for (const DemoInfo& info : catalogue()) {
+        EXPECT_NE(page.find("[" + info.name + "](../demos/" + info.name + ".md)"), std::string::npos);
+        EXPECT_NE(page.find(info.lookFor), std::string::npos);
+        EXPECT_FALSE(info.sentence.empty());
+        EXPECT_FALSE(info.chapter.empty());
+        EXPECT_GT(info.number, 0);
+    }
+}

@@ -1,0 +1,208 @@
+// The GL layer: programs and their errors, uniforms, reloading, triangle counts, words in the picture.
+#include "mv/gl/gl.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "mv/geometry/shapes.h"
+#include "mv/gl/shader_source.h"
+#include "mv/math/projection.h"
+#include "mv/math/transform.h"
+#include "support/demo_run.h"
+#include "support/process.h"
+
+using namespace mv;
+using namespace mv::test;
+
+namespace {
+
+const std::string plainVertex = "uniform mat4 m;\nin vec4 position;\nvoid main() { gl_Position = m * position; }\n";
+const std::string plainFragment = "uniform vec4 c;\nout vec4 fragColor;\nvoid main() { fragColor = c; }\n";
+
+template <class Function>
+std::string errorOf(Function function) {
+    try {
+        function();
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+class Gl : public testing::Test {
+  protected:
+    void SetUp() override { stage(); }
+    void TearDown() override { EXPECT_TRUE(takeErrors().empty()); }
+};
+
+}  // namespace
+
+TEST_F(Gl, shader_mistakes_name_file_and_line) {
+    const std::string error = errorOf([] {
+        Program::fromText("wrong", plainVertex, "out vec4 fragColor;\nvoid main() {\n    fragColor = colour;\n}\n");
+    });
+    EXPECT_TRUE(has(error, "wrong.frag:3: ")) << error;
+    EXPECT_TRUE(has(error, "colour")) << error;
+    addShaderFile("include/shade.glsl", "vec4 shade() { return vec4(1); }\nvec4 broken() { return nothing; }\n", "");
+    const std::string included = errorOf([] {
+        Program::fromText("wrong", plainVertex,
+                          "out vec4 fragColor;\n#include \"shade.glsl\"\nvoid main() { fragColor = shade(); }\n");
+    });
+    EXPECT_TRUE(has(included, "shaders/include/shade.glsl:2: ")) << included;
+    addShaderFile("include/shade.glsl", "vec4 shade() { return vec4(1); }\n", "");
+    const std::string after = errorOf([] {
+        Program::fromText("wrong", plainVertex,
+                          "#include \"shade.glsl\"\nout vec4 fragColor;\nvoid main() { fragColor = shad(); }\n");
+    });
+    EXPECT_TRUE(has(after, "wrong.frag:3: ")) << "lines after an include keep their numbers: " << after;
+    addShaderFile("include/self.glsl", "#include \"self.glsl\"\n", "");
+    EXPECT_TRUE(
+        has(errorOf([] { assembleShaderText("a.frag", "#include \"self.glsl\"\n"); }), "must not include itself"));
+    EXPECT_TRUE(
+        has(errorOf([] { assembleShaderText("a.frag", "\n#include \"none.glsl\"\n"); }), "a.frag:2: includes a file"));
+    EXPECT_TRUE(has(errorOf([] { Program("no-such-demo"); }), "shaders/no-such-demo.vert"));
+    const std::string link = errorOf([] {
+        Program::fromText(
+            "apart",
+            "in vec4 position;\nout vec2 passed;\nvoid main() { passed = position.xy; gl_Position = position; }\n",
+            "in vec3 passed;\nout vec4 fragColor;\nvoid main() { fragColor = vec4(passed, 1); }\n");
+    });
+    EXPECT_TRUE(has(link, "program apart: must link")) << link;
+}
+
+TEST_F(Gl, logs_of_other_drivers_are_read_too) {
+    ShaderSource source;
+    source.files = {"shaders/a.frag", "shaders/include/b.glsl"};
+    EXPECT_EQ(readableLog("0:7(3): error: x\n", source), "shaders/a.frag:7: error: x");
+    EXPECT_EQ(readableLog("1(12) : error C1008: x", source), "shaders/include/b.glsl:12: error C1008: x");
+    EXPECT_EQ(readableLog("ERROR: 0:5: 'y' : undeclared", source), "shaders/a.frag:5: 'y' : undeclared");
+    EXPECT_EQ(readableLog("something else", source), "something else");
+}
+
+TEST_F(Gl, uniforms_are_known_typed_finite_and_in_use) {
+    const Program program = Program::fromText("plain", plainVertex, plainFragment);
+    EXPECT_TRUE(has(errorOf([&] { program.set("c", vec4(1)); }), "call use() first"));
+    program.use();
+    EXPECT_EQ(errorOf([&] { program.set("c", vec4(1)); }), "no error");
+    EXPECT_TRUE(has(errorOf([&] { program.set("color", vec4(1)); }), "it has c, m"));
+    EXPECT_TRUE(has(errorOf([&] { program.set("c", vec3(1)); }), "with the type the shader declares"));
+    EXPECT_TRUE(has(errorOf([&] { program.set("c", vec4(0.0 / 0.0)); }), "must be finite as a float, nan"));
+    EXPECT_TRUE(has(errorOf([&] { program.set("c", vec4(1e39)); }), "must be finite as a float, 1e+39"));
+    EXPECT_TRUE(has(errorOf([&] { program.set("m", mat4(1.0 / 0.0)); }), "must be finite"));
+    EXPECT_TRUE(has(errorOf([] { Program().use(); }), "must be made in init()"));
+    EXPECT_TRUE(has(errorOf([] { Mesh().draw(); }), "must be made in init()"));
+}
+
+TEST_F(Gl, an_edited_shader_is_compiled_anew_and_a_mistake_keeps_the_last_good) {
+    TemporaryFolder folder;
+    const auto write = [&](const std::string& name, const std::string& text) {
+        std::ofstream(folder.file(name)) << text;
+        // A file system may count whole seconds: the time of the last edit is moved on by hand.
+        static int edits = 0;
+        std::filesystem::last_write_time(folder.file(name),
+                                         std::filesystem::file_time_type::clock::now() + std::chrono::seconds(++edits));
+    };
+    write("edit.vert", plainVertex);
+    write("edit.frag", plainFragment);
+    addShaderFile("edit.vert", "", folder.file("edit.vert"));
+    addShaderFile("edit.frag", "", folder.file("edit.frag"));
+    const Program program("edit");
+    const GLuint first = program.id();
+    EXPECT_EQ(reloadChangedPrograms().programs, 0);
+    write("edit.frag", "out vec4 fragColor;\nvoid main() { fragColor = vec4(red); }\n");
+    const Reloaded failed = reloadChangedPrograms();
+    ASSERT_EQ(failed.errors.size(), 1U);
+    EXPECT_TRUE(has(failed.errors.front(), "shaders/edit.frag:2: ")) << failed.errors.front();
+    EXPECT_EQ(program.id(), first) << "the last good version stays";
+    EXPECT_TRUE(reloadChangedPrograms().errors.empty()) << "said once for each edit";
+    write("edit.frag", "out vec4 fragColor;\nvoid main() { fragColor = vec4(1, 0, 0, 1); }\n");
+    EXPECT_EQ(reloadChangedPrograms().programs, 1);
+    EXPECT_NE(program.id(), first);
+}
+
+TEST_F(Gl, triangles_are_counted_where_they_went) {
+    const Program program = Program::fromText("plain", plainVertex, plainFragment);
+    const Mesh ball(sphere(1, 24, 12), "ball");
+    const Mesh strip(ringStrip(0.5, 1, 10), "ring");
+    program.use();
+    program.set("c", vec4(1));
+    program.set("m", mat4(1));
+    glFrontFace(GL_CCW);
+    glDisable(GL_CULL_FACE);
+    const TriangleCount all = countTriangles(ball);
+    EXPECT_EQ(all.submitted, ball.count() / 3);
+    EXPECT_EQ(all.surviving, all.submitted) << "nothing is culled and nothing is outside";
+    EXPECT_EQ(countTriangles(strip).submitted, 20) << "a strip of 22 vertices";
+    glEnable(GL_CULL_FACE);
+    glCullFace(GL_BACK);
+    const TriangleCount back = countTriangles(ball);
+    glCullFace(GL_FRONT);
+    const TriangleCount front = countTriangles(ball);
+    EXPECT_EQ(back.culled + front.culled, all.submitted) << "each triangle faces one way or the other";
+    EXPECT_EQ(back.culled, front.culled) << "a sphere symmetric in z";
+    program.set("m", translate(5, 0, 0));
+    EXPECT_EQ(countTriangles(ball).outside, all.submitted);
+    // Half behind the eye: w changes sign within triangles, and every one is still counted once.
+    program.set("m", perspective(60, 1, 0.1, 10));
+    const TriangleCount through = countTriangles(ball);
+    EXPECT_EQ(through.culled + through.outside + through.surviving, all.submitted);
+    glDisable(GL_CULL_FACE);
+}
+
+TEST_F(Gl, words_stand_in_the_picture) {
+    const Target target(200, 40, {}, "words");
+    FrameNotes notes;
+    const Frame frame(1, 200, 40, notes);
+    glClearColor(1, 1, 1, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    const Picture empty = target.read();
+    drawText(frame, 3, 2, "Horfðu á 45°");
+    const Picture words = target.read();
+    EXPECT_GT(differentPixels(empty, words), 200);
+    EXPECT_LT(differentPixels(empty, words), 3000);
+    // Where they end is what textWidth says: nothing is drawn to the right of it.
+    const int end = 3 + textWidth("Horfðu á 45°");
+    for (int y = 0; y < 40; ++y) {
+        for (int x = end; x < 200; ++x) ASSERT_EQ(words.at(x, y), empty.at(x, y)) << x << ", " << y;
+    }
+    drawText(frame, 3, 2, "\xff\xc3");  // no UTF-8: shown as such, never read beyond its end
+    EXPECT_THROW(drawText(frame, 0, 0, "x", {.height = 2}), Error);
+    forgetText();
+}
+
+TEST_F(Gl, an_image_is_shown_pixel_by_pixel) {
+    Picture image(3, 2);
+    image.set(0, 0, {255, 0, 0, 255});
+    image.set(2, 0, {0, 255, 0, 255});
+    image.set(0, 1, {0, 0, 255, 255});
+    image.set(2, 1, {255, 255, 255, 255});
+    const Target target(8, 5, {}, "image");
+    FrameNotes notes;
+    glClearColor(0, 0, 0, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    showImage(Frame(1, 8, 5, notes), 4, 1, image);
+    const Picture shown = target.read();
+    EXPECT_EQ(shown.at(4, 1), (Pixel{255, 0, 0, 255})) << "the upper left pixel stays the upper left one";
+    EXPECT_EQ(shown.at(6, 1), (Pixel{0, 255, 0, 255}));
+    EXPECT_EQ(shown.at(4, 2), (Pixel{0, 0, 255, 255}));
+    EXPECT_EQ(shown.at(6, 2), (Pixel{255, 255, 255, 255}));
+    EXPECT_EQ(shown.at(3, 1), (Pixel{0, 0, 0, 255}));
+    forgetText();
+}
+
+TEST_F(Gl, objects_are_moved_and_deleted) {
+    const long before = liveObjects();
+    {
+        Mesh a(square(), "a");
+        EXPECT_EQ(liveObjects(), before + 2);
+        Mesh b = std::move(a);
+        a = Mesh(square(), "again");
+        b = std::move(a);
+        EXPECT_THROW(Mesh(MeshData{}, "empty"), Error);
+    }
+    EXPECT_EQ(liveObjects(), before);
+}

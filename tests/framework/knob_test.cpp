@@ -1,0 +1,118 @@
+#include "mv/demo/knob.h"
+
+#include <gtest/gtest.h>
+
+#include "mv/demo/demo.h"
+
+using namespace mv;
+
+namespace {
+
+enum class Fruit { apple, pear, plum };
+
+struct Settings : Demo {
+    Real real{this, "real", 0.5, {-2, 3}, "a number", "m"};
+    Angle angle{this, "angle", 350, "an angle"};
+    Whole whole{this, "whole", 7, {1, 40}, "a count"};
+    Toggle toggle{this, "toggle", false, "a switch"};
+    Choice<Fruit> fruit{this, "fruit", Fruit::pear, {{"apple", "red"}, {"pear"}, {"plum"}}, "a fruit"};
+    Readout number{this, "number", "a result", "px"};
+    void init() override {}
+    void draw(const Frame&) override {}
+};
+
+std::string errorOf(Knob& knob, const std::string& text) {
+    const std::string before = knob.text();
+    try {
+        knob.parse(text);
+    } catch (const Error& error) {
+        EXPECT_EQ(knob.text(), before) << "a refused value must not be taken";
+        return error.what();
+    }
+    return "accepted";
+}
+
+}  // namespace
+
+// What a knob prints, it reads back as the same value: that is what makes a printed command line reproduce a picture.
+TEST(Knobs, print_and_parse_are_inverse) {
+    Settings settings;
+    for (const double value : {0.1, 1.0 / 3, -2.0, 3.0, 1e-17, 2.718281828459045}) {
+        settings.real.parse(numberText(value));
+        EXPECT_EQ(double(settings.real), value);
+        const std::string text = settings.real.text();
+        settings.real.parse(text);
+        EXPECT_EQ(double(settings.real), value);
+    }
+    for (Knob* knob : settings.knobs()) {
+        for (const std::string& text : knob->sweep()) {
+            knob->parse(text);
+            EXPECT_EQ(knob->text(), text);
+        }
+        knob->reset();
+        EXPECT_TRUE(knob->isInitial());
+    }
+}
+
+TEST(Knobs, refuse_with_their_range) {
+    Settings settings;
+    EXPECT_EQ(errorOf(settings.real, "3.5"), "--real: must be -2 .. 3 m, '3.5'");
+    EXPECT_EQ(errorOf(settings.whole, "0"), "--whole: must be 1 .. 40, '0'");
+    EXPECT_EQ(errorOf(settings.toggle, "yes"), "--toggle: must be on | off, 'yes'");
+    EXPECT_EQ(errorOf(settings.fruit, "aple"), "--fruit: must be apple | pear | plum, 'aple'");
+    for (const char* text : {"", "nan", "inf", "-inf", "0x1", "1e400", "1,5", " 1", "1 ", "--1", "1.", "1e"}) {
+        if (std::string(text) == "1.") continue;  // a number to from_chars, as to every reader of numbers
+        EXPECT_NE(errorOf(settings.real, text), "accepted") << "'" << text << "'";
+    }
+    for (const char* text : {"1.5", "", "7x", "99999999999"})
+        EXPECT_NE(errorOf(settings.whole, text), "accepted") << text;
+}
+
+TEST(Knobs, an_initial_value_outside_the_range_is_a_mistake_of_the_demo) {
+    struct Wrong : Settings {
+        Real wrong{this, "wrong", 5, {0, 1}, "outside"};
+    };
+    EXPECT_THROW(Wrong(), Error);
+    struct Twice : Settings {
+        Real again{this, "real", 0, {0, 1}, "the same name"};
+    };
+    EXPECT_THROW(Twice(), Error);
+}
+
+TEST(Knobs, steps_stop_at_the_ends_and_angles_go_round) {
+    Settings settings;
+    settings.real.parse("-2");
+    for (int i = 0; i < 20; ++i) settings.real.step(0.1);
+    EXPECT_EQ(settings.real.text(), "0") << "twenty steps of 0.1, on a grid of 1e-9";
+    EXPECT_TRUE(settings.real.step(100));
+    EXPECT_EQ(double(settings.real), 3);
+    EXPECT_FALSE(settings.real.step(1)) << "nothing moves at the end";
+    EXPECT_TRUE(settings.angle.step(20));
+    EXPECT_EQ(double(settings.angle), 10);
+    EXPECT_TRUE(settings.angle.step(-30));
+    EXPECT_EQ(double(settings.angle), -20) << "the sign is kept, as % does in JavaScript";
+    settings.fruit.step(1);
+    settings.fruit.step(1);
+    EXPECT_EQ(settings.fruit.text(), "apple") << "choices go round";
+    settings.fruit.step(-1);
+    EXPECT_EQ(settings.fruit.text(), "plum");
+}
+
+TEST(Knobs, two_demos_share_nothing) {
+    Settings a, b;
+    a.real.parse("1");
+    EXPECT_EQ(double(b.real), 0.5);
+    EXPECT_EQ(a.knobs().size(), 5U);
+    EXPECT_NE(a.knobs().front(), b.knobs().front());
+}
+
+TEST(Readouts, are_finite_or_absent) {
+    Settings settings;
+    EXPECT_FALSE(settings.number.value());
+    settings.number = 3;
+    EXPECT_EQ(settings.number.value(), 3);
+    EXPECT_THROW(settings.number = 0.0 / 0.0, Error);
+    EXPECT_THROW(settings.number = 1e308 * 10, Error);
+    settings.number.clear();
+    EXPECT_FALSE(settings.number.value());
+}

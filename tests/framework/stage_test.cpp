@@ -1,0 +1,135 @@
+#include "mv/run/stage.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "mv/gl/gl.h"
+#include "mv/run/report.h"
+#include "support/demo_run.h"
+
+using namespace mv;
+using namespace mv::test;
+
+namespace {
+
+Picture freshPicture(const std::string& name) { return DemoRun(name).picture(); }
+
+// A demo that can be told to go wrong.
+struct Unruly final : Demo {
+    enum class Mood { good, refused, glError, leak, dirty };
+    Choice<Mood> mood{this, "mood", Mood::good, {{"good"}, {"refused"}, {"gl-error"}, {"leak"}, {"dirty"}}, ""};
+    static Buffer leaked;
+    void init() override {}
+    void check() const override {
+        if (mood == Mood::refused) throw Error("--mood", "must not be refused");
+    }
+    void draw(const Frame& frame) override {
+        glClearColor(float(frame.index() % 7) / 7.0F, 0.5F, 0, 1);
+        glClear(GL_COLOR_BUFFER_BIT);
+        if (mood == Mood::glError) glEnable(GL_TEXTURE_2D);  // no capability of core OpenGL
+        if (mood == Mood::leak && !leaked) leaked = makeBuffer();
+    }
+};
+Buffer Unruly::leaked;
+
+DemoInfo unruly() {
+    DemoInfo info;
+    info.name = "unruly";
+    info.make = [] { return std::make_unique<Unruly>(); };
+    return info;
+}
+
+}  // namespace
+
+// No demo sees what another left: for all ordered pairs, A, B, A again equals A on a fresh stage, byte for byte.
+TEST(Stage, demos_leave_no_trace) {
+    std::map<std::string, Picture> fresh;
+    for (const std::string& name : demoNames()) fresh[name] = freshPicture(name);
+    int pairs = 0;
+    for (const std::string& a : demoNames()) {
+        for (const std::string& b : demoNames()) {
+            if (a == b) continue;
+            EXPECT_EQ(freshPicture(a), fresh[a]) << a << " before " << b;
+            EXPECT_EQ(freshPicture(b), fresh[b]) << b << " after " << a;
+            EXPECT_EQ(freshPicture(a), fresh[a]) << a << " after " << b;
+            ++pairs;
+        }
+        stage().close();
+        EXPECT_EQ(liveObjects(), 0) << a;
+    }
+    EXPECT_EQ(pairs, static_cast<int>(demoNames().size() * (demoNames().size() - 1)));
+}
+
+TEST(Stage, errors_are_thrown_and_a_leak_is_found) {
+    const DemoInfo info = unruly();
+    stage().open(info, 8, 8);
+    EXPECT_NO_THROW(stage().draw(1));
+    stage().demo().knob("mood").parse("refused");
+    EXPECT_THROW(stage().draw(1), Error);
+    stage().demo().knob("mood").parse("gl-error");
+    try {
+        stage().draw(1);
+        ADD_FAILURE() << "an OpenGL error must be thrown";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("OpenGL in unruly"), std::string::npos) << error.what();
+    }
+    stage().demo().knob("mood").parse("leak");
+    stage().draw(1);
+    EXPECT_THROW(stage().close(), Error);
+    Unruly::leaked = Buffer();
+    EXPECT_EQ(liveObjects(), 0);
+}
+
+TEST(Stage, sizes_beyond_the_driver_are_refused) {
+    const DemoInfo& info = findDemo("cube-cull");
+    EXPECT_THROW(stage().open(info, 0, 5), Error);
+    EXPECT_THROW(stage().open(info, 1000000, 5), Error);
+    EXPECT_NO_THROW(stage().open(info, 1, 1));
+}
+
+TEST(Stage, samples_are_what_was_asked_or_refused) {
+    DemoInfo info = findDemo("cube-cull");
+    GLint most = 0;
+    glGetIntegerv(GL_MAX_SAMPLES, &most);
+    info.needs.samples = most;
+    stage().open(info, 64, 64);
+    stage().draw(1);
+    EXPECT_GT(countColors(stage().picture()), 4) << "edges are mixed by the samples";
+    info.needs.samples = most + 1;
+    EXPECT_THROW(stage().open(info, 64, 64), Error);
+    if (stage().driver().renderer.rfind("llvmpipe", 0) == 0) {  // it has 4, and makes 4 of 2 in silence
+        info.needs.samples = 2;
+        EXPECT_THROW(stage().open(info, 64, 64), Error);
+    }
+    stage().open(findDemo("cube-cull"), 8, 8);
+}
+
+TEST(Stage, a_newer_opengl_than_declared_is_refused) {
+    DemoRun run("cube-cull");
+    EXPECT_THROW(glPatchParameteri(GL_PATCH_VERTICES, 3), Error);
+    allowVersion(40);
+    EXPECT_NO_THROW(glPatchParameteri(GL_PATCH_VERTICES, 3));
+    allowVersion(33);
+    DemoInfo info = findDemo("cube-cull");
+    info.needs.gl = 99;
+    try {
+        stage().open(info, 8, 8);
+        ADD_FAILURE() << "OpenGL 9.9 must be refused";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("needs OpenGL 9.9"), std::string::npos) << error.what();
+    }
+}
+
+TEST(Report, has_readouts_counters_and_matrices) {
+    DemoRun run("cube-cull");
+    run.picture();
+    const std::string text = reportText(stage(), 1, {});
+    for (const char* part : {"cube-cull, frame 1, 600x600", "readout   facing            1", "2 draws, 12 triangles",
+                             "buffers   color, depth, 0 samples", "matrix    viewFromModel", "cull=back"}) {
+        EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+    }
+    const std::string json = reportJson(stage(), 1, {});
+    EXPECT_NE(json.find("\"facing\""), std::string::npos);
+    EXPECT_EQ(timeFrames(stage(), 1, 9, 0).runs, 9);
+}

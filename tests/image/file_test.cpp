@@ -1,0 +1,236 @@
+// X40: output to a full disk, a missing folder and the like is an Error, and nothing half-written is left behind.
+#include "mv/image/file.h"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <string>
+
+#include "image/messages.h"
+#include "image/nobody.h"
+#include "image/temporary_folder.h"
+
+namespace mv {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t plenty = 1U << 20U;
+
+std::string textOf(const fs::path& path) {
+    const std::vector<std::byte> bytes = readFile(path, plenty);
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+// In a child process: does writing fail with an Error that names the reason? Ends the child with 0 if so.
+[[noreturn]] void exitByRefusal(const fs::path& path, std::string_view text, const std::string& reason) {
+    try {
+        writeFileAtomically(path, text);
+    } catch (const Error& error) {
+        _exit(contains(error.what(), reason) ? 0 : 2);
+    }
+    _exit(1);
+}
+
+TEST(WriteFile, WritesAndReplaces) {
+    const TemporaryFolder folder;
+    for (const std::string& text :
+         {std::string("first"), std::string(), std::string(300000, 'x'), std::string("a\0b", 3)}) {
+        writeFileAtomically(folder / "file", text);
+        EXPECT_EQ(textOf(folder / "file"), text);
+        EXPECT_EQ(folder.entries(), 1);
+    }
+}
+
+TEST(WriteFile, TakesAPathRelativeToTheCurrentFolder) {
+    const TemporaryFolder folder;
+    const fs::path before = fs::current_path();
+    fs::current_path(folder.path());
+    writeFileAtomically("file", "text");
+    fs::current_path(before);
+    EXPECT_EQ(textOf(folder / "file"), "text");
+    EXPECT_EQ(folder.entries(), 1);
+}
+
+TEST(WriteFile, NewFilesFollowTheUmask) {
+    const TemporaryFolder folder;
+    const mode_t before = umask(027);
+    writeFileAtomically(folder / "file", "text");
+    umask(before);
+    EXPECT_EQ(fs::status(folder / "file").permissions(), static_cast<fs::perms>(0640));
+}
+
+TEST(WriteFile, KeepsPermissionsOfTheReplaced) {
+    const TemporaryFolder folder;
+    writeFileAtomically(folder / "file", "old");
+    fs::permissions(folder / "file", static_cast<fs::perms>(0600));
+    writeFileAtomically(folder / "file", "new");
+    EXPECT_EQ(fs::status(folder / "file").permissions(), static_cast<fs::perms>(0600));
+    EXPECT_EQ(textOf(folder / "file"), "new");
+}
+
+TEST(WriteFile, FollowsALinkAndKeepsIt) {
+    const TemporaryFolder folder;
+    fs::create_directory(folder / "elsewhere");
+    writeFileAtomically(folder / "elsewhere/file", "old");
+    fs::create_symlink("elsewhere/file", folder / "link");
+    writeFileAtomically(folder / "link", "new");
+    EXPECT_TRUE(fs::is_symlink(folder / "link"));
+    EXPECT_EQ(textOf(folder / "elsewhere/file"), "new");
+}
+
+TEST(WriteFile, TakesTheLongestName) {
+    const TemporaryFolder folder;
+    writeFileAtomically(folder / std::string(255, 'n'), "text");
+    EXPECT_EQ(textOf(folder / std::string(255, 'n')), "text");
+    EXPECT_TRUE(contains(messageOf([&] { writeFileAtomically(folder / std::string(256, 'n'), "text"); }),
+                         "could not be written, File name too long"));
+    EXPECT_EQ(folder.entries(), 1);
+}
+
+TEST(WriteFile, AMissingFolderIsAnError) {
+    const TemporaryFolder folder;
+    const fs::path path = folder / "missing/file";
+    EXPECT_EQ(messageOf([&] { writeFileAtomically(path, "text"); }),
+              path.string() + ": could not be written, No such file or directory");
+    EXPECT_EQ(folder.entries(), 0);
+    EXPECT_THROW(writeFileAtomically("", "text"), Error);
+}
+
+TEST(WriteFile, AFolderIsNotReplaced) {
+    const TemporaryFolder folder;
+    fs::create_directory(folder / "sub");
+    EXPECT_TRUE(contains(messageOf([&] { writeFileAtomically(folder / "sub", "text"); }), "Is a directory"));
+    EXPECT_THROW(writeFileAtomically(folder / "sub/", "text"), Error);
+    EXPECT_TRUE(fs::is_directory(folder / "sub"));
+    EXPECT_TRUE(fs::is_empty(folder / "sub"));
+    EXPECT_EQ(folder.entries(), 1);
+}
+
+TEST(WriteFile, AFileIsNoFolder) {
+    const TemporaryFolder folder;
+    writeFileAtomically(folder / "file", "text");
+    EXPECT_TRUE(contains(messageOf([&] { writeFileAtomically(folder / "file/below", "x"); }), "Not a directory"));
+    EXPECT_EQ(folder.entries(), 1);
+}
+
+TEST(WriteFile, AReadOnlyFolderIsAnError) {
+    const TemporaryFolder folder;
+    fs::permissions(folder.path(), static_cast<fs::perms>(0555));
+    EXPECT_EXIT((becomeNobody(), exitByRefusal(folder / "file", "text", "Permission denied")),
+                testing::ExitedWithCode(0), "");
+    EXPECT_EQ(folder.entries(), 0);
+}
+
+TEST(WriteFile, AWriteProtectedFileIsAnError) {
+    const TemporaryFolder folder;
+    writeFileAtomically(folder / "file", "old");
+    fs::permissions(folder / "file", static_cast<fs::perms>(0444));
+    fs::permissions(folder.path(), static_cast<fs::perms>(0777));
+    EXPECT_EXIT((becomeNobody(), exitByRefusal(folder / "file", "new", "Permission denied")),
+                testing::ExitedWithCode(0), "");
+    EXPECT_EQ(textOf(folder / "file"), "old");
+    EXPECT_EQ(folder.entries(), 1);
+}
+
+TEST(WriteFile, ALimitReachedHalfWayLeavesTheOldFile) {
+    const TemporaryFolder folder;
+    writeFileAtomically(folder / "file", "old");
+    const auto writeBeyondLimit = [&] {
+        // Without this the system kills the process; with it write() fails, as on a full disk.
+        std::signal(SIGXFSZ, SIG_IGN);
+        const rlimit limit{4096, 4096};
+        if (setrlimit(RLIMIT_FSIZE, &limit) != 0) _exit(3);
+        exitByRefusal(folder / "file", std::string(10000, 'x'), "File too large");
+    };
+    EXPECT_EXIT(writeBeyondLimit(), testing::ExitedWithCode(0), "");
+    EXPECT_EQ(textOf(folder / "file"), "old");
+    EXPECT_EQ(folder.entries(), 1);
+}
+
+TEST(WriteFile, AFullDeviceIsAnErrorAndStaysADevice) {
+    for (const std::size_t size : {std::size_t{1}, plenty}) {
+        EXPECT_EXIT((becomeNobody(), exitByRefusal("/dev/full", std::string(size, 'x'),
+                                                   "/dev/full: could not be written, No space left on device")),
+                    testing::ExitedWithCode(0), "");
+    }
+    EXPECT_TRUE(fs::is_character_file("/dev/full"));
+}
+
+TEST(WriteFile, ADeviceTakesTheBytes) {
+    EXPECT_EXIT((becomeNobody(), writeFileAtomically("/dev/null", "text"), _exit(0)), testing::ExitedWithCode(0), "");
+    EXPECT_TRUE(fs::is_character_file("/dev/null"));
+}
+
+TEST(WriteFile, ALinkToADeviceIsWrittenThrough) {
+    const TemporaryFolder folder;
+    fs::permissions(folder.path(), static_cast<fs::perms>(0777));
+    fs::create_symlink("/dev/full", folder / "link");
+    EXPECT_EXIT((becomeNobody(), exitByRefusal(folder / "link", "x", "No space left on device")),
+                testing::ExitedWithCode(0), "");
+    EXPECT_TRUE(fs::is_symlink(folder / "link"));
+    EXPECT_EQ(folder.entries(), 1);
+}
+
+TEST(WriteFile, APipeReceivesTheBytes) {
+    const TemporaryFolder folder;
+    const fs::path pipe = folder / "pipe";
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    const int reader = open(pipe.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+    ASSERT_GE(reader, 0);
+    writeFileAtomically(pipe, "through");
+    char buffer[16] = {};
+    EXPECT_EQ(read(reader, buffer, sizeof buffer), 7);
+    EXPECT_STREQ(buffer, "through");
+    close(reader);
+    EXPECT_TRUE(fs::is_fifo(pipe));
+}
+
+TEST(WriteFile, StandardOutputIsAppendedTo) {
+    const TemporaryFolder folder;
+    writeFileAtomically(folder / "log", "before ");
+    const auto writeToStandardOutput = [&] {
+        const int log = open((folder / "log").c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+        if (dup2(log, STDOUT_FILENO) < 0) _exit(3);
+        becomeNobody();
+        writeFileAtomically("/dev/stdout", "one ");
+        writeFileAtomically("/dev/stdout", "two");
+        _exit(0);
+    };
+    EXPECT_EXIT(writeToStandardOutput(), testing::ExitedWithCode(0), "");
+    EXPECT_EQ(textOf(folder / "log"), "before one two");
+    EXPECT_EQ(folder.entries(), 1);
+}
+
+TEST(ReadFile, GivesEveryByte) {
+    const TemporaryFolder folder;
+    // Around the sizes at which the buffer grows.
+    for (const std::size_t size : {0U, 1U, 65535U, 65536U, 65537U, 131072U, 131073U, 500000U}) {
+        const std::string text(size, 'y');
+        writeFileAtomically(folder / "file", text);
+        EXPECT_EQ(textOf(folder / "file"), text) << size;
+    }
+}
+
+TEST(ReadFile, HoldsTheLimit) {
+    const TemporaryFolder folder;
+    writeFileAtomically(folder / "file", "12345");
+    EXPECT_EQ(readFile(folder / "file", 5).size(), 5U);
+    EXPECT_TRUE(contains(messageOf([&] { (void)readFile(folder / "file", 4); }), "must hold at most 4 bytes"));
+    EXPECT_THROW((void)readFile("/dev/zero", plenty), Error);
+}
+
+TEST(ReadFile, TellsWhyNot) {
+    const TemporaryFolder folder;
+    const fs::path path = folder / "missing";
+    EXPECT_EQ(messageOf([&] { (void)readFile(path, plenty); }),
+              path.string() + ": must be a file that exists and may be read, No such file or directory");
+    EXPECT_TRUE(contains(messageOf([&] { (void)readFile(folder.path(), plenty); }), "Is a directory"));
+}
+
+}  // namespace
+}  // namespace mv

@@ -1,0 +1,325 @@
+// X42: a damaged or hostile picture file is an Error, never a crash and never a wrong picture in silence.
+#include "mv/image/load.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <string>
+
+#include "image/messages.h"
+#include "image/png_files.h"
+#include "image/temporary_folder.h"
+#include "mv/image/compare.h"
+#include "mv/image/file.h"
+#include "mv/image/png.h"
+
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#define STB_IMAGE_WRITE_STATIC
+#define STBI_WRITE_NO_STDIO
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+#include <stb/stb_image_write.h>
+#pragma GCC diagnostic pop
+
+namespace mv {
+namespace {
+
+Picture smoothPicture(int width, int height) {
+    Picture picture(width, height);
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            picture.set(
+                x, y,
+                {static_cast<std::uint8_t>(255 * x / width), static_cast<std::uint8_t>(255 * y / height), 100, 255});
+        }
+    }
+    return picture;
+}
+
+Bytes jpegFile(const Picture& picture) {
+    Bytes bytes;
+    const auto append = [](void* context, void* data, int size) {
+        const auto* begin = static_cast<const std::byte*>(data);
+        auto* target = static_cast<Bytes*>(context);
+        target->insert(target->end(), begin, begin + size);
+    };
+    if (stbi_write_jpg_to_func(append, &bytes, picture.width, picture.height, 4, picture.rgba.data(), 95) == 0)
+        throw Error("stbi_write_jpg_to_func", "must be able to encode the picture");
+    return bytes;
+}
+
+// The bytes that a PNG has before compression, from the definition of the passes, pixel by pixel.
+std::size_t unpackedSize(const PngHeader& header) {
+    const unsigned channels[] = {1, 0, 3, 1, 2, 0, 4};
+    const unsigned bits = channels[header.colour] * header.depth;
+    const char* passOf =
+        "16462646"
+        "77777777"
+        "56565656"
+        "77777777"
+        "36463646"
+        "77777777"
+        "56565656"
+        "77777777";
+    std::size_t size = 0;
+    for (char pass = '1'; pass <= '7'; ++pass) {
+        for (std::uint32_t y = 0; y < header.height; ++y) {
+            unsigned columns = 0;
+            for (std::uint32_t x = 0; x < header.width; ++x) {
+                const char owner = header.interlaced == 1 ? passOf[y % 8 * 8 + x % 8] : '1';
+                if (owner == pass) ++columns;
+            }
+            if (columns > 0) size += 1 + (columns * bits + 7) / 8;
+        }
+    }
+    return size;
+}
+
+std::vector<PngHeader> everyKind(std::uint32_t width, std::uint32_t height) {
+    std::vector<PngHeader> headers;
+    using Byte = std::uint8_t;
+    for (const Byte interlaced : {Byte{0}, Byte{1}}) {
+        for (const Byte depth : {Byte{1}, Byte{2}, Byte{4}, Byte{8}, Byte{16}}) {
+            for (const Byte colour : {Byte{0}, Byte{2}, Byte{3}, Byte{4}, Byte{6}}) {
+                const bool allowed = colour == 0 || (colour == 3 && depth <= 8) || depth >= 8;
+                if (allowed && !(colour == 3 && depth == 16))
+                    headers.push_back({width, height, depth, colour, 0, 0, interlaced});
+            }
+        }
+    }
+    return headers;
+}
+
+std::string text(const PngHeader& header) {
+    return std::to_string(header.width) + " x " + std::to_string(header.height) + ", depth " +
+           std::to_string(header.depth) + ", colour " + std::to_string(header.colour) + ", interlaced " +
+           std::to_string(header.interlaced);
+}
+
+TEST(LoadPicture, NamesTheFileAndTheReason) {
+    const TemporaryFolder folder;
+    EXPECT_EQ(messageOf([] { (void)loadPicture("/missing.png"); }),
+              "/missing.png: must be a file that exists and may be read, No such file or directory");
+    const auto path = folder / "a.png";
+    writeFileAtomically(path, "GIF89a");
+    EXPECT_EQ(
+        messageOf([&] { (void)loadPicture(path); }),
+        path.string() + ": must be a PNG or JPEG file; other formats have to be converted first, it begins as neither");
+    writeFileAtomically(path, "");
+    EXPECT_TRUE(contains(messageOf([&] { (void)loadPicture(path); }), "it is empty"));
+    EXPECT_TRUE(contains(messageOf([&] { (void)loadPicture(folder.path()); }), "Is a directory"));
+}
+
+TEST(LoadPicture, HoldsTheSizeLimit) {
+    const TemporaryFolder folder;
+    const auto path = folder / "large.png";
+    writeFileAtomically(path, encodePng(Picture(1, 1)));
+    std::filesystem::resize_file(path, maximumPictureFileBytes);
+    EXPECT_EQ(loadPicture(path), Picture(1, 1));  // what follows the last chunk does not matter
+    std::filesystem::resize_file(path, maximumPictureFileBytes + 1);
+    EXPECT_TRUE(contains(messageOf([&] { (void)loadPicture(path); }), "must hold at most 67108864 bytes"));
+    EXPECT_THROW((void)decodePicture(Bytes(maximumPictureFileBytes + 1), "memory"), Error);
+}
+
+TEST(LoadPng, TopRowFirst) {
+    // Two rows of one pixel, filter 0: red above blue.
+    Bytes rows;
+    for (const int value : {0, 255, 0, 0, 0, 0, 0, 255}) rows.push_back(std::byte(value));
+    const Picture picture = decodePicture(pngFile({1, 2, 8, 2}, rows), "test");
+    EXPECT_EQ(picture.at(0, 0), (Pixel{255, 0, 0}));
+    EXPECT_EQ(picture.at(0, 1), (Pixel{0, 0, 255}));
+}
+
+TEST(LoadPng, GreyBecomesEqualChannels) {
+    EXPECT_EQ(decodePicture(pngFile({1, 1, 8, 0}, {std::byte{0}, std::byte{77}}), "test").at(0, 0),
+              (Pixel{77, 77, 77}));
+    EXPECT_EQ(decodePicture(pngFile({1, 1, 8, 4}, {std::byte{0}, std::byte{77}, std::byte{9}}), "test").at(0, 0),
+              (Pixel{77, 77, 77, 9}));
+    EXPECT_EQ(decodePicture(pngFile({1, 1, 8, 3}, {std::byte{0}, std::byte{0}}), "test").at(0, 0), (Pixel{90, 90, 90}));
+    // 16 bits keep the upper 8.
+    EXPECT_EQ(decodePicture(pngFile({1, 1, 16, 0}, {std::byte{0}, std::byte{200}, std::byte{1}}), "test").at(0, 0),
+              (Pixel{200, 200, 200}));
+}
+
+// Every kind, depth and interlacing, at the sizes where passes are empty or rows end within a byte.
+TEST(LoadPng, AcceptsEveryKindAndExactlyItsAmountOfData) {
+    for (std::uint32_t width = 1; width <= 9; ++width) {
+        for (const std::uint32_t height : {1U, 2U, 3U, 5U, 9U}) {
+            for (const PngHeader& header : everyKind(width, height)) {
+                const Bytes unpacked(unpackedSize(header));
+                const Picture picture = decodePicture(pngFile(header, unpacked), "test");
+                EXPECT_EQ(picture.width, static_cast<int>(width)) << text(header);
+                EXPECT_EQ(picture.height, static_cast<int>(height)) << text(header);
+                const Bytes less(unpacked.size() - 1);
+                EXPECT_TRUE(contains(messageOf([&] { (void)decodePicture(pngFile(header, less), "test"); }), "fewer"))
+                    << text(header);
+                const Bytes more(unpacked.size() + 1);
+                EXPECT_TRUE(contains(messageOf([&] { (void)decodePicture(pngFile(header, more), "test"); }), "more"))
+                    << text(header);
+            }
+        }
+    }
+}
+
+TEST(LoadPng, RefusesEveryTruncation) {
+    const Bytes whole = encodePng(smoothPicture(16, 16));
+    for (std::size_t length = 0; length < whole.size(); ++length) {
+        EXPECT_THROW((void)decodePicture(std::span(whole).first(length), "test"), Error)
+            << length << " of " << whole.size();
+    }
+}
+
+TEST(LoadPng, RefusesEveryFlippedBit) {
+    const Bytes whole = encodePng(smoothPicture(16, 16));
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+        for (unsigned bit = 0; bit < 8; ++bit) {
+            Bytes damaged = whole;
+            damaged[i] ^= std::byte(1U << bit);
+            EXPECT_THROW((void)decodePicture(damaged, "test"), Error) << "byte " << i << ", bit " << bit;
+        }
+    }
+}
+
+// With the checksums mended the damage goes deeper, to the decompressor and to stb_image.
+TEST(LoadPng, StandsDamageUnderRightChecksums) {
+    const PngHeader header{16, 16, 8, 6, 0, 0, 0};
+    Bytes unpacked(unpackedSize(header));
+    for (std::size_t i = 0; i < unpacked.size(); ++i) unpacked[i] = std::byte(i % 65 == 0 ? i / 65 % 5 : i * 7 % 251);
+    const Bytes pixels = compressed(unpacked);
+    const auto fileOf = [](const Bytes& headerBytes, const Bytes& pixelBytes) {
+        Bytes file = pngSignature();
+        appendChunk(file, "IHDR", headerBytes);
+        appendChunk(file, "IDAT", pixelBytes);
+        appendChunk(file, "IEND", {});
+        return file;
+    };
+    const Picture whole = decodePicture(fileOf(headerData(header), pixels), "test");
+    for (std::size_t i = 0; i < 13; ++i) {
+        for (int value = 0; value < 256; ++value) {
+            Bytes damaged = headerData(header);
+            if (damaged[i] == std::byte(value)) continue;
+            damaged[i] = std::byte(value);
+            EXPECT_THROW((void)decodePicture(fileOf(damaged, pixels), "test"), Error) << i << " " << value;
+        }
+    }
+    int refused = 0;
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        for (unsigned bit = 0; bit < 8; ++bit) {
+            Bytes damaged = pixels;
+            damaged[i] ^= std::byte(1U << bit);
+            try {
+                // A few bits mean nothing: those that fill up the last byte, and the size of zlib's window.
+                EXPECT_EQ(decodePicture(fileOf(headerData(header), damaged), "test"), whole) << i << " " << bit;
+            } catch (const Error&) {
+                ++refused;
+            }
+        }
+    }
+    EXPECT_GT(refused, static_cast<int>(pixels.size()) * 8 - 20);
+}
+
+TEST(LoadPng, RefusesFiltersThatDoNotExist) {
+    EXPECT_TRUE(contains(messageOf([] {
+                             (void)decodePicture(pngFile({1, 1, 8, 0}, {std::byte{5}, std::byte{0}}), "test");
+                         }),
+                         "filter"));
+}
+
+TEST(LoadPng, HoldsTheSideLimitBeforeItTakesMemory) {
+    EXPECT_EQ(messageOf([] {
+                  (void)decodePicture(pngFile({8193, 1}, {}), "test");
+              }),
+              "test: sides must lie in 1..8192 pixels, 8193 x 1");
+    for (const std::uint32_t side : {0U, 8193U, 0x7FFFFFFFU, 0x80000000U, 0xFFFFFFFFU}) {
+        EXPECT_THROW((void)decodePicture(pngFile({side, 1}, {}), "test"), Error) << side;
+        EXPECT_THROW((void)decodePicture(pngFile({1, side}, {}), "test"), Error) << side;
+    }
+}
+
+TEST(LoadPng, ASmallFileDoesNotUnpackToALargeOne) {
+    // 64 MiB of zeros fit into 64 KiB; the header asks for one pixel.
+    EXPECT_TRUE(
+        contains(messageOf([] { (void)decodePicture(pngFile({}, Bytes(64U << 20U)), "test"); }), "more pixels"));
+}
+
+TEST(LoadPng, RefusesChunksOutOfOrder) {
+    const Bytes header = headerData({});
+    const Bytes pixel = compressed(Bytes(5));
+    const auto fileOf = [&](std::initializer_list<std::string_view> types) {
+        Bytes file = pngSignature();
+        for (const std::string_view type : types)
+            appendChunk(file, type, type == "IHDR" ? header : type == "IDAT" ? pixel : Bytes());
+        return file;
+    };
+    EXPECT_NO_THROW((void)decodePicture(fileOf({"IHDR", "IDAT", "IEND"}), "test"));
+    EXPECT_NO_THROW((void)decodePicture(fileOf({"IHDR", "teSt", "IDAT", "IEND"}), "test"));
+    EXPECT_THROW((void)decodePicture(fileOf({"IDAT", "IHDR", "IEND"}), "test"), Error);
+    EXPECT_THROW((void)decodePicture(fileOf({"IHDR", "IHDR", "IDAT", "IEND"}), "test"), Error);
+    EXPECT_THROW((void)decodePicture(fileOf({"IHDR", "IEND"}), "test"), Error);
+    EXPECT_THROW((void)decodePicture(fileOf({"IHDR", "TEST", "IDAT", "IEND"}), "test"), Error);
+    EXPECT_THROW((void)decodePicture(fileOf({"IHDR", "IDAT"}), "test"), Error);
+}
+
+TEST(LoadJpeg, IsCloseToTheOriginal) {
+    const Picture picture = smoothPicture(64, 48);
+    const Difference d = compare(decodePicture(jpegFile(picture), "test"), picture);
+    // Quality 95 quantises the frequencies of a smooth picture by a few levels; upside down, or with two channels
+    // swapped, the mean would be above 40.
+    EXPECT_LT(d.mean, 2);
+    EXPECT_LT(d.maximum, 12);
+}
+
+TEST(LoadJpeg, RefusesEveryTruncation) {
+    const Bytes whole = jpegFile(smoothPicture(40, 24));
+    ASSERT_NO_THROW((void)decodePicture(whole, "test"));
+    for (std::size_t length = 0; length < whole.size(); ++length) {
+        EXPECT_THROW((void)decodePicture(std::span(whole).first(length), "test"), Error)
+            << length << " of " << whole.size();
+    }
+}
+
+TEST(LoadJpeg, HoldsTheSideLimit) {
+    EXPECT_EQ(decodePicture(jpegFile(Picture(8192, 1)), "test").width, 8192);
+    EXPECT_TRUE(contains(messageOf([] { (void)decodePicture(jpegFile(Picture(8193, 1)), "test"); }), "too large"));
+}
+
+// stb_image 2.27 writes beyond its table for the first, and uses memory never written for the second.
+TEST(LoadJpeg, RefusesImpossibleTables) {
+    const Bytes whole = jpegFile(smoothPicture(16, 16));
+    const auto segment = [&](unsigned marker) {
+        std::size_t i = 0;
+        while (whole[i] != std::byte{0xFF} || whole[i + 1] != std::byte(marker)) ++i;
+        return i;
+    };
+    Bytes tooManyCodes = whole;
+    tooManyCodes[segment(0xC4) + 5 + 15] = std::byte{255};  // after marker, length and kind: codes of 16 bits
+    tooManyCodes[segment(0xC4) + 5 + 14] = std::byte{255};
+    EXPECT_TRUE(contains(messageOf([&] { (void)decodePicture(tooManyCodes, "test"); }), "Huffman table"));
+    Bytes undefinedTable = whole;
+    undefinedTable[segment(0xDA) + 6] = std::byte{0x33};  // after marker, length, count and component: its tables
+    EXPECT_TRUE(contains(messageOf([&] { (void)decodePicture(undefinedTable, "test"); }), "does not define"));
+}
+
+// A JPEG has no checksums: damage may pass, but only as a picture that is one.
+TEST(LoadJpeg, StandsDamage) {
+    const Bytes whole = jpegFile(smoothPicture(40, 24));
+    std::mt19937 random(7);
+    int refused = 0;
+    int accepted = 0;
+    for (int attempt = 0; attempt < 3000; ++attempt) {
+        Bytes damaged = whole;
+        for (auto flips = 1 + random() % 3; flips > 0; --flips)
+            damaged[random() % damaged.size()] ^= std::byte(1U << random() % 8);
+        try {
+            checkPicture(decodePicture(damaged, "test"), "test");
+            ++accepted;
+        } catch (const Error&) {
+            ++refused;
+        }
+    }
+    EXPECT_GT(refused, 100);
+    EXPECT_GT(accepted, 100);
+}
+
+}  // namespace
+}  // namespace mv

@@ -1,0 +1,192 @@
+// The programs as a user or a CI job starts them: exit statuses, messages, files, hosts.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+
+#include "mv/image/load.h"
+#include "support/demo_run.h"
+#include "support/process.h"
+
+using namespace mv;
+using namespace mv::test;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string fileText(const std::string& path) {
+    std::ifstream stream(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+// A line that begins as every error does; a driver may have had its say before it.
+void expectRefusal(const ProcessResult& result, int status, const std::string& part) {
+    EXPECT_EQ(result.status, status) << result.err;
+    const auto line = ("\n" + result.err).find("\nerror: ");
+    ASSERT_NE(line, std::string::npos) << result.err;
+    EXPECT_TRUE(has(result.err.substr(line), part)) << result.err;
+}
+
+class Programs : public testing::TestWithParam<std::string> {};
+
+}  // namespace
+
+// From the root and from a folder that cannot be written: no path is relative to where the program starts.
+TEST_P(Programs, start_from_anywhere) {
+    TemporaryFolder folder;
+    const std::string picture = folder.file("a.png");
+    const ProcessResult fromRoot = runProcess({program(GetParam()), "--shot", picture}, {.folder = "/"});
+    ASSERT_EQ(fromRoot.status, 0) << fromRoot.err;
+    TemporaryFolder readOnly;
+    fs::permissions(readOnly.path(), fs::perms::owner_read | fs::perms::owner_exec);
+    const ProcessResult fromReadOnly =
+        runProcess({program(GetParam()), "--shot", folder.file("b.png")}, {.folder = readOnly.path()});
+    ASSERT_EQ(fromReadOnly.status, 0) << fromReadOnly.err;
+    EXPECT_EQ(fileText(picture), fileText(folder.file("b.png")));
+    EXPECT_EQ(folder.list(), (std::vector<std::string>{"a.png", "b.png"})) << "nothing else is left behind";
+}
+
+// Drawn into our own framebuffer object, a picture has the same bytes on every host of one Mesa.
+TEST_P(Programs, same_bytes_on_every_host) {
+    TemporaryFolder folder;
+    for (const char* host : {"osmesa", "egl"}) {
+        const ProcessResult run = runProcess({program(GetParam()), "--shot", folder.file(std::string(host) + ".png"),
+                                              std::string("--headless=") + host, "--frame", "15", "--report"});
+        ASSERT_EQ(run.status, 0) << run.err;
+        EXPECT_TRUE(has(run.out, host == std::string("egl") ? "host      EGL" : "host      OSMesa")) << run.out;
+        EXPECT_EQ(run.err, "") << "no warning, no note";
+    }
+    EXPECT_EQ(fileText(folder.file("osmesa.png")), fileText(folder.file("egl.png")));
+    // The number of threads makes no difference either.
+    const ProcessResult one = runProcess({program(GetParam()), "--shot", folder.file("one.png"), "--frame", "15"},
+                                         {.environment = {"LP_NUM_THREADS=0"}});
+    ASSERT_EQ(one.status, 0) << one.err;
+    EXPECT_EQ(fileText(folder.file("one.png")), fileText(folder.file("osmesa.png")));
+}
+
+TEST_P(Programs, copyable_line_makes_the_same_picture) {
+    TemporaryFolder folder;
+    const ProcessResult knobs = runProcess({program("mvgl"), GetParam(), "--knobs"});
+    ASSERT_EQ(knobs.status, 0);
+    const ProcessResult line = runProcess(
+        {program("mvgl"), GetParam(), "--frame", "33", "--size", "200x150", "--spin-x", "12.5", "--copyable"});
+    if (line.status != 0) return;  // no knob spin-x: the command line tests cover the rest
+    std::vector<std::string> words{program("mvgl")};
+    std::string word;
+    for (const char c : line.out) {
+        if (c == ' ' || c == '\n') {
+            words.push_back(word);
+            word.clear();
+        } else {
+            word += c;
+        }
+    }
+    words.insert(words.end(), {"--shot", folder.file("a.png")});
+    ASSERT_EQ(runProcess(words).status, 0);
+    ASSERT_EQ(runProcess({program(GetParam()), "--frame", "33", "--size", "200x150", "--spin-x", "12.5", "--shot",
+                          folder.file("b.png")})
+                  .status,
+              0);
+    EXPECT_EQ(fileText(folder.file("a.png")), fileText(folder.file("b.png")));
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, Programs, testing::ValuesIn(demoNames()), parameterWord);
+
+TEST(Program, exit_statuses_and_messages) {
+    const std::string cube = program("cube-cull");
+    TemporaryFolder folder;
+    expectRefusal(runProcess({cube, "--spin-z", "3"}), 2, "did you mean '--spin-x'?");
+    expectRefusal(runProcess({cube, "--z-dist", "11"}), 2, "--z-dist: must be -10 .. 10, '11'");
+    expectRefusal(runProcess({cube, "--z-dist", "nan", "--shot", folder.file("a.png")}), 2, "--z-dist");
+    expectRefusal(runProcess({program("mvgl"), "cube-cul", "--list"}), 2, "did you mean 'cube-cull'?");
+    // In range each, impossible together: understood, and cannot be done.
+    expectRefusal(runProcess({cube, "--z-dist", "0", "--shot", folder.file("a.png")}), 1, "--z-dist: must not be 0");
+    expectRefusal(runProcess({cube, "--shot", folder.file("missing/a.png")}), 1, "missing/a.png");
+    expectRefusal(runProcess({cube, "--shot", "/dev/full"}), 1, "/dev/full");
+    expectRefusal(runProcess({cube, "--shot", folder.path()}), 1, folder.path());
+    expectRefusal(runProcess({cube, "--size", "20000x5", "--shot", folder.file("a.png")}), 2, "--size");
+    EXPECT_TRUE(folder.list().empty()) << "nothing half-written is left behind";
+    for (const char* flag : {"--help", "--version", "--list", "--knobs", "--knobs=json", "--copyable"}) {
+        const ProcessResult result = runProcess({cube, flag});
+        EXPECT_EQ(result.status, 0) << flag;
+        EXPECT_FALSE(result.out.empty()) << flag;
+        EXPECT_EQ(result.err, "") << flag;
+    }
+}
+
+TEST(Program, hosts_that_are_missing_are_named) {
+    const std::string cube = program("cube-cull");
+    TemporaryFolder folder;
+    const std::string picture = folder.file("a.png");
+    // A libOSMesa.so.8 that is none stands in for the missing one.
+    std::ofstream(folder.file("libOSMesa.so.8")) << "no library";
+    const std::string noOsmesa = "LD_LIBRARY_PATH=" + folder.path();
+    const ProcessResult fallback = runProcess({cube, "--shot", picture}, {.environment = {noOsmesa}});
+    EXPECT_EQ(fallback.status, 0) << fallback.err;
+    EXPECT_TRUE(has(fallback.err, "note: using EGL")) << "no fallback without a line that names it: " << fallback.err;
+    EXPECT_TRUE(has(fallback.err, "libosmesa6")) << fallback.err;
+    EXPECT_TRUE(fs::exists(picture));
+    fs::remove(picture);
+    expectRefusal(runProcess({cube, "--shot", picture, "--headless=osmesa"}, {.environment = {noOsmesa}}), 1,
+                  "libosmesa6");
+    const std::string noEgl = "__EGL_VENDOR_LIBRARY_FILENAMES=/nonexistent.json";
+    expectRefusal(runProcess({cube, "--shot", picture, "--headless=egl"}, {.environment = {noEgl}}), 1, "EGL");
+    expectRefusal(runProcess({cube, "--shot", picture}, {.environment = {noOsmesa, noEgl}}), 1,
+                  "must have OSMesa or EGL");
+    for (const char* broken : {"GALLIUM_DRIVER=nosuch", "LIBGL_DRIVERS_PATH=/nonexistent"}) {
+        const ProcessResult run = runProcess({cube, "--shot", picture, "--headless=egl"}, {.environment = {broken}});
+        if (run.status != 0) expectRefusal(run, 1, "EGL");  // newer Mesas ignore these names and draw
+    }
+    fs::remove(picture);
+    // The floor is OpenGL 3.3.
+    for (const char* host : {"--headless=osmesa", "--headless=egl"}) {
+        expectRefusal(runProcess({cube, "--shot", picture, host},
+                                 {.environment = {"MESA_GL_VERSION_OVERRIDE=2.1", "MESA_GLSL_VERSION_OVERRIDE=120"}}),
+                      1, "3.3");
+    }
+    EXPECT_FALSE(fs::exists(picture));
+}
+
+// The window system is no part of a run without a window: neither GLFW nor libX11 nor the window module is mapped.
+TEST(Program, a_headless_run_maps_no_window_system) {
+    TemporaryFolder folder;
+    // A picture of standard output that never ends would hang; /proc/self/maps is read through the loader's own trace.
+    const ProcessResult run =
+        runProcess({program("cube-cull"), "--shot", folder.file("a.png")}, {.environment = {"LD_DEBUG=files"}});
+    ASSERT_EQ(run.status, 0);
+    ASSERT_TRUE(has(run.err, "libmvgl.so")) << "the loader's trace must name what it maps";
+    ASSERT_TRUE(has(run.err, "libOSMesa")) << "and what is opened later";
+    for (const char* library : {"libglfw", "libX11.so", "mvgl-window", "libimgui"})
+        EXPECT_FALSE(has(run.err, library)) << library;
+}
+
+TEST(Program, several_frames_and_comparisons_are_written) {
+    TemporaryFolder folder;
+    const ProcessResult frames =
+        runProcess({program("cube-cull"), "--shot", folder.file("f%03d.png"), "--frames", "1..3", "--size", "40x30"});
+    EXPECT_EQ(frames.status, 0) << frames.err;
+    EXPECT_EQ(folder.list(), (std::vector<std::string>{"f001.png", "f002.png", "f003.png"}));
+    const ProcessResult compare = runProcess(
+        {program("cube-cull"), "--shot", folder.file("c.png"), "--compare", "cull=back,front", "--size", "200x150"});
+    ASSERT_EQ(compare.status, 0) << compare.err;
+    const Picture sheet = loadPicture(folder.file("c.png"));
+    EXPECT_EQ(sheet.width, 3 * 200 + 8);
+    EXPECT_GT(sheet.height, 150);
+}
+
+TEST(Program, the_gallery_has_every_demo) {
+    TemporaryFolder folder;
+    const ProcessResult run = runProcess({program("mvgl"), "--gallery", folder.file("gallery")});
+    ASSERT_EQ(run.status, 0) << run.err;
+    const std::string page = fileText(folder.file("gallery/index.html"));
+    for (const std::string& name : demoNames()) {
+        EXPECT_TRUE(has(page, name + ".png"));
+        EXPECT_TRUE(fs::exists(folder.file("gallery/" + name + ".png")));
+        EXPECT_TRUE(has(run.err, name)) << "progress is shown";
+    }
+}

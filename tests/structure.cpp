@@ -1,0 +1,153 @@
+// What must agree between the files of a demo: claims and their tests, pages and their commands, shaders and ES.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "mv/gl/program.h"
+#include "mv/image/compare.h"
+#include "mv/image/load.h"
+#include "mv/run/command_line.h"
+#include "mv/run/docs.h"
+#include "mv/run/render.h"
+#include "support/demo_run.h"
+
+using namespace mv;
+
+namespace {
+
+namespace fs = std::filesystem;
+const fs::path source = MVGL_SOURCE_DIR;
+
+std::string fileText(const fs::path& path) {
+    std::ifstream stream(path, std::ios::binary);
+    EXPECT_TRUE(stream) << path;
+    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+std::set<std::string> matches(const std::string& text, const std::regex& pattern) {
+    std::set<std::string> found;
+    for (std::sregex_iterator i(text.begin(), text.end(), pattern), end; i != end; ++i) found.insert((*i)[1]);
+    return found;
+}
+
+// The command lines of a page: the lines that begin with ./run or a program's name inside its code fences.
+std::vector<std::string> commandsOf(const std::string& page) {
+    std::vector<std::string> commands;
+    std::istringstream lines(page);
+    bool inside = false;
+    for (std::string line; std::getline(lines, line);) {
+        if (line.rfind("```", 0) == 0) {
+            inside = !inside;
+        } else if (inside && line.rfind("./run ", 0) == 0) {
+            commands.push_back(
+                line.substr(6, line.find(" #") == std::string::npos ? std::string::npos : line.find(" #") - 6));
+        }
+    }
+    return commands;
+}
+
+std::vector<std::string> wordsOf(const std::string& line) {
+    std::istringstream stream(line);
+    return {std::istream_iterator<std::string>(stream), {}};
+}
+
+}  // namespace
+
+TEST(Claims, each_has_a_test_and_each_test_a_claim) {
+    for (const DemoInfo& info : catalogue()) {
+        SCOPED_TRACE(info.name);
+        const auto claims =
+            matches(fileText(source / "demos" / (info.name + ".cpp")), std::regex(R"(// - \[([a-z0-9-]+)\])"));
+        auto tests =
+            matches(fileText(source / "tests/claims" / (info.name + ".cpp")), std::regex(R"(TEST\(\w+, (\w+)\))"));
+        std::set<std::string> ids;
+        for (std::string id : tests) {
+            std::replace(id.begin(), id.end(), '_', '-');
+            ids.insert(id);
+        }
+        EXPECT_FALSE(claims.empty());
+        EXPECT_EQ(claims, ids);
+    }
+}
+
+TEST(Pages, tables_are_fresh) {
+    EXPECT_EQ(fileText(source / "docs/demos.md"), cataloguePage()) << "./run --docs . makes it anew";
+    for (const DemoInfo& info : catalogue()) {
+        const std::string page = fileText(source / "demos" / (info.name + ".md"));
+        EXPECT_EQ(page, lessonPage(page, info)) << info.name << ": ./run --docs . makes it anew";
+    }
+}
+
+TEST(Pages, strip_is_fresh) {
+    const Picture committed = loadPicture(source / "docs/strip.png");
+    const Difference difference = compare(committed, pictureStrip());
+    // As for the golden pictures on another driver; shrinking averages the difference away, never makes it larger.
+    EXPECT_LE(difference.maximum, 3);
+    EXPECT_LE(difference.fraction, 0.001);
+}
+
+// Every ./run line of every page is understood, and names a demo that is there.
+TEST(Pages, commands_are_understood) {
+    int commands = 0;
+    std::vector<fs::path> pages{source / "README.md", source / "CONTRIBUTING.md"};
+    for (const DemoInfo& info : catalogue()) pages.push_back(source / "demos" / (info.name + ".md"));
+    for (const fs::path& page : pages) {
+        for (const std::string& line : commandsOf(fileText(page))) {
+            ++commands;
+            EXPECT_NO_THROW(parseCommandLine(wordsOf(line))) << page << ": " << line;
+        }
+    }
+    EXPECT_GE(commands, 3 * static_cast<int>(catalogue().size())) << "three things to try on each page";
+}
+
+// Every command of a lesson page draws a picture (those that name --shot draw it there; none is written here).
+TEST(Pages, commands_draw) {
+    for (const DemoInfo& info : catalogue()) {
+        for (const std::string& line : commandsOf(fileText(source / "demos" / (info.name + ".md")))) {
+            SCOPED_TRACE(line);
+            const Command command = parseCommandLine(wordsOf(line));
+            if (!command.demo || command.action == Action::help) continue;
+            test::DemoRun run(command.demo->name);
+            ASSERT_NO_THROW(applyKnobs(run.demo(), command.knobs));
+            if (line.find("# refused") != std::string::npos) continue;
+            EXPECT_NO_THROW(run.picture(command.firstFrame));
+        }
+    }
+}
+
+// The links of the pages lead to files that are there.
+TEST(Pages, links_lead_somewhere) {
+    std::vector<fs::path> pages{source / "README.md", source / "CONTRIBUTING.md", source / "docs/demos.md"};
+    for (const DemoInfo& info : catalogue()) pages.push_back(source / "demos" / (info.name + ".md"));
+    const std::regex link(R"(\]\(([^)#]+)[^)]*\))");
+    for (const fs::path& page : pages) {
+        const auto targets = matches(fileText(page), link);
+        for (const std::string& target : targets) {
+            if (target.rfind("http", 0) == 0) continue;
+            EXPECT_TRUE(fs::exists(page.parent_path() / target)) << page << ": " << target;
+        }
+    }
+}
+
+// The shaders of every demo that says so also compile and link as GLSL ES 3.00, which is WebGL 2's language.
+TEST(Shaders, compile_as_es) {
+    std::vector<std::string> notes;
+    const auto context = openHeadless(HostKind::egl, {.version = 30, .es = true}, notes);
+    loadFunctions([&](const char* name) { return context->address(name); });
+    ASSERT_TRUE(isEs());
+    int programs = 0;
+    for (const DemoInfo& info : catalogue()) {
+        if (!info.needs.beyondEs.empty()) continue;
+        EXPECT_NO_THROW(Program{info.name}) << info.name;
+        ++programs;
+    }
+    EXPECT_GT(programs, 0);
+    EXPECT_EQ(liveObjects(), 0);
+    EXPECT_TRUE(takeErrors().empty());
+}

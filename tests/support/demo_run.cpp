@@ -1,0 +1,127 @@
+#include "support/demo_run.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <limits>
+#include <set>
+
+#include "mv/image/compare.h"
+#include "mv/image/png.h"
+#include "mv/run/render.h"
+
+namespace mv::test {
+namespace {
+
+HostKind wantedHost() {
+    const char* name = std::getenv("MVGL_TEST_HOST");
+    if (!name) return HostKind::automatic;
+    if (std::string(name) == "osmesa") return HostKind::osmesa;
+    if (std::string(name) == "egl") return HostKind::egl;
+    throw Error("MVGL_TEST_HOST", "must be osmesa | egl", name);
+}
+
+}  // namespace
+
+Stage& stage() {
+    static HeadlessStage headless(wantedHost());
+    return headless.stage;
+}
+
+DemoRun::DemoRun(const std::string& name, int width, int height) {
+    const DemoInfo& info = findDemo(name);
+    stage().open(info, width ? width : info.width, height ? height : info.height);
+}
+
+DemoRun& DemoRun::set(const std::string& knob, const std::string& value) {
+    demo().knob(knob).parse(value);
+    return *this;
+}
+
+DemoRun& DemoRun::set(const std::string& knob, double value) { return set(knob, numberText(value)); }
+
+Picture DemoRun::picture(int frame) {
+    stage().draw(frame, true);
+    return stage().picture();
+}
+
+bool DemoRun::measured(const std::string& name) {
+    for (const Readout* readout : demo().readouts()) {
+        if (readout->name() == name) return readout->value().has_value();
+    }
+    ADD_FAILURE() << "no readout " << name;
+    return false;
+}
+
+double DemoRun::readout(const std::string& name) {
+    for (const Readout* readout : demo().readouts()) {
+        if (readout->name() == name && readout->value()) return *readout->value();
+    }
+    ADD_FAILURE() << "readout " << name << " was not measured";
+    return std::numeric_limits<double>::quiet_NaN();
+}
+
+mat4 DemoRun::matrix(const std::string& name) {
+    for (const auto& [shown, matrix] : stage().notes().matrices) {
+        if (shown == name) return matrix;
+    }
+    ADD_FAILURE() << "no matrix " << name << " was shown";
+    return mat4(std::numeric_limits<double>::quiet_NaN());
+}
+
+std::vector<std::string> DemoRun::messages() { return stage().notes().messages; }
+
+std::string DemoRun::refusal() {
+    try {
+        demo().check();
+        return "";
+    } catch (const Error& error) {
+        return error.what();
+    }
+}
+
+std::vector<std::string> demoNames() {
+    std::vector<std::string> names;
+    for (const DemoInfo& info : catalogue()) names.push_back(info.name);
+    return names;
+}
+
+std::string parameterWord(const testing::TestParamInfo<std::string>& parameter) {
+    std::string word = parameter.param;
+    for (char& c : word) c = c == '-' ? '_' : c;
+    return word;
+}
+
+long countPixels(const Picture& picture, Pixel color) {
+    long count = 0;
+    for (int y = 0; y < picture.height; ++y) {
+        for (int x = 0; x < picture.width; ++x) {
+            const Pixel p = picture.at(x, y);
+            count += p.red == color.red && p.green == color.green && p.blue == color.blue;
+        }
+    }
+    return count;
+}
+
+long differentPixels(const Picture& a, const Picture& b) { return compare(a, b).beyond; }
+
+int countColors(const Picture& picture, int most) {
+    std::set<std::uint32_t> colors;
+    for (std::size_t i = 0; i < picture.rgba.size() && static_cast<int>(colors.size()) < most; i += 4) {
+        colors.insert(
+            static_cast<std::uint32_t>(picture.rgba[i] << 16 | picture.rgba[i + 1] << 8 | picture.rgba[i + 2]));
+    }
+    return static_cast<int>(colors.size());
+}
+
+std::string saveFailure(const std::string& name, const Picture& picture) {
+    const std::filesystem::path folder = MVGL_FAILURES;
+    std::filesystem::create_directories(folder);
+    const auto file = folder / (name + ".png");
+    writePng(file, picture);
+    return file.string();
+}
+
+}  // namespace mv::test

@@ -1,0 +1,51 @@
+// Demos under test: pictures and readouts by demo, knobs and frame. One context serves all runs of a test program.
+#pragma once
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "mv/image/picture.h"
+#include "mv/run/stage.h"
+
+namespace mv::test {
+
+// The stage of this test program, on the host named by MVGL_TEST_HOST (osmesa, egl; the program's own choice without).
+Stage& stage();
+
+// A demo on that stage, at its own size unless another is given.
+//     DemoRun run("cube-cull");
+//     const Picture back = run.set("cull", "back").picture();
+// A second DemoRun ends the first.
+class DemoRun {
+  public:
+    explicit DemoRun(const std::string& name, int width = 0, int height = 0);
+    DemoRun& set(const std::string& knob, const std::string& value);
+    DemoRun& set(const std::string& knob, double value);
+    // Draws the frame, readouts too, and returns the picture.
+    Picture picture(int frame = 1);
+    // A readout of the last picture; a test failure and NaN where it was not measured.
+    double readout(const std::string& name);
+    bool measured(const std::string& name);
+    // A matrix of the last picture, by its shown name; a test failure where there is none.
+    mat4 matrix(const std::string& name);
+    std::vector<std::string> messages();
+    // What check() says of the present settings; "" where it lets them pass.
+    std::string refusal();
+    Demo& demo() { return stage().demo(); }
+};
+
+// The names of all demos of this test program, and a parameter as a word that a test's name may have.
+std::vector<std::string> demoNames();
+std::string parameterWord(const testing::TestParamInfo<std::string>& parameter);
+
+// The number of pixels that are not exactly this colour (alpha aside), and those that are.
+long countPixels(const Picture& picture, Pixel color);
+long differentPixels(const Picture& a, const Picture& b);
+// How many colours the picture has, counted up to `most`.
+int countColors(const Picture& picture, int most = 1000);
+
+// Saves a picture for a person to look at after a failure, in build/failures, and returns its path.
+std::string saveFailure(const std::string& name, const Picture& picture);
+
+}  // namespace mv::test

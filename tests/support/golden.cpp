@@ -1,0 +1,90 @@
+#include "support/golden.h"
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "mv/image/load.h"
+#include "support/demo_run.h"
+
+namespace mv::test {
+namespace {
+
+const std::string folder = MVGL_SOURCE_DIR "/tests/goldens/";
+
+std::string processor() {
+    std::ifstream info("/proc/cpuinfo");
+    for (std::string line; std::getline(info, line);) {
+        if (line.rfind("vendor_id", 0) == 0) return line.substr(line.find(':') + 2);
+    }
+    return "unknown processor";
+}
+
+}  // namespace
+
+const std::vector<GoldenCase>& goldenCases() {
+    static const std::vector<GoldenCase> cases = [] {
+        std::vector<GoldenCase> read;
+        std::ifstream file(folder + "cases.txt");
+        for (std::string line; std::getline(file, line);) {
+            if (line.empty() || line.front() == '#') continue;
+            std::istringstream words(line);
+            GoldenCase golden;
+            words >> golden.name;
+            std::vector<std::string> arguments;
+            for (std::string word; words >> word;) arguments.push_back(word);
+            // A test program of one demo knows that demo alone, and takes no demo's name.
+            if (catalogue().size() == 1) {
+                if (arguments.front() != catalogue().front().name) continue;
+                arguments.erase(arguments.begin());
+            }
+            golden.command = parseCommandLine(arguments);
+            read.push_back(golden);
+        }
+        return read;
+    }();
+    return cases;
+}
+
+std::string goldenFile(const std::string& name) { return folder + name + ".png"; }
+
+Picture drawCase(const GoldenCase& golden) {
+    const DemoInfo& info = *golden.command.demo;
+    stage().open(info, golden.command.width ? golden.command.width : info.width,
+                 golden.command.height ? golden.command.height : info.height);
+    applyKnobs(stage().demo(), golden.command.knobs);
+    stage().draw(golden.command.firstFrame);
+    return stage().picture();
+}
+
+std::string recordedDriver() {
+    std::ifstream file(folder + "recorded.txt");
+    std::string line;
+    std::getline(file, line);
+    return line;
+}
+
+std::string presentDriver() { return stage().driver().renderer + "; " + stage().driver().version + "; " + processor(); }
+
+std::optional<std::string> mismatch(const std::string& name, const Picture& drawn, bool keepPictures) {
+    const std::string file = goldenFile(name);
+    if (!std::filesystem::exists(file))
+        return "there is no golden picture " + file + "; ./test --update-goldens makes it";
+    const Picture golden = loadPicture(file);
+    if (golden.width != drawn.width || golden.height != drawn.height) return "the size differs";
+    const bool exact = recordedDriver() == presentDriver();
+    const Difference any = compare(golden, drawn);
+    const bool matches = exact ? any.beyond == 0 : any.maximum <= 3 && any.fraction <= 0.001;
+    if (matches) return {};
+    std::ostringstream reason;
+    reason << any.beyond << " pixels (" << 100 * any.fraction << " %) differ, by at most " << any.maximum
+           << " levels; allowed: " << (exact ? "none, since the recorded driver draws" : "3 levels on 0.1 %");
+    if (keepPictures) {
+        reason << "; see " << saveFailure(name + "-drawn", drawn);
+        saveFailure(name + "-golden", golden);
+        saveFailure(name + "-difference", differencePicture(golden, drawn));
+    }
+    return reason.str();
+}
+
+}  // namespace mv::test

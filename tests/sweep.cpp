@@ -1,0 +1,105 @@
+// Every demo, every knob at its ends, its initial value and each of its choices.
+#include <gtest/gtest.h>
+
+#include "mv/gl/gl.h"
+#include "support/demo_run.h"
+
+using namespace mv;
+using namespace mv::test;
+
+namespace {
+
+class Sweep : public testing::TestWithParam<std::string> {};
+class Floor : public testing::TestWithParam<std::string> {};
+
+// One picture of the present settings: no error (the stage throws on GL errors and debug messages), something to see,
+// the same bytes again, and the same bytes with the readouts measured.
+void expectPicture(const std::string& setting) {
+    SCOPED_TRACE(setting);
+    try {
+        stage().draw(1);
+        const Picture first = stage().picture();
+        EXPECT_GT(countColors(first, 2), 1) << "one colour: a useless setting; saved " << saveFailure("sweep", first);
+        stage().draw(1);
+        EXPECT_EQ(stage().picture(), first) << "another picture the second time";
+        stage().draw(1, true);
+        EXPECT_EQ(stage().picture(), first) << "measuring the readouts changes the picture";
+    } catch (const Error& error) {
+        ADD_FAILURE() << error.what();
+    }
+}
+
+TEST_P(Sweep, knobs) {
+    DemoRun run(GetParam());
+    // By index: a range-for over make()->knobs() would read a dead temporary; here the stage keeps the demo alive.
+    const std::vector<Knob*>& knobs = run.demo().knobs();
+    expectPicture("initial");
+    int cases = 1, refused = 0;
+    for (Knob* knob : knobs) {
+        for (const std::string& value : knob->sweep()) {
+            knob->parse(value);
+            EXPECT_EQ(knob->text(), value);
+            ++cases;
+            const std::string refusal = run.refusal();
+            if (refusal.empty()) {
+                expectPicture(knob->name() + " = " + value);
+            } else {
+                ++refused;
+                EXPECT_EQ(refusal.rfind("--", 0), 0U) << "a refusal begins with the flag: " << refusal;
+                EXPECT_THROW(stage().draw(1), Error);
+            }
+        }
+        knob->reset();
+    }
+    EXPECT_LE(refused, cases / 10) << "at least 90 % of the settings draw";
+    std::printf("%s on %s: %d settings, %d refused\n", GetParam().c_str(), stage().driver().host.c_str(), cases,
+                refused);
+}
+
+// What stands in the declaration is what the picture depends on.
+TEST_P(Sweep, animated_as_declared) {
+    DemoRun run(GetParam());
+    EXPECT_EQ(run.picture(1) != run.picture(17), stage().info().animated);
+}
+
+// The target has the buffers that the demo declares, and no other.
+TEST_P(Sweep, buffers_as_declared) {
+    DemoRun run(GetParam());
+    stage().front().bind();
+    const Needs& needs = stage().info().needs;
+    const auto present = [](GLenum attachment) {
+        GLint kind = 0;
+        glGetFramebufferAttachmentParameteriv(GL_FRAMEBUFFER, attachment, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &kind);
+        return kind != GL_NONE;
+    };
+    EXPECT_EQ(present(GL_DEPTH_ATTACHMENT), needs.depth || needs.stencil);
+    EXPECT_EQ(present(GL_STENCIL_ATTACHMENT), needs.stencil);
+    GLint samples = -1;
+    glGetIntegerv(GL_SAMPLES, &samples);
+    EXPECT_EQ(samples, needs.samples);
+}
+
+// Other sizes than the original's, the smallest one and odd ones too.
+TEST_P(Sweep, sizes) {
+    DemoRun run(GetParam());
+    for (const auto& [width, height] : {std::pair{1, 1}, {37, 91}, {640, 200}}) {
+        stage().resize(width, height);
+        const Picture picture = run.picture();
+        EXPECT_EQ(picture.width, width);
+        EXPECT_EQ(picture.height, height);
+        EXPECT_EQ(run.picture(), picture);
+    }
+}
+
+// Run with MESA_GL_VERSION_OVERRIDE at the declared version: the demo draws the same there.
+TEST_P(Floor, draws) {
+    DemoRun run(GetParam());
+    ASSERT_EQ(stage().driver().glVersion, stage().info().needs.gl) << "the override is not in force";
+    const Picture picture = run.picture();
+    EXPECT_GT(countColors(picture, 2), 1);
+}
+
+INSTANTIATE_TEST_SUITE_P(Demos, Sweep, testing::ValuesIn(demoNames()), parameterWord);
+INSTANTIATE_TEST_SUITE_P(DemosAtTheir, Floor, testing::ValuesIn(demoNames()), parameterWord);
+
+}  // namespace

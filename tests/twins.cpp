@@ -1,0 +1,43 @@
+// The negative control of the golden pictures: this program's demos each have one line changed that a student could get
+// wrong, and so must not match. Nor may a twin differ everywhere: that would be a control that anything passes.
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "mv/image/compare.h"
+#include "mv/image/load.h"
+#include "support/demo_run.h"
+#include "support/golden.h"
+
+using namespace mv;
+using namespace mv::test;
+
+namespace {
+
+class Twin : public testing::TestWithParam<std::string> {};
+
+std::string goldenOfTwin(const std::string& demo) {
+    std::ifstream recipe(MVGL_SOURCE_DIR "/tests/twins/" + demo + ".txt");
+    std::string word, name;
+    recipe >> word >> name;
+    return word == "golden" ? name : "";
+}
+
+}  // namespace
+
+TEST_P(Twin, does_not_match) {
+    const std::string name = goldenOfTwin(GetParam());
+    ASSERT_FALSE(name.empty()) << "tests/twins/" << GetParam() << ".txt must begin with: golden <name>";
+    for (const GoldenCase& golden : goldenCases()) {
+        if (golden.name != name) continue;
+        const Picture drawn = drawCase(golden);
+        EXPECT_TRUE(mismatch(name, drawn, false)) << "the broken twin matches its golden picture";
+        const double fraction = compare(loadPicture(goldenFile(name)), drawn).fraction;
+        EXPECT_LE(fraction, 0.5);
+        std::printf("twin of %s: %.3f %% of the pixels differ\n", GetParam().c_str(), 100 * fraction);
+        return;
+    }
+    FAIL() << "no golden case is named " << name;
+}
+
+INSTANTIATE_TEST_SUITE_P(, Twin, testing::ValuesIn(demoNames()), parameterWord);

@@ -1,0 +1,41 @@
+# mvgl_make_twin(<demo>): the object library twin-<demo>, made from demos/<demo>.cpp with the one change that
+# tests/twins/<demo>.txt names. The file's lines:
+#   golden <the golden picture that the twin must not match>
+#   - <a line of the demo, or a part of one that occurs once>
+#   + <what a student could have written instead>
+function(mvgl_make_twin demo)
+  set(recipe "${CMAKE_CURRENT_SOURCE_DIR}/twins/${demo}.txt")
+  set(source "${PROJECT_SOURCE_DIR}/demos/${demo}.cpp")
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${recipe}" "${source}")
+  file(READ "${recipe}" recipeText)
+  if(NOT recipeText MATCHES "\n- ([^\n]+)\n\\+ ([^\n]*)\n$")
+    message(FATAL_ERROR "${recipe}: must end with a line '- old' and a line '+ new'")
+  endif()
+  set(old "${CMAKE_MATCH_1}")
+  set(new "${CMAKE_MATCH_2}")
+  file(READ "${source}" text)
+  string(FIND "${text}" "${old}" first)
+  string(FIND "${text}" "${old}" last REVERSE)
+  if(first EQUAL -1 OR NOT first EQUAL last)
+    message(FATAL_ERROR "${recipe}: the '-' line must occur once in ${source}")
+  endif()
+  string(REPLACE "${old}" "${new}" text "${text}")
+  set(twin "${CMAKE_CURRENT_BINARY_DIR}/twin-${demo}.cpp")
+  file(CONFIGURE OUTPUT "${twin}" CONTENT "${text}" @ONLY)
+  add_library(twin-${demo} OBJECT "${twin}")
+  target_link_libraries(twin-${demo} PUBLIC mvgl-demo)
+  mvgl_embed_shaders(twin-${demo} ${demo} "${PROJECT_SOURCE_DIR}/shaders")
+endfunction()
+
+# cube-cull -> CubeCull, the name of its test suite
+function(mvgl_suite_name output demo)
+  string(REPLACE "-" ";" words "${demo}")
+  set(name "")
+  foreach(word IN LISTS words)
+    string(SUBSTRING "${word}" 0 1 head)
+    string(SUBSTRING "${word}" 1 -1 tail)
+    string(TOUPPER "${head}" head)
+    string(APPEND name "${head}${tail}")
+  endforeach()
+  set(${output} "${name}" PARENT_SCOPE)
+endfunction()
