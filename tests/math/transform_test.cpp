@@ -148,6 +148,22 @@ TEST(LookAt, HasTheBitsOfMvJs) {
     }
 }
 
+// Sizes beyond the ordinary take another way through the code. A power of two rounds nothing, so the way may not show.
+TEST(LookAt, HasTheSameBitsAtEverySize) {
+    Random random(8);
+    for (int i = 0; i < 100; ++i) {
+        const vec3 eye = random.point(10);
+        const vec3 at = random.point(10);
+        const vec3 up = random.direction();
+        const mat4 expected = lookAt(eye, at, up);
+        for (const double size : {0x1p-400, 0x1p-120, 0x1p-70, 0x1p-60, 0x1p60, 0x1p70, 0x1p120, 0x1p400}) {
+            EXPECT_EQ(mat3(lookAt(size * eye, size * at, up)), mat3(expected)) << size;
+            EXPECT_EQ(lookAt(eye, at, size * up), expected) << size;
+            EXPECT_EQ(mat3(lookAtAnyRoll(size * eye, size * at)), mat3(lookAtAnyRoll(eye, at))) << size;
+        }
+    }
+}
+
 TEST(LookAt, RefusalsSayWhatWouldHaveBeenRight) {
     const vec3 origin(0);
     const vec3 y(0, 1, 0);
@@ -279,6 +295,33 @@ TEST(NormalMatrix, OfARotationOrAUniformScaleIsTheRotation) {
     EXPECT_EQ(normalMatrix(mat4(1)), mat3(1));
     for (const double factor : {1e-200, 1e-3, 1.0, 7.0, 1e200}) {
         EXPECT_LT(largestDifference(normalMatrix(translate(1, 2, 3) * r * scale(factor)), mat3(r)), rounding) << factor;
+    }
+}
+
+// As for lookAt.
+TEST(NormalMatrix, HasTheSameBitsAtEverySize) {
+    Random random(9);
+    for (int i = 0; i < 100; ++i) {
+        const mat4 m = rotate(random.number(0, 360), random.direction()) *
+                       scale(random.number(0.1, 3), random.number(0.1, 3), random.number(-3, 3));
+        const mat3 expected = normalMatrix(m);
+        for (const double size : {0x1p-400, 0x1p-120, 0x1p-50, 0x1p-40, 0x1p40, 0x1p60, 0x1p120, 0x1p400}) {
+            EXPECT_EQ(normalMatrix(scale(size) * m), expected) << size;
+        }
+    }
+}
+
+TEST(NormalMatrix, RefusesInfinityAlsoWhereItDoesNotRead) {
+    mat4 far(1);
+    far[3] = vec4(1e308, 1e308, 1e308, 1);  // finite, though their sum is not
+    EXPECT_EQ(normalMatrix(far), mat3(1));
+    for (int column = 0; column < 4; ++column) {
+        for (const double bad : {notANumber, infinite, -infinite}) {
+            mat4 broken(1);
+            broken[column][3] = bad;
+            const std::string text = "normalMatrix: the matrix column " + std::to_string(column) + " must be finite";
+            EXPECT_EQ(refusal([&] { normalMatrix(broken); }).rfind(text, 0), 0u) << column << bad;
+        }
     }
 }
 
