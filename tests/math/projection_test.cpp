@@ -1,6 +1,8 @@
 #include "mv/math/projection.h"
 
+#include <array>
 #include <glm/gtc/matrix_transform.hpp>
+#include <string>
 
 #include "mv/math/transform.h"
 #include "support.h"
@@ -55,6 +57,25 @@ TEST(Ortho, RefusalsSayWhatWouldHaveBeenRight) {
     EXPECT_EQ(refusal([] { ortho(-1, 1, -1, 1, 1, infinite); }), "ortho: far must be finite, inf");
     EXPECT_EQ(refusal([] { ortho(-1e308, 1e308, -1e-320, 1e-320, 1, 3); }),
               "ortho: the bounds must be neither so close nor so far apart that the matrix overflows");
+}
+
+// One test of the matrix stands for all tests of the arguments, so each argument is tried.
+TEST(Projections, RefuseEachArgumentThatIsNotFinite) {
+    const std::array<std::string, 6> names{"left", "right", "bottom", "top", "near", "far"};
+    for (const double bad : {notANumber, infinite, -infinite}) {
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            std::array<double, 6> b{-1, 1, -1, 1, 1, 3};
+            b[i] = bad;
+            const std::string ending = names[i] + " must be finite, " + numberText(bad);
+            EXPECT_EQ(refusal([&] { ortho(b[0], b[1], b[2], b[3], b[4], b[5]); }), "ortho: " + ending);
+            const std::string positive = "near must be greater than 0 and finite, " + numberText(bad);
+            EXPECT_EQ(refusal([&] { frustum(b[0], b[1], b[2], b[3], b[4], b[5]); }),
+                      "frustum: " + (names[i] == "near" ? positive : ending));
+        }
+        EXPECT_EQ(refusal([&] { perspective(50, 1, 1, bad); }), "perspective: far must be finite, " + numberText(bad));
+        EXPECT_EQ(refusal([&] { perspective(50, bad, 1, 2); }),
+                  "perspective: aspect must be greater than 0 and finite, " + numberText(bad));
+    }
 }
 
 // ---- perspective and frustum

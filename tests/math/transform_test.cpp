@@ -148,6 +148,22 @@ TEST(LookAt, HasTheBitsOfMvJs) {
     }
 }
 
+// Sizes beyond the ordinary take another way through the code. A power of two rounds nothing, so the way may not show.
+TEST(LookAt, HasTheSameBitsAtEverySize) {
+    Random random(8);
+    for (int i = 0; i < 100; ++i) {
+        const vec3 eye = random.point(10);
+        const vec3 at = random.point(10);
+        const vec3 up = random.direction();
+        const mat4 expected = lookAt(eye, at, up);
+        for (const double size : {0x1p-400, 0x1p-120, 0x1p-70, 0x1p-60, 0x1p60, 0x1p70, 0x1p120, 0x1p400}) {
+            EXPECT_EQ(mat3(lookAt(size * eye, size * at, up)), mat3(expected)) << size;
+            EXPECT_EQ(lookAt(eye, at, size * up), expected) << size;
+            EXPECT_EQ(mat3(lookAtAnyRoll(size * eye, size * at)), mat3(lookAtAnyRoll(eye, at))) << size;
+        }
+    }
+}
+
 TEST(LookAt, RefusalsSayWhatWouldHaveBeenRight) {
     const vec3 origin(0);
     const vec3 y(0, 1, 0);
@@ -282,12 +298,58 @@ TEST(NormalMatrix, OfARotationOrAUniformScaleIsTheRotation) {
     }
 }
 
+// As for lookAt.
+TEST(NormalMatrix, HasTheSameBitsAtEverySize) {
+    Random random(9);
+    for (int i = 0; i < 100; ++i) {
+        const mat4 m = rotate(random.number(0, 360), random.direction()) *
+                       scale(random.number(0.1, 3), random.number(0.1, 3), random.number(-3, 3));
+        const mat3 expected = normalMatrix(m);
+        for (const double size : {0x1p-400, 0x1p-120, 0x1p-50, 0x1p-40, 0x1p40, 0x1p60, 0x1p120, 0x1p400}) {
+            EXPECT_EQ(normalMatrix(scale(size) * m), expected) << size;
+        }
+    }
+}
+
+TEST(NormalMatrix, RefusesInfinityAlsoWhereItDoesNotRead) {
+    mat4 far(1);
+    far[3] = vec4(1e308, 1e308, 1e308, 1);  // finite, though their sum is not
+    EXPECT_EQ(normalMatrix(far), mat3(1));
+    for (int column = 0; column < 4; ++column) {
+        for (const double bad : {notANumber, infinite, -infinite}) {
+            mat4 broken(1);
+            broken[column][3] = bad;
+            const std::string text = "normalMatrix: the matrix column " + std::to_string(column) + " must be finite";
+            EXPECT_EQ(refusal([&] { normalMatrix(broken); }).rfind(text, 0), 0u) << column << bad;
+        }
+    }
+}
+
+// Two columns 1e-9 apart: the plain cross product of them would be wrong from the seventh digit on.
+TEST(NormalMatrix, IsAccurateWhereThePointsAreSqueezedNearlyFlat) {
+    mat4 m(1);
+    m[0] = vec4(0.3, 0.7, 0.9, 0);
+    m[1] = vec4(0.3, 0.7 + 0x1p-30, 0.9, 0);
+    m[2] = vec4(0.3, 0.7, 0.9 + 0x1p-30, 0);
+    const mat3 ours = normalMatrix(m);
+    for (int i = 0; i < 3; ++i) {
+        for (int k = 0; k < 3; ++k) {
+            if (k == i) continue;
+            // Each column is perpendicular to the other two of m; both have a length of about 1.
+            EXPECT_NEAR(glm::dot(ours[i], vec3(m[k])), 0, rounding) << i << k;
+        }
+    }
+}
+
 TEST(NormalMatrix, X38StaysFiniteUnderAFlatteningScale) {
     const mat3 flat = normalMatrix(rotateX(30) * scale(1, 0, 1));
     const vec3 image = glm::normalize(flat * vec3(0, 1, 0));
     EXPECT_LT(distance(image, mat3(rotateX(30)) * vec3(0, 1, 0)), rounding);
     EXPECT_EQ(normalMatrix(scale(0, 0, 1)), mat3(0));  // no surface is left
     EXPECT_EQ(normalMatrix(scale(0)), mat3(0));
+    // Nearly none: the squares of the cofactors would vanish.
+    const mat3 needle = normalMatrix(scale(1, 1e-200, 1e-200));
+    EXPECT_LT(distance(needle * vec3(0, 1, 0), {0, std::sqrt(1.5), 0}), rounding);
     // The twin: the inverse does not exist.
     EXPECT_FALSE(std::isfinite(glm::inverseTranspose(mat3(scale(1, 0, 1)))[1][1]));
     mat4 broken(1);

@@ -26,60 +26,92 @@ void requireDepthRange(std::string_view subject, double near, double far) {
     throw Error(subject, "far must be greater than near", "near " + numberText(near) + ", far " + numberText(far));
 }
 
-// The height of the window at distance 1 is twice this.
-double checkedTangent(std::string_view subject, double fovy, double aspect, double near, double far) {
+// The functions below first make sure, by a few comparisons, that nothing is wrong; where something is, one of these
+// finds out what. Out of line, so that the sentences cost an accepted call nothing.
+[[noreturn, gnu::cold, gnu::noinline]] void refuseOverflow(std::string_view subject) {
+    throw Error(subject, "the bounds must be neither so close nor so far apart that the matrix overflows");
+}
+
+[[noreturn, gnu::cold, gnu::noinline]] void refuseOrtho(const FrustumBounds& b) {
+    requireDifferent("ortho", "left", b.left, "right", b.right);
+    requireDifferent("ortho", "bottom", b.bottom, "top", b.top);
+    requireDifferent("ortho", "near", b.near, "far", b.far);
+    refuseOverflow("ortho");
+}
+
+[[noreturn, gnu::cold, gnu::noinline]] void refuseFrustum(const FrustumBounds& b) {
+    requireDifferent("frustum", "left", b.left, "right", b.right);
+    requireDifferent("frustum", "bottom", b.bottom, "top", b.top);
+    requireDepthRange("frustum", b.near, b.far);
+    refuseOverflow("frustum");
+}
+
+[[gnu::cold, gnu::noinline]] void refuseView(std::string_view subject, double fovy, double aspect, double near,
+                                             double far) {
     if (!(fovy > 0 && fovy < 180)) {
         throw Error(subject, "fovy must be greater than 0 and less than 180 degrees", numberText(fovy));
     }
     requirePositive(subject, "aspect", aspect);
     requireDepthRange(subject, near, far);
-    return std::tan(radians(fovy) / 2);
 }
 
-mat4 checked(std::string_view subject, const mat4& m) {
-    if (isFinite(m)) return m;
-    throw Error(subject, "the bounds must be neither so close nor so far apart that the matrix overflows");
+// The height of the window at distance 1 is twice this.
+double checkedTangent(std::string_view subject, double fovy, double aspect, double near, double far) {
+    const bool isView = fovy > 0 && fovy < 180 && aspect > 0 && aspect < HUGE_VAL && near > 0 && near < far &&
+                        far < HUGE_VAL;  // false for NaN
+    if (!isView) refuseView(subject, fovy, aspect, near, far);
+    return std::tan(radians(fovy) / 2);
 }
 
 }  // namespace
 
 // The matrices below are written column by column, so each stands transposed to its picture on paper.
-// clang-format off
 mat4 ortho(double left, double right, double bottom, double top, double near, double far) {
-    requireDifferent("ortho", "left", left, "right", right);
-    requireDifferent("ortho", "bottom", bottom, "top", top);
-    requireDifferent("ortho", "near", near, "far", far);
     const double w = right - left;
     const double h = top - bottom;
     const double d = far - near;
-    return checked("ortho", {2.0 / w,             0,                    0,                  0,
-                             0,                   2.0 / h,              0,                  0,
-                             0,                   0,                    -2.0 / d,           0,
-                             -(left + right) / w, -(top + bottom) / h,  -(near + far) / d,  1});
+    const vec3 factor(2.0 / w, 2.0 / h, -2.0 / d);
+    const vec3 offset(-(left + right) / w, -(top + bottom) / h, -(near + far) / d);
+    // Two equal bounds give infinity (or 0/0), and one that is not finite gives NaN as an offset.
+    if (!isFinite(factor) || !isFinite(offset)) refuseOrtho({left, right, bottom, top, near, far});
+    // clang-format off
+    return {factor.x, 0,        0,        0,
+            0,        factor.y, 0,        0,
+            0,        0,        factor.z, 0,
+            offset.x, offset.y, offset.z, 1};
+    // clang-format on
 }
 
 mat4 perspective(double fovy, double aspect, double near, double far) {
     const double f = 1.0 / checkedTangent("perspective", fovy, aspect, near, far);
     const double d = far - near;
-    return checked("perspective", {f / aspect, 0, 0,                    0,
-                                   0,          f, 0,                    0,
-                                   0,          0, -(near + far) / d,   -1,
-                                   0,          0, -2 * near * far / d,  0});
+    const vec4 element(f / aspect, f, -(near + far) / d, -2 * near * far / d);
+    if (!isFinite(element)) refuseOverflow("perspective");
+    // clang-format off
+    return {element.x, 0,         0,          0,
+            0,         element.y, 0,          0,
+            0,         0,         element.z, -1,
+            0,         0,         element.w,  0};
+    // clang-format on
 }
 
 mat4 frustum(double left, double right, double bottom, double top, double near, double far) {
-    requireDifferent("frustum", "left", left, "right", right);
-    requireDifferent("frustum", "bottom", bottom, "top", top);
-    requireDepthRange("frustum", near, far);
     const double w = right - left;
     const double h = top - bottom;
     const double d = far - near;
-    return checked("frustum", {2 * near / w,       0,                  0,                    0,
-                               0,                  2 * near / h,       0,                    0,
-                               (right + left) / w, (top + bottom) / h, -(far + near) / d,   -1,
-                               0,                  0,                  -2 * near * far / d,  0});
+    const vec2 factor(2 * near / w, 2 * near / h);
+    const vec4 third((right + left) / w, (top + bottom) / h, -(far + near) / d, -2 * near * far / d);
+    // As in ortho: equal or infinite bounds show in the third column.
+    if (!(near > 0 && far > near && isFinite(factor) && isFinite(third))) {
+        refuseFrustum({left, right, bottom, top, near, far});
+    }
+    // clang-format off
+    return {factor.x, 0,        0,        0,
+            0,        factor.y, 0,        0,
+            third.x,  third.y,  third.z, -1,
+            0,        0,        third.w,  0};
+    // clang-format on
 }
-// clang-format on
 
 FrustumBounds frustumBounds(double fovy, double aspect, double near, double far) {
     const double top = near * checkedTangent("frustumBounds", fovy, aspect, near, far);

@@ -15,16 +15,8 @@ std::string listText(const V& v) {
 }
 
 template <typename V>
-bool allFinite(const V& v) {
-    for (int i = 0; i < V::length(); ++i) {
-        if (!std::isfinite(v[i])) return false;
-    }
-    return true;
-}
-
-template <typename V>
-void requireAllFinite(std::string_view subject, std::string_view name, const V& value) {
-    if (!allFinite(value)) throw Error(subject, std::string(name).append(" must be finite"), listText(value));
+[[noreturn]] void refuse(std::string_view subject, std::string_view name, const V& value) {
+    throw Error(subject, std::string(name).append(" must be finite"), listText(value));
 }
 
 }  // namespace
@@ -33,28 +25,23 @@ std::string vectorText(const vec2& v) { return listText(v); }
 std::string vectorText(const vec3& v) { return listText(v); }
 std::string vectorText(const vec4& v) { return listText(v); }
 
-bool isFinite(const vec2& v) { return allFinite(v); }
-bool isFinite(const vec3& v) { return allFinite(v); }
-bool isFinite(const vec4& v) { return allFinite(v); }
-bool isFinite(const mat4& m) { return allFinite(m[0]) && allFinite(m[1]) && allFinite(m[2]) && allFinite(m[3]); }
-
-void requireFinite(std::string_view subject, std::string_view name, double value) {
-    if (!std::isfinite(value)) throw Error(subject, std::string(name).append(" must be finite"), numberText(value));
+void refuseInfinite(std::string_view subject, std::string_view name, double value) {
+    throw Error(subject, std::string(name).append(" must be finite"), numberText(value));
 }
-void requireFinite(std::string_view subject, std::string_view name, const vec2& value) {
-    requireAllFinite(subject, name, value);
+void refuseInfinite(std::string_view subject, std::string_view name, const vec2& value) {
+    refuse(subject, name, value);
 }
-void requireFinite(std::string_view subject, std::string_view name, const vec3& value) {
-    requireAllFinite(subject, name, value);
+void refuseInfinite(std::string_view subject, std::string_view name, const vec3& value) {
+    refuse(subject, name, value);
 }
-void requireFinite(std::string_view subject, std::string_view name, const vec4& value) {
-    requireAllFinite(subject, name, value);
+void refuseInfinite(std::string_view subject, std::string_view name, const vec4& value) {
+    refuse(subject, name, value);
 }
-void requireFinite(std::string_view subject, std::string_view name, const mat4& value) {
+void refuseInfinite(std::string_view subject, std::string_view name, const mat4& value) {
     // The first column that is not finite is named, so that the sentence stays short.
-    for (int column = 0; column < 4; ++column) {
-        requireAllFinite(subject, std::string(name).append(" column ").append(std::to_string(column)), value[column]);
-    }
+    int column = 0;
+    while (column < 3 && isFinite(value[column])) ++column;
+    refuse(subject, std::string(name).append(" column ").append(std::to_string(column)), value[column]);
 }
 
 void requirePositive(std::string_view subject, std::string_view name, double value) {

@@ -20,6 +20,8 @@ vec3 scaledForSquares(const vec3& v) {
 }
 
 vec3 unit(const vec3& v) {
+    const double squares = glm::dot(v, v);
+    if (isOrdinary(squares)) return v / std::sqrt(squares);
     const vec3 scaled = scaledForSquares(v);
     return scaled / std::sqrt(glm::dot(scaled, scaled));
 }

@@ -12,6 +12,10 @@ int scalingExponent(double size);
 // v times 2^-scalingExponent(its largest component): v itself in the ordinary range. v must be finite.
 vec3 scaledForSquares(const vec3& v);
 
+// True from 1e-40 to 1e40, and false for NaN. A vector whose dot product with itself is ordinary is finite and needs no
+// scaling, neither for its length nor for products with others like it: the usual case, told by two comparisons.
+inline bool isOrdinary(double x) { return x >= 1e-40 && x <= 1e40; }
+
 // v / |v|, for any finite v other than zero, however large or small. The zero vector is the caller's to refuse.
 // Equals MV.js normalize(), which divides by the length (glm::normalize multiplies by a rounded reciprocal).
 vec3 unit(const vec3& v);

@@ -16,9 +16,12 @@ struct Turn {
 };
 
 Turn turnOf(std::string_view subject, double degrees) {
-    requireFinite(subject, "the angle", degrees);
-    // fmod is exact and leaves angles within one turn as they are, bit for bit what MV.js computes.
-    const double angle = radians(std::fmod(degrees, 360.0));
+    // fmod is exact and would leave angles within one turn as they are, bit for bit what MV.js computes.
+    if (!(std::abs(degrees) < 360)) {
+        requireFinite(subject, "the angle", degrees);
+        degrees = std::fmod(degrees, 360.0);
+    }
+    const double angle = radians(degrees);
     return {std::sin(angle), std::cos(angle)};
 }
 
@@ -55,24 +58,8 @@ mat3 timesPowerOfTwo(mat3 m, int exponent) {
     return m;
 }
 
-mat4 cameraFromWorld(std::string_view subject, const vec3& eye, const vec3& view, const vec3& up) {
-    const vec3 toAt = scaledForSquares(view);
-    const vec3 upward = scaledForSquares(up);
-    const vec3 forward = unit(toAt);
-
-    // Perpendicular to the view and up. The plain product has the bits of MV.js; near parallelism it would cancel.
-    vec3 sideways = glm::cross(forward, upward);
-    if (glm::length(sideways) < 1e-3 * glm::length(upward)) {
-        sideways = accurateCross(toAt, upward);
-        const double angle = glm::length(sideways) / (glm::length(toAt) * glm::length(upward));
-        if (angle < 1e-12) {
-            throw Error(subject, "up must be at least 1e-12 rad off the line of sight", numberText(angle) + " rad");
-        }
-    }
-    const vec3 right = unit(sideways);
-    const vec3 top = unit(glm::cross(right, forward));
+mat4 cameraFromAxes(const vec3& eye, const vec3& right, const vec3& top, const vec3& forward) {
     const vec3 back = -forward;
-
     // clang-format off
     return {right.x,                top.x,                back.x,                0,
             right.y,                top.y,                back.y,                0,
@@ -81,29 +68,105 @@ mat4 cameraFromWorld(std::string_view subject, const vec3& eye, const vec3& view
     // clang-format on
 }
 
-}  // namespace
+// Where up is less than 1e-3 rad off the line of sight the plain cross product begins to cancel.
+bool isAside(const vec3& sideways, double upSquares) { return glm::dot(sideways, sideways) >= 1e-6 * upSquares; }
 
-mat4 translate(const vec3& offset) {
-    requireFinite("translate", "the offset", offset);
-    mat4 result(1);
-    result[3] = vec4(offset, 1);
-    return result;
+// The camera for any arguments: refuses, scales, and takes care of an up nearly parallel to the view.
+[[gnu::cold, gnu::noinline]] mat4 carefulCamera(std::string_view subject, const vec3& eye, const vec3& at,
+                                                const vec3& up) {
+    const vec3 toAt = scaledForSquares(viewOf(subject, eye, at));
+    requireFinite(subject, "up", up);
+    if (up == vec3(0)) throw Error(subject, "up must not be 0", vectorText(up));
+    const vec3 upward = scaledForSquares(up);
+    const vec3 forward = unit(toAt);
+    vec3 sideways = glm::cross(forward, upward);
+    if (!isAside(sideways, glm::dot(upward, upward))) {
+        sideways = accurateCross(toAt, upward);
+        const double angle = glm::length(sideways) / (glm::length(toAt) * glm::length(upward));
+        if (angle < 1e-12) {
+            throw Error(subject, "up must be at least 1e-12 rad off the line of sight", numberText(angle) + " rad");
+        }
+    }
+    const vec3 right = unit(sideways);
+    return cameraFromAxes(eye, right, unit(glm::cross(right, forward)), forward);
 }
 
-mat4 translate(double x, double y, double z) { return translate(vec3(x, y, z)); }
+mat4 cameraFromWorld(std::string_view subject, const vec3& eye, const vec3& at, const vec3& up) {
+    // The operations of MV.js in its order. The comparisons fail for NaN: what passes them leaves nothing to refuse.
+    const vec3 view = at - eye;
+    const double viewSquares = glm::dot(view, view);
+    const double upSquares = glm::dot(up, up);
+    if (isOrdinary(viewSquares) && isOrdinary(upSquares) && glm::dot(eye, eye) < largestCoordinate) {
+        const vec3 forward = view / std::sqrt(viewSquares);
+        const vec3 sideways = glm::cross(forward, up);
+        if (isAside(sideways, upSquares)) {
+            const vec3 right = sideways / std::sqrt(glm::dot(sideways, sideways));
+            const vec3 upright = glm::cross(right, forward);
+            return cameraFromAxes(eye, right, upright / std::sqrt(glm::dot(upright, upright)), forward);
+        }
+    }
+    return carefulCamera(subject, eye, at, up);
+}
+
+// The factor that brings cofactors to a normal matrix. A rotation's elements have squares that sum to 3: with this
+// factor it gives itself. Only the determinant's sign is read.
+double cofactorScale(double squares, double determinant) {
+    const double length = std::sqrt(3.0 / squares);
+    return determinant < 0 ? -length : length;
+}
+
+// The normal matrix of any m: refuses, scales, and takes care of columns that span little.
+[[gnu::cold, gnu::noinline]] mat3 carefulNormalMatrix(const mat4& m) {
+    requireFinite("normalMatrix", "the matrix", m);
+
+    // Scaled where needed, so that the products of scale(1e-200) do not vanish.
+    const double size = largestElement(mat3(m));
+    if (size == 0) return mat3(0);
+    const mat3 linear = timesPowerOfTwo(mat3(m), -scalingExponent(size));
+
+    // Where the columns span little, the plain products have cancelled, and are made again with care.
+    mat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
+                   glm::cross(linear[0], linear[1]));
+    const double span = glm::dot(cofactors[0], linear[0]);
+    if (std::abs(span) <= 1e-3 * glm::length(linear[0]) * glm::length(linear[1]) * glm::length(linear[2])) {
+        cofactors = mat3(accurateCross(linear[1], linear[2]), accurateCross(linear[2], linear[0]),
+                         accurateCross(linear[0], linear[1]));
+    }
+    const double cofactorSize = largestElement(cofactors);
+    if (cofactorSize == 0) return mat3(0);
+    cofactors = timesPowerOfTwo(cofactors, -scalingExponent(cofactorSize));
+    double squares = 0;
+    for (int i = 0; i < 3; ++i) squares += glm::dot(cofactors[i], cofactors[i]);
+    return cofactors * cofactorScale(squares, glm::dot(cofactors[0], linear[0]));
+}
+
+}  // namespace
+
+// The matrices below are written column by column, so each stands transposed to its picture on paper.
+// clang-format off
+mat4 translate(const vec3& offset) {
+    requireFinite("translate", "the offset", offset);
+    return {1,        0,        0,        0,
+            0,        1,        0,        0,
+            0,        0,        1,        0,
+            offset.x, offset.y, offset.z, 1};
+}
 
 mat4 scale(const vec3& factors) {
     requireFinite("scale", "the factors", factors);
-    mat4 result(1);
-    for (int i = 0; i < 3; ++i) result[i][i] = factors[i];
-    return result;
+    return {factors.x, 0,         0,         0,
+            0,         factors.y, 0,         0,
+            0,         0,         factors.z, 0,
+            0,         0,         0,         1};
 }
+// clang-format on
+
+mat4 translate(double x, double y, double z) { return translate(vec3(x, y, z)); }
 
 mat4 scale(double x, double y, double z) { return scale(vec3(x, y, z)); }
 
 mat4 scale(double factor) { return scale(vec3(factor)); }
 
-// The matrices below are written column by column, so each stands transposed to its picture on paper.
 // clang-format off
 mat4 rotateX(double degrees) {
     const auto [s, c] = turnOf("rotateX", degrees);
@@ -142,45 +205,41 @@ mat4 rotate(double degrees, const vec3& axis) {
 }
 // clang-format on
 
-mat4 lookAt(const vec3& eye, const vec3& at, const vec3& up) {
-    const vec3 view = viewOf("lookAt", eye, at);
-    requireFinite("lookAt", "up", up);
-    if (up == vec3(0)) throw Error("lookAt", "up must not be 0", vectorText(up));
-    return cameraFromWorld("lookAt", eye, view, up);
-}
+mat4 lookAt(const vec3& eye, const vec3& at, const vec3& up) { return cameraFromWorld("lookAt", eye, at, up); }
 
 mat4 lookAtAnyRoll(const vec3& eye, const vec3& at) {
-    const vec3 view = viewOf("lookAtAnyRoll", eye, at);
+    const vec3 view = at - eye;
     int least = 1;
     for (const int axis : {2, 0}) {
         if (std::abs(view[axis]) < std::abs(view[least])) least = axis;
     }
     vec3 up(0);
     up[least] = 1;
-    return cameraFromWorld("lookAtAnyRoll", eye, view, up);
+    return cameraFromWorld("lookAtAnyRoll", eye, at, up);
 }
 
 mat3 normalMatrix(const mat4& m) {
-    requireFinite("normalMatrix", "the matrix", m);
-
-    // Scaled where needed, so that the products of scale(1e-200) do not vanish.
-    const double size = largestElement(mat3(m));
-    if (size == 0) return mat3(0);
-    const mat3 linear = timesPowerOfTwo(mat3(m), -scalingExponent(size));
+    const vec3 x(m[0]);
+    const vec3 y(m[1]);
+    const vec3 z(m[2]);
+    const double xx = glm::dot(x, x);
+    const double yy = glm::dot(y, y);
+    const double zz = glm::dot(z, z);
 
     // The columns of the cofactor matrix are cross products of the columns.
-    mat3 cofactors(accurateCross(linear[1], linear[2]), accurateCross(linear[2], linear[0]),
-                   accurateCross(linear[0], linear[1]));
-    const double cofactorSize = largestElement(cofactors);
-    if (cofactorSize == 0) return mat3(0);
-    cofactors = timesPowerOfTwo(cofactors, -scalingExponent(cofactorSize));
+    const vec3 yz = glm::cross(y, z);
+    const vec3 zx = glm::cross(z, x);
+    const vec3 xy = glm::cross(x, y);
+    const double span = glm::dot(yz, x);
 
-    // A rotation's elements have squares that sum to 3: with this factor it gives itself.
-    double squares = 0;
-    for (int i = 0; i < 3; ++i) squares += glm::dot(cofactors[i], cofactors[i]);
-    const double length = std::sqrt(3.0 / squares);
-    const bool mirrors = glm::dot(cofactors[0], linear[0]) < 0;
-    return cofactors * (mirrors ? -length : length);
+    // Plain products will do where the columns span enough: the comparison of carefulNormalMatrix without its roots and,
+    // lest roundings decide otherwise than there, a little stricter. With it the two sizes leave no square or product
+    // below 1e-80 or above 1e90. What is not read has only to be finite; a sum tells (one that overflows goes there too).
+    const double unread = m[0].w + m[1].w + m[2].w + m[3].x + m[3].y + m[3].z + m[3].w;
+    const bool plain = xx + yy + zz <= 1e30 && std::abs(span) >= 1e-40 && span * span > 1.001e-6 * xx * yy * zz;
+    if (!plain || !isFinite(unread)) return carefulNormalMatrix(m);
+    const double factor = cofactorScale(glm::dot(yz, yz) + glm::dot(zx, zx) + glm::dot(xy, xy), span);
+    return {yz * factor, zx * factor, xy * factor};
 }
 
 }  // namespace mv
