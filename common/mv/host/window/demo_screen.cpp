@@ -145,17 +145,19 @@ bool DemoScreen::advance(double seconds) {
 }
 
 void DemoScreen::reloadShaders() {
+    std::vector<std::string> errors;
     try {
-        const Reloaded reloaded = reloadChangedPrograms();
+        Reloaded reloaded = reloadChangedPrograms();
         if (reloaded.programs > 0) stale_ = true;
-        if (reloaded.programs == 0 && reloaded.errors == shaderErrors_) return;
-        shaderErrors_ = reloaded.errors;
+        errors = std::move(reloaded.standing);
     } catch (const std::exception& error) {
-        shaderErrors_ = {error.what()};
+        errors = {error.what()};
     }
+    if (errors == shaderErrors_) return;
+    shaderErrors_ = std::move(errors);
     // Beside the panel, the terminal the program was started from has it.
     for (const std::string& error : shaderErrors_) std::cerr << "error: " << error << std::endl;
-    if (shaderErrors_.empty()) std::cerr << "note: " << info_.name << ": shaders compiled anew" << std::endl;
+    if (shaderErrors_.empty()) std::cerr << "note: the shaders of " << info_.name << " compile again" << std::endl;
 }
 
 // ---- The picture

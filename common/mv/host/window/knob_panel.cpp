@@ -169,7 +169,6 @@ bool KnobPanel::checkbox(const Knob& knob, bool& value) {
 
 bool KnobPanel::choose(const Knob& knob, int& index, const std::vector<Option>& options) {
     const Option& present = options[static_cast<std::size_t>(index)];
-    const float left = ImGui::GetCursorPosX();
     bool moved = false;
     const bool open = ImGui::BeginCombo("##choice", present.word.c_str());
     if (!open) notePlace(places_, knob.name());
@@ -200,7 +199,6 @@ bool KnobPanel::choose(const Knob& knob, int& index, const std::vector<Option>& 
         if (gui_.wantsPopupClosed()) ImGui::CloseCurrentPopup();
         ImGui::EndCombo();
     }
-    (void)left;
     return moved;
 }
 

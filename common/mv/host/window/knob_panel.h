@@ -23,7 +23,7 @@ class KnobPanel final : public Panel {
 
   private:
     bool row(Knob& knob, float labelWidth);
-    bool bar(const Knob& knob, double& value, double low, double high, double grid);
+    bool bar(const Knob& knob, double& value, double low, double high, double digits);
     bool field(Knob& knob);
     void openField(const Knob& knob);
 

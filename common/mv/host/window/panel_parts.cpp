@@ -1,8 +1,10 @@
 #include "mv/host/window/panel_parts.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 
 namespace mv {
 namespace {
@@ -13,34 +15,25 @@ std::string formatted(const char* format, double value) {
     return text;
 }
 
-// A column of a matrix: as few digits after the point as its numbers need (at most four), the same for all of them, so
-// that the points stand under each other.
-struct Column {
-    int digits = 0;
-    bool scientific = false;
+// A number of a matrix as it is written on paper: four digits after the point, none where it is whole. `after` is the
+// part from the point on, so that numbers of a column can stand with their points under each other.
+struct Cell {
+    std::string text;
+    std::size_t after = 0;
 };
 
-Column columnOf(const vec4& numbers) {
-    Column column;
-    for (int row = 0; row < 4; ++row) {
-        const double size = std::abs(numbers[row]);
-        if (size >= 1e5 || (size > 0 && size < 5e-5)) column.scientific = true;
-        for (int digits = column.digits; digits <= 4; ++digits) {
-            column.digits = digits;
-            const double unit = std::pow(10.0, digits);
-            if (std::abs(numbers[row] - std::round(numbers[row] * unit) / unit) < 5e-5) break;
-        }
+Cell cellOf(double number) {
+    const double size = std::abs(number);
+    if (number == 0) return {"0"};
+    if (size >= 1e6 || size < 5e-5) return {formatted("%.2e", number)};
+    std::string text = formatted("%.4f", number);
+    // Zeros at the end go only where they say nothing: 0.5 is exactly that, 0.3000 is nearly 0.3.
+    if (std::abs(number - std::strtod(text.c_str(), nullptr)) <= 1e-12 * size) {
+        text.erase(text.find_last_not_of('0') + 1);
+        if (text.back() == '.') text.pop_back();
     }
-    return column;
-}
-
-std::string cellText(double number, Column column) {
-    if (column.scientific) return number == 0 ? "0" : formatted("%.3g", number);
-    char text[64];
-    std::snprintf(text, sizeof text, "%.*f", column.digits, number);
-    // "-0" for a hair less than nothing says more than is known
-    if (text[0] == '-' && std::string(text).find_first_not_of("-0.") == std::string::npos) return text + 1;
-    return text;
+    const auto point = text.find('.');
+    return {text, point == std::string::npos ? 0 : text.size() - point};
 }
 
 void rightAligned(const std::string& text, float right) {
@@ -60,24 +53,36 @@ std::string matrixTip(const std::string& name) {
 
 void showMatrix(const mat4& matrix) {
     const ImGuiStyle& style = ImGui::GetStyle();
-    const float left = ImGui::GetCursorPosX() + style.FramePadding.x;
-    const float right = ImGui::GetWindowContentRegionMax().x - style.FramePadding.x;
-    const float step = (right - left - style.FramePadding.x) / 4;
+    const float margin = style.FramePadding.x;
+    const float left = ImGui::GetCursorPosX() + margin;
+    const float step = (ImGui::GetWindowContentRegionMax().x - left - 2 * margin) / 4;
+    const float digit = ImGui::CalcTextSize("0").x, point = ImGui::CalcTextSize(".").x;
     const ImVec2 top = ImGui::GetCursorScreenPos();
+    std::array<std::size_t, 4> after{};  // of each column, the longest part from the point on
+    for (int column = 0; column < 4; ++column) {
+        for (int row = 0; row < 4; ++row) {
+            auto& longest = after[static_cast<std::size_t>(column)];
+            longest = std::max(longest, cellOf(matrix[column][row]).after);
+        }
+    }
+    const auto width = [&](std::size_t part) { return part == 0 ? 0 : point + digit * float(part - 1); };
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, style.ItemSpacing.y / 3});
     for (int row = 0; row < 4; ++row) {
         for (int column = 0; column < 4; ++column) {
             if (column > 0) ImGui::SameLine();
-            rightAligned(cellText(matrix[column][row], columnOf(matrix[column])), left + step * float(column + 1));
+            const Cell cell = cellOf(matrix[column][row]);
+            const float missing = width(after[static_cast<std::size_t>(column)]) - width(cell.after);
+            // One in the form 1e+06 is as long as the column is wide: it goes to its right end.
+            const bool longForm = cell.text.find('e') != std::string::npos;
+            rightAligned(cell.text, left + step * float(column + 1) - (longForm ? 0 : missing));
         }
     }
-    const float bottom = ImGui::GetItemRectMax().y;
     ImGui::PopStyleVar();
     // The brackets
-    const float x0 = top.x, x1 = top.x + right - left + 2 * style.FramePadding.x;
-    const float arm = style.FramePadding.x * 0.6F, y0 = top.y - 1, y1 = bottom + 1;
+    const float x0 = top.x + margin / 2, x1 = top.x + 4 * step + 2 * margin, y0 = top.y - 1;
+    const float y1 = ImGui::GetItemRectMax().y + 1;
     const ImU32 ink = ImGui::GetColorU32(color::dim);
-    for (const auto& [x, inwards] : {std::pair{x0, arm}, std::pair{x1, -arm}}) {
+    for (const auto& [x, inwards] : {std::pair{x0, margin * 0.6F}, std::pair{x1, -margin * 0.6F}}) {
         ImGui::GetWindowDrawList()->AddLine({x, y0}, {x, y1}, ink, 1.5F);
         ImGui::GetWindowDrawList()->AddLine({x, y0}, {x + inwards, y0}, ink, 1.5F);
         ImGui::GetWindowDrawList()->AddLine({x, y1}, {x + inwards, y1}, ink, 1.5F);
