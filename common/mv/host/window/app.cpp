@@ -18,7 +18,7 @@ constexpr double idleSeconds = 0.25;
 constexpr auto leastFrameTime = std::chrono::milliseconds(16);
 
 // Shows a screen until it wishes for another one, or the window closes.
-Wish show(Window& window, Screen& screen) {
+Wish show(Window& window, Gui& gui, Screen& screen) {
     using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
     auto last = start;
@@ -27,9 +27,10 @@ Wish show(Window& window, Screen& screen) {
     Wish wish;
     for (;;) {
         const bool hidden = window.hidden();
-        const bool awake = !hidden && (settling > 0 || screen.moving());
+        const bool awake = !hidden && (settling > 0 || screen.moving() || window.eventsLeft());
         for (const Event& event : window.waitForEvents(awake ? 0 : idleSeconds)) {
             screen.handle(event);
+            gui.feed(event);
             settling = framesToSettle;
         }
         const auto now = Clock::now();
@@ -71,7 +72,7 @@ void runWindow(const Command& command) {
         }
         if (!screen) screen = std::make_unique<MenuScreen>(window, gui, stage, cards, problem, command.report);
         problem.clear();
-        const Wish wish = show(window, *screen);
+        const Wish wish = show(window, gui, *screen);
         screen.reset();
         try {
             stage.close();

@@ -81,12 +81,13 @@ void DemoScreen::handle(const Event& event) {
         case Event::Kind::key:
             return onKey(event);
         case Event::Kind::press:
+            if (event.key != GLFW_MOUSE_BUTTON_LEFT) break;
             dragging_ = overPicture(event.x);
             dragX_ = event.x;
             dragY_ = event.y;
             break;
         case Event::Kind::release:
-            dragging_ = false;
+            if (event.key == GLFW_MOUSE_BUTTON_LEFT) dragging_ = false;
             break;
         case Event::Kind::move:
             if (!dragging_) break;
@@ -97,6 +98,8 @@ void DemoScreen::handle(const Event& event) {
         case Event::Kind::wheel:
             if (overPicture(event.x)) stale_ |= stage_.demo().wheel(event.notches);
             break;
+        case Event::Kind::keyUp:
+        case Event::Kind::character:
         case Event::Kind::other:
             break;
     }

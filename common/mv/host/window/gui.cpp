@@ -1,8 +1,12 @@
 #include "mv/host/window/gui.h"
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 #include <imgui_impl_glfw.h>
 #include <imgui_impl_opengl3.h>
 
+#include <algorithm>
+#include <cfloat>
 #include <cmath>
 
 #include "mv/error.h"
@@ -63,7 +67,7 @@ Gui::Gui(Window& window) : window_(window) {
     io.IniFilename = nullptr;  // nothing is written into the folder one happens to stand in
     io.LogFilename = nullptr;
     io.ConfigInputTextCursorBlink = false;  // a blinking bar would have the window drawn for ever
-    ImGui_ImplGlfw_InitForOpenGL(window.handle(), true);
+    ImGui_ImplGlfw_InitForOpenGL(window.handle(), false);
     ImGui_ImplOpenGL3_Init("#version 330");
 }
 
@@ -106,10 +110,48 @@ void Gui::setLooks() {
     ImGui_ImplOpenGL3_CreateFontsTexture();
 }
 
+void Gui::feed(const Event& event) {
+    GLFWwindow* handle = window_.handle();
+    mouseX_ = event.x;
+    mouseY_ = event.y;
+    switch (event.kind) {
+        case Event::Kind::key:
+            if (!event.repeat) {
+                ImGui_ImplGlfw_KeyCallback(handle, event.key, event.scancode, GLFW_PRESS, event.modifiers);
+            }
+            break;
+        case Event::Kind::keyUp:
+            ImGui_ImplGlfw_KeyCallback(handle, event.key, event.scancode, GLFW_RELEASE, event.modifiers);
+            break;
+        case Event::Kind::character:
+            ImGui_ImplGlfw_CharCallback(handle, event.codePoint);
+            break;
+        case Event::Kind::press:
+        case Event::Kind::release:
+            if (event.key >= 0 && event.key < ImGuiMouseButton_COUNT) {
+                down_[static_cast<std::size_t>(event.key)] = event.kind == Event::Kind::press;
+            }
+            break;
+        case Event::Kind::wheel:
+            ImGui_ImplGlfw_ScrollCallback(handle, event.across, event.notches);
+            break;
+        case Event::Kind::move:
+        case Event::Kind::other:
+            break;
+    }
+}
+
 void Gui::begin() {
     setLooks();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
+    // The backend asks where the mouse is and what is pressed by now; the events of this frame may not be as far yet.
+    ImGuiIO& io = ImGui::GetIO();
+    const bool here = glfwGetWindowAttrib(window_.handle(), GLFW_HOVERED) != 0;
+    const bool held = std::any_of(down_.begin(), down_.end(), [](bool down) { return down; });
+    io.MousePos =
+        here || held ? ImVec2(static_cast<float>(mouseX_), static_cast<float>(mouseY_)) : ImVec2(-FLT_MAX, -FLT_MAX);
+    std::copy(down_.begin(), down_.end(), io.MouseDown);
     ImGui::NewFrame();
 }
 

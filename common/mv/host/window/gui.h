@@ -2,6 +2,8 @@
 #pragma once
 #include <imgui.h>
 
+#include <array>
+
 #include "mv/host/window/window.h"
 
 namespace mv {
@@ -18,12 +20,14 @@ inline const ImVec4 errorBack{0.33F, 0.09F, 0.09F, 1};
 
 class Gui {
   public:
-    // Sets itself behind the window's callbacks, so it is made after the window and goes before it.
+    // Made after the window, and goes before it.
     explicit Gui(Window& window);
     ~Gui();
     Gui(const Gui&) = delete;
     Gui& operator=(const Gui&) = delete;
 
+    // Tells the widgets of an event, before the frame it belongs to.
+    void feed(const Event& event);
     // Between the two stand the widgets of one frame; end() draws them into the window.
     void begin();
     void end();
@@ -43,6 +47,8 @@ class Gui {
     void setLooks();
     Window& window_;
     ImFont* title_ = nullptr;
+    double mouseX_ = 0, mouseY_ = 0;  // as of the last event
+    std::array<bool, 5> down_{};      // the buttons of the mouse
     float scale_ = 1;
     double contentScale_ = 0, pixelsPerUnit_ = 0;  // what the looks were made for
     bool popupOpen_ = false, closePopup_ = false;

@@ -95,6 +95,11 @@ bool KnobPanel::row(Knob& knob, float labelWidth) {
         tooltip("back to " + knob.initialText());
     }
     if (typing && !refusal_.empty()) wrapped(color::error, refusal_);
+    for (const Option& option : knob.options()) {
+        if (option.meaning.empty() || option.word != knob.text()) continue;
+        ImGui::SetCursorPosX(left + labelWidth);
+        wrapped(color::dim, option.meaning);
+    }
     return moved;
 }
 
@@ -173,6 +178,7 @@ bool KnobPanel::choose(const Knob& knob, int& index, const std::vector<Option>& 
     const bool open = ImGui::BeginCombo("##choice", present.word.c_str());
     if (!open) notePlace(places_, knob.name());
     if (open) {
+        ImGui::PushStyleColor(ImGuiCol_Header, ImGui::GetStyleColorVec4(ImGuiCol_Button));
         float wordWidth = 0;
         for (const Option& option : options) {
             wordWidth = std::max(wordWidth, ImGui::CalcTextSize(option.word.c_str()).x);
@@ -183,7 +189,9 @@ bool KnobPanel::choose(const Knob& knob, int& index, const std::vector<Option>& 
             ImGui::PushID(static_cast<int>(i));
             const float meaningWidth = ImGui::CalcTextSize(options[i].meaning.c_str()).x;
             const float gap = options[i].meaning.empty() ? 0 : 2 * ImGui::GetStyle().ItemSpacing.x;
-            if (ImGui::Selectable("##option", chosen, 0, {wordWidth + gap + meaningWidth, textHeight}) && !chosen) {
+            // The whole line can be clicked, not only its words.
+            const float width = std::max(wordWidth + gap + meaningWidth, ImGui::GetContentRegionAvail().x);
+            if (ImGui::Selectable("##option", chosen, 0, {width, textHeight}) && !chosen) {
                 index = static_cast<int>(i);
                 moved = true;
             }
@@ -196,6 +204,7 @@ bool KnobPanel::choose(const Knob& knob, int& index, const std::vector<Option>& 
             }
             ImGui::PopID();
         }
+        ImGui::PopStyleColor();
         if (gui_.wantsPopupClosed()) ImGui::CloseCurrentPopup();
         ImGui::EndCombo();
     }

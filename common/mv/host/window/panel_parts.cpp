@@ -216,7 +216,7 @@ void showControls(const Demo& demo, bool animated, bool menu) {
 float messagesHeight(const std::vector<Message>& messages, float width, float most) {
     if (messages.empty()) return 0;
     const ImGuiStyle& style = ImGui::GetStyle();
-    float height = style.ItemSpacing.y;
+    float height = 0;
     for (const Message& message : messages) {
         height += ImGui::CalcTextSize(message.text.c_str(), nullptr, false, width - 2 * style.WindowPadding.x).y +
                   2 * style.FramePadding.y + style.ItemSpacing.y;

@@ -56,7 +56,7 @@ std::string versionFound() {
 
 }  // namespace
 
-// GLFW's callbacks. Each is set before Dear ImGui's, which calls it first and then takes its own note.
+// GLFW's callbacks: each notes the event, to be handed on in its frame.
 struct WindowCallbacks {
     static Window& of(GLFWwindow* handle) { return *static_cast<Window*>(glfwGetWindowUserPointer(handle)); }
     static void add(GLFWwindow* handle, Event event) {
@@ -69,25 +69,26 @@ struct WindowCallbacks {
 
     static void install(GLFWwindow* handle) {
         glfwSetKeyCallback(handle, [](GLFWwindow* at, int key, int scancode, int action, int modifiers) {
-            if (action == GLFW_RELEASE) return other(at);
-            Event event{.kind = Event::Kind::key, .key = key, .scancode = scancode, .modifiers = modifiers};
+            Event event{.key = key, .scancode = scancode, .modifiers = modifiers};
+            event.kind = action == GLFW_RELEASE ? Event::Kind::keyUp : Event::Kind::key;
             event.repeat = action == GLFW_REPEAT;
             add(at, event);
         });
-        glfwSetMouseButtonCallback(handle, [](GLFWwindow* at, int button, int action, int) {
-            if (button != GLFW_MOUSE_BUTTON_LEFT) return other(at);
-            add(at, {.kind = action == GLFW_PRESS ? Event::Kind::press : Event::Kind::release});
+        glfwSetCharCallback(handle, [](GLFWwindow* at, unsigned codePoint) {
+            add(at, {.kind = Event::Kind::character, .codePoint = codePoint});
         });
-        // The position of the event, not glfwGetCursorPos: that is where the mouse is by now, further on.
+        glfwSetMouseButtonCallback(handle, [](GLFWwindow* at, int button, int action, int modifiers) {
+            const auto kind = action == GLFW_PRESS ? Event::Kind::press : Event::Kind::release;
+            add(at, {.kind = kind, .key = button, .modifiers = modifiers});
+        });
         glfwSetCursorPosCallback(handle, [](GLFWwindow* at, double x, double y) {
             of(at).mouseX_ = x;
             of(at).mouseY_ = y;
             add(at, {.kind = Event::Kind::move});
         });
-        glfwSetScrollCallback(handle, [](GLFWwindow* at, double, double notches) {
-            add(at, {.kind = Event::Kind::wheel, .notches = notches});
+        glfwSetScrollCallback(handle, [](GLFWwindow* at, double across, double notches) {
+            add(at, {.kind = Event::Kind::wheel, .across = across, .notches = notches});
         });
-        glfwSetCharCallback(handle, [](GLFWwindow* at, unsigned) { other(at); });
         glfwSetCursorEnterCallback(handle, [](GLFWwindow* at, int) { other(at); });
         glfwSetWindowFocusCallback(handle, [](GLFWwindow* at, int) { other(at); });
         glfwSetWindowRefreshCallback(handle, [](GLFWwindow* at) { other(at); });
@@ -196,13 +197,28 @@ bool Window::hidden() const {
 bool Window::closing() const { return glfwWindowShouldClose(handle_) != 0; }
 
 std::vector<Event> Window::waitForEvents(double seconds) {
-    if (seconds > 0) {
+    if (seconds > 0 && events_.empty()) {
         glfwWaitEventsTimeout(seconds);
     } else {
         glfwPollEvents();
     }
-    return std::exchange(events_, {});
+    std::vector<Event> frame;
+    bool keyDown = false, button = false;
+    while (!events_.empty()) {
+        const Event& event = events_.front();
+        const bool isKey = (event.kind == Event::Kind::key && !event.repeat) || event.kind == Event::Kind::keyUp;
+        const bool isButton = event.kind == Event::Kind::press || event.kind == Event::Kind::release;
+        if (keyDown && isKey) break;
+        if (button && (isButton || event.kind == Event::Kind::move)) break;
+        keyDown |= isKey && event.kind == Event::Kind::key;
+        button |= isButton;
+        frame.push_back(event);
+        events_.pop_front();
+    }
+    return frame;
 }
+
+bool Window::eventsLeft() const { return !events_.empty(); }
 
 void Window::swap() { glfwSwapBuffers(handle_); }
 

@@ -1,5 +1,6 @@
 // The window: GLFW, the OpenGL context in it, and what the user did to it.
 #pragma once
+#include <deque>
 #include <string>
 #include <vector>
 
@@ -12,12 +13,13 @@ namespace mv {
 // One thing the user did, in the order it was done. Positions are window coordinates from the upper left corner: pixels
 // where the window system does not scale.
 struct Event {
-    enum class Kind { key, press, release, move, wheel, other };
+    enum class Kind { key, keyUp, character, press, release, move, wheel, other };
     Kind kind = Kind::other;
-    int key = 0, scancode = 0, modifiers = 0;  // GLFW's
+    int key = 0, scancode = 0, modifiers = 0;  // GLFW's; for a button of the mouse, its number is the key
     bool repeat = false;
-    double x = 0, y = 0;  // of the mouse; for a wheel also where it was turned
-    double notches = 0;   // away from the user
+    unsigned codePoint = 0;          // of a character
+    double x = 0, y = 0;             // where the mouse was
+    double across = 0, notches = 0;  // of the wheel; notches away from the user
 };
 
 class Window final : public Context {
@@ -52,15 +54,19 @@ class Window final : public Context {
     bool hidden() const;
     bool closing() const;
 
-    // Waits until something happens, for at most so many seconds (0: not at all); returns what did.
+    // Waits until something happens, for at most so many seconds (0: not at all); returns what did, as much of it as
+    // belongs into one frame. A key that is pressed and let go between two frames is pressed in the first and let go in
+    // the second: widgets look at states, and would miss it.
     std::vector<Event> waitForEvents(double seconds);
+    // Whether there are more for the next frame.
+    bool eventsLeft() const;
     void swap();
 
   private:
     friend struct WindowCallbacks;
     void open();
     GLFWwindow* handle_ = nullptr;
-    std::vector<Event> events_;
+    std::deque<Event> events_;  // that no frame has had yet
     double mouseX_ = 0, mouseY_ = 0;
 };
 
