@@ -125,6 +125,7 @@ struct Program::State {
     std::string name;
     std::function<Sources()> sources;
     Linked linked;
+    std::string error;  // why the files as they are now make no program; "" where they do
 };
 
 // The live programs, for reloading.
@@ -149,10 +150,15 @@ struct ProgramList {
             try {
                 Linked linked = link(state->name, state->sources());
                 state->linked = std::move(linked);
+                state->error.clear();
                 ++result.programs;
             } catch (const Error& error) {
-                result.errors.emplace_back(error.what());
+                state->error = error.what();
+                result.errors.push_back(state->error);
             }
+        }
+        for (const Program::State* state : all()) {
+            if (!state->error.empty()) result.standing.push_back(state->error);
         }
         return result;
     }

@@ -52,6 +52,8 @@ class Program {
 struct Reloaded {
     int programs = 0;                 // compiled anew
     std::vector<std::string> errors;  // one for each that failed; its last good version stays in use
+    // The errors of now and of earlier calls whose files are still as they were: what a window goes on showing.
+    std::vector<std::string> standing;
 };
 // Compiles each program again one of whose files on disk has changed. For developer builds; else nothing changes.
 Reloaded reloadChangedPrograms();

@@ -1,0 +1,95 @@
+// The loop of the window: waits, hands on what the user did, and draws when there is something to draw.
+#include <chrono>
+#include <memory>
+#include <thread>
+
+#include "mv/host/window/demo_screen.h"
+#include "mv/host/window/menu_screen.h"
+#include "mv/run/window_module.h"
+
+namespace mv {
+namespace {
+
+// Dear ImGui lays out with what it knows of the frame before: after an event it takes this many to come to rest.
+constexpr int framesToSettle = 3;
+// How long to sleep while nothing happens; then the shader files are looked at.
+constexpr double idleSeconds = 0.25;
+// Where the swap does not wait for the screen (it does not everywhere) this holds the pace: 62 frames a second.
+constexpr auto leastFrameTime = std::chrono::milliseconds(16);
+
+// Shows a screen until it wishes for another one, or the window closes.
+Wish show(Window& window, Gui& gui, Screen& screen) {
+    using Clock = std::chrono::steady_clock;
+    const auto start = Clock::now();
+    auto last = start;
+    long frames = 0;
+    int settling = framesToSettle;
+    Wish wish;
+    for (;;) {
+        const bool hidden = window.hidden();
+        const bool awake = !hidden && (settling > 0 || screen.moving() || window.eventsLeft());
+        for (const Event& event : window.waitForEvents(awake ? 0 : idleSeconds)) {
+            screen.handle(event);
+            gui.feed(event);
+            settling = framesToSettle;
+        }
+        const auto now = Clock::now();
+        if (!hidden && screen.advance(std::chrono::duration<double>(now - last).count()) && settling == 0) settling = 1;
+        last = now;
+        wish = screen.wish();
+        if (window.closing()) wish = {Wish::Kind::quit};
+        if (wish.kind != Wish::Kind::stay) break;
+        if (window.hidden() || (settling == 0 && !screen.moving())) continue;
+
+        screen.draw();
+        window.swap();
+        ++frames;
+        if (settling > 0) --settling;
+        std::this_thread::sleep_until(now + leastFrameTime);
+    }
+    screen.finish(frames, std::chrono::duration<double>(Clock::now() - start).count());
+    return wish;
+}
+
+void runWindow(const Command& command) {
+    Window window;
+    Gui gui(window);
+    Cards cards;
+    Stage stage(window, true);
+    const bool menu = catalogue().size() > 1;
+    Command next = command;
+    std::string problem;
+    for (bool first = true;; first = false) {
+        std::unique_ptr<Screen> screen;
+        if (next.demo) {
+            try {
+                screen = std::make_unique<DemoScreen>(window, gui, stage, next, menu);
+                cards.selected = next.demo->name;
+            } catch (const std::exception& error) {
+                if (first) throw;  // asked for by name on the command line: no menu instead
+                problem = error.what();
+            }
+        }
+        if (!screen) screen = std::make_unique<MenuScreen>(window, gui, stage, cards, problem, command.report);
+        problem.clear();
+        const Wish wish = show(window, gui, *screen);
+        screen.reset();
+        try {
+            stage.close();
+        } catch (const std::exception& error) {
+            if (wish.kind == Wish::Kind::quit) throw;
+            problem = error.what();
+        }
+        if (wish.kind == Wish::Kind::quit) return;
+        next = {};
+        next.report = command.report;
+        next.demo = wish.kind == Wish::Kind::open ? wish.demo : nullptr;
+    }
+}
+
+}  // namespace
+}  // namespace mv
+
+extern "C" __attribute__((visibility("default"))) void mvglWindowMain(const mv::Command& command) {
+    mv::runWindow(command);
+}

@@ -1,0 +1,366 @@
+#include "mv/host/window/demo_screen.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "mv/gl/program.h"
+#include "mv/host/window/keys.h"
+#include "mv/host/window/save.h"
+#include "mv/image/png.h"
+#include "mv/run/report.h"
+
+namespace mv {
+namespace {
+
+constexpr double panelUnits = 360;  // pixels at ordinary density
+constexpr double reloadSeconds = 0.25;
+
+constexpr ImGuiWindowFlags fixedWindow = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                         ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
+
+double milliseconds(std::chrono::steady_clock::duration duration) {
+    return std::chrono::duration<double, std::milli>(duration).count();
+}
+
+// What a demo may have switched on that would change how its picture is copied to the window. The demo sets it again.
+void prepareWindowState() {
+    glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_RASTERIZER_DISCARD);
+    glDisable(GL_FRAMEBUFFER_SRGB);
+    glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+    glDisable(GL_SAMPLE_COVERAGE);
+    for (GLenum i = 0; i < 6; ++i) glDisable(GL_CLIP_DISTANCE0 + i);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+}  // namespace
+
+DemoScreen::DemoScreen(Window& window, Gui& gui, Stage& stage, const Command& command, bool menu)
+    : window_(window),
+      gui_(gui),
+      stage_(stage),
+      info_(*command.demo),
+      report_(command.report),
+      menu_(menu),
+      knobs_(gui, places_),
+      // A frame asked for by number stands still, so that a copied command shows the very picture it was copied from.
+      playback_(info_.animated, command.firstFrame, command.frameGiven),
+      drawnFrame_(command.firstFrame) {
+    const bool sizeGiven = command.width > 0;
+    const int width = sizeGiven ? command.width : info_.width, height = sizeGiven ? command.height : info_.height;
+    stage_.open(info_, width, height);
+    applyKnobs(stage_.demo(), command.knobs);
+    // A size that was asked for is meant in pixels, an original's canvas in units as large as the screen's.
+    const double units = sizeGiven ? 1 / window_.pixelsPerUnit() : 1;
+    const double panel = panelUnits * window_.contentScale() / window_.pixelsPerUnit();
+    window_.setTitle("mvgl: " + info_.name);
+    window_.show(static_cast<int>(std::lround(width * units + panel)), static_cast<int>(std::lround(height * units)),
+                 !sizeGiven);
+}
+
+// ---- What the user does
+
+int DemoScreen::pictureWidth() const {
+    if (!panelShown_) return window_.pixelWidth();
+    return std::max(0, window_.pixelWidth() - static_cast<int>(std::lround(panelUnits * window_.contentScale())));
+}
+
+bool DemoScreen::overPicture(double x) const {
+    return !gui_.popupOpen() && x * window_.pixelsPerUnit() < pictureWidth();
+}
+
+void DemoScreen::handle(const Event& event) {
+    switch (event.kind) {
+        case Event::Kind::key:
+            return onKey(event);
+        case Event::Kind::press:
+            if (event.key != GLFW_MOUSE_BUTTON_LEFT) break;
+            dragging_ = overPicture(event.x);
+            dragX_ = event.x;
+            dragY_ = event.y;
+            break;
+        case Event::Kind::release:
+            if (event.key == GLFW_MOUSE_BUTTON_LEFT) dragging_ = false;
+            break;
+        case Event::Kind::move:
+            if (!dragging_) break;
+            stale_ |= stage_.demo().drag(event.x - dragX_, event.y - dragY_);
+            dragX_ = event.x;
+            dragY_ = event.y;
+            break;
+        case Event::Kind::wheel:
+            if (overPicture(event.x)) stale_ |= stage_.demo().wheel(event.notches);
+            break;
+        case Event::Kind::keyUp:
+        case Event::Kind::character:
+        case Event::Kind::other:
+            break;
+    }
+}
+
+bool DemoScreen::binds(Key key) const {
+    const auto& bindings = stage_.demo().bindings();
+    return std::any_of(bindings.begin(), bindings.end(),
+                       [&](const Binding& binding) { return binding.gesture == Gesture::key && binding.key == key; });
+}
+
+void DemoScreen::onKey(const Event& event) {
+    if (gui_.typing()) return;
+    if (event.key == GLFW_KEY_ESCAPE) {
+        if (gui_.popupOpen()) return gui_.closePopup();
+        wish_ = {Wish::Kind::quit};
+        return;
+    }
+    const std::optional<Key> pressed = demoKey(event.key, event.scancode);
+    const bool control = (event.modifiers & GLFW_MOD_CONTROL) != 0;
+    if ((event.modifiers & (GLFW_MOD_ALT | GLFW_MOD_SUPER)) != 0) return;
+    if (pressed && !control && binds(*pressed)) {
+        stale_ |= stage_.demo().press(*pressed);
+        return;
+    }
+    if (event.repeat) return;
+    if (pressed == key('H')) panelShown_ = !panelShown_;
+    if (pressed == key('S')) save();
+    if (event.key == GLFW_KEY_SPACE) playback_.toggle();
+    if (event.key == GLFW_KEY_BACKSPACE && menu_) wish_ = {Wish::Kind::menu};
+}
+
+// ---- Time
+
+bool DemoScreen::advance(double seconds) {
+    bool changed = false;
+    untilReload_ -= seconds;
+    if (untilReload_ <= 0) {
+        untilReload_ = reloadSeconds;
+        const std::vector<std::string> before = shaderErrors_;
+        reloadShaders();
+        changed = before != shaderErrors_;
+    }
+    stale_ |= playback_.advance(seconds);
+    return changed || stale_;
+}
+
+void DemoScreen::reloadShaders() {
+    std::vector<std::string> errors;
+    try {
+        Reloaded reloaded = reloadChangedPrograms();
+        if (reloaded.programs > 0) stale_ = true;
+        errors = std::move(reloaded.standing);
+    } catch (const std::exception& error) {
+        errors = {error.what()};
+    }
+    if (errors == shaderErrors_) return;
+    shaderErrors_ = std::move(errors);
+    // Beside the panel, the terminal the program was started from has it.
+    for (const std::string& error : shaderErrors_) std::cerr << "error: " << error << std::endl;
+    if (shaderErrors_.empty()) std::cerr << "note: the shaders of " << info_.name << " compile again" << std::endl;
+}
+
+// ---- The picture
+
+void DemoScreen::redraw() {
+    stale_ = false;
+    triedWidth_ = pictureWidth();
+    triedHeight_ = window_.pixelHeight();
+    // What another part of the window did wrong is not the demo's.
+    for (const std::string& problem : takeErrors()) std::cerr << "window: OpenGL: " << problem << "\n";
+    try {
+        stage_.demo().check();  // before the last picture's buffers go for ones of another size
+        if (stage_.front().width() != triedWidth_ || stage_.front().height() != triedHeight_) {
+            hasPicture_ = false;
+            stage_.resize(triedWidth_, triedHeight_);
+        }
+        const auto start = std::chrono::steady_clock::now();
+        stage_.draw(playback_.frame(), panelShown_ || report_ != ReportForm::none);
+        glFinish();
+        lastMs_ = milliseconds(std::chrono::steady_clock::now() - start);
+        if (demoFrames_++ == 0) firstMs_ = lastMs_;
+        drawnFrame_ = playback_.frame();
+        hasPicture_ = true;
+        error_.clear();
+    } catch (const std::exception& error) {
+        error_ = error.what();
+        takeErrors();
+    }
+}
+
+void DemoScreen::showPicture() const {
+    prepareWindowState();
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glViewport(0, 0, window_.pixelWidth(), window_.pixelHeight());
+    glClearColor(0.2F, 0.2F, 0.2F, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    // The upper left corner stays where it is while a picture of another size is the last good one.
+    if (hasPicture_) stage_.front().blitToWindow(0, window_.pixelHeight() - stage_.front().height());
+}
+
+void DemoScreen::draw() {
+    const bool sizeChanged = pictureWidth() != triedWidth_ || window_.pixelHeight() != triedHeight_;
+    if ((stale_ || sizeChanged) && pictureWidth() > 0) redraw();
+    showPicture();
+    gui_.begin();
+    places_.clear();
+    if (panelShown_) {
+        showPanel();
+    } else {
+        showOverlay();
+    }
+    gui_.end();
+}
+
+// ---- The panel
+
+std::vector<Message> DemoScreen::messages() const {
+    std::vector<Message> all;
+    for (const std::string& error : shaderErrors_) all.push_back({error, true});
+    if (!error_.empty()) all.push_back({error_, true});
+    if (error_.empty()) {
+        for (const std::string& note : stage_.notes().messages) all.push_back({note, false});
+    }
+    return all;
+}
+
+void DemoScreen::showPanel() {
+    const auto units = static_cast<float>(1 / window_.pixelsPerUnit());
+    const float left = float(pictureWidth()) * units, height = float(window_.height());
+    ImGui::SetNextWindowPos({left, 0});
+    ImGui::SetNextWindowSize({float(window_.width()) - left, height});
+    ImGui::Begin("panel", nullptr, fixedWindow | ImGuiWindowFlags_NoScrollWithMouse);
+    const std::vector<Message> shown = messages();
+    const float below = messagesHeight(shown, ImGui::GetContentRegionAvail().x, height * 0.5F);
+    // The messages stand at the bottom, always in sight; the rest scrolls above them.
+    ImGui::BeginChild("scroll", {0, below > 0 ? -below - ImGui::GetStyle().ItemSpacing.y : 0}, false,
+                      ImGuiWindowFlags_AlwaysVerticalScrollbar);
+    showPanelContent();
+    ImGui::EndChild();
+    if (below > 0) showMessages(shown, below);
+    ImGui::End();
+}
+
+// With the panel away, what went wrong is still told: over the picture's lower edge.
+void DemoScreen::showOverlay() {
+    const std::vector<Message> shown = messages();
+    if (shown.empty()) return;
+    const auto width = float(window_.width()), height = float(window_.height());
+    const float padding = ImGui::GetStyle().WindowPadding.x;
+    const float tall = messagesHeight(shown, width - 2 * padding, height * 0.5F) + 2 * padding;
+    ImGui::SetNextWindowPos({0, height - tall});
+    ImGui::SetNextWindowSize({width, tall});
+    ImGui::Begin("overlay", nullptr, fixedWindow);
+    showMessages(shown, 0);
+    ImGui::End();
+}
+
+void DemoScreen::showPanelContent() {
+    if (menu_ && button(places_, "Back to the menu")) wish_ = {Wish::Kind::menu};
+    ImGui::PushFont(gui_.titleFont());
+    ImGui::TextUnformatted(info_.name.c_str());
+    ImGui::PopFont();
+    wrapped(info_.sentence);
+    if (!info_.lookFor.empty()) wrapped(color::dim, "Look for: " + info_.lookFor);
+
+    Demo& demo = stage_.demo();
+    if (!demo.knobs().empty() && section("Settings")) stale_ |= knobs_.show(demo);
+    if (playback_.animated() && section("Time")) stale_ |= showTime(playback_, places_, gui_.scale());
+    if (!demo.readouts().empty() && section("Readouts")) showReadouts(demo);
+    if (!stage_.notes().matrices.empty() && section("Matrices")) showMatrices(stage_.notes());
+    if (section("Picture")) showFile();
+    if (section("Keys and mouse")) showControls(demo, info_.animated, menu_);
+}
+
+std::string DemoScreen::defaultName() const { return info_.name + "-" + std::to_string(drawnFrame_) + ".png"; }
+
+std::string DemoScreen::commandLine() const {
+    const Target& target = stage_.front();
+    return copyableCommand(info_, stage_.demo(), drawnFrame_, target.width(), target.height());
+}
+
+void DemoScreen::showFile() {
+    char text[96];
+    std::snprintf(text, sizeof text, "%d x %d pixels, %.2f ms a frame", stage_.front().width(), stage_.front().height(),
+                  lastMs_);
+    ImGui::TextUnformatted(text);
+    tooltip("the last drawn frame until the driver was done with it, with what its readouts took to measure");
+
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float buttonWidth = ImGui::CalcTextSize("Save picture").x + 2 * style.FramePadding.x;
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - buttonWidth - style.ItemSpacing.x);
+    ImGui::InputTextWithHint("##name", defaultName().c_str(), fileName_.data(), fileName_.size());
+    notePlace(places_, "file name");
+    tooltip("the file's name; a file that is there is not replaced, the next free number is taken");
+    ImGui::SameLine();
+    if (button(places_, "Save picture", {buttonWidth, 0})) save();
+    if (!saved_.empty()) wrapped(saveFailed_ ? color::error : color::dim, saved_);
+
+    if (button(places_, "Copy command line", {ImGui::GetContentRegionAvail().x, 0})) copyCommand();
+    tooltip("the command that makes this very picture, to the clipboard");
+    wrapped(color::dim, commandLine());
+}
+
+void DemoScreen::save() {
+    try {
+        if (stale_) redraw();  // of the settings as they are now, not as they were in the last frame
+        if (!error_.empty() || !hasPicture_) throw Error("picture", "must be one of the present settings", error_);
+        const auto path = freePicturePath(fileName_[0] != '\0' ? fileName_.data() : defaultName());
+        writePng(path, stage_.picture());
+        saved_ = "Saved " + path.string();
+        saveFailed_ = false;
+    } catch (const std::exception& error) {
+        saved_ = error.what();
+        saveFailed_ = true;
+        std::cerr << "error: " << error.what() << std::endl;
+    }
+}
+
+void DemoScreen::copyCommand() { window_.copyToClipboard(commandLine()); }
+
+// ---- The report
+
+void DemoScreen::finish(long windowFrames, double seconds) {
+    if (report_ == ReportForm::none) return;
+    FrameTimes times{firstMs_, lastMs_, 0, 0};
+    if (error_.empty() && hasPicture_) {
+        try {
+            times = timeFrames(stage_, drawnFrame_, 9, firstMs_);
+        } catch (const std::exception& error) {
+            error_ = error.what();
+        }
+    }
+    std::string problem;
+    for (const Message& message : messages()) {
+        if (message.error) problem += (problem.empty() ? "" : "\n") + message.text;
+    }
+    std::string text;
+    if (report_ == ReportForm::json) {
+        auto json = nlohmann::ordered_json::parse(reportJson(stage_, drawnFrame_, times));
+        json["command"] = commandLine();
+        if (!problem.empty()) json["error"] = problem;
+        auto& window = json["window"];
+        window = {{"demo_frames", demoFrames_}, {"window_frames", windowFrames}, {"seconds", seconds}};
+        window["playing"] = playback_.playing();
+        for (const auto& [name, r] : places_) {  // "left,top,right,bottom", in window coordinates
+            window["places"][name] =
+                numberText(r.x) + "," + numberText(r.y) + "," + numberText(r.z) + "," + numberText(r.w);
+        }
+        text = json.dump(2) + "\n";
+    } else {
+        char line[128];
+        std::snprintf(line, sizeof line, "window    %ld demo frames, %ld window frames drawn in %.2f s\n", demoFrames_,
+                      windowFrames, seconds);
+        text = reportText(stage_, drawnFrame_, times);
+        text += "command   " + commandLine() + "\n";
+        if (!problem.empty()) text += "error     " + problem + "\n";
+        text += line;
+    }
+    std::cout << text << std::flush;
+    if (!std::cout) throw Error("standard output", "could not be written");
+}
+
+}  // namespace mv

@@ -1,0 +1,42 @@
+// The knobs of a demo as widgets of Dear ImGui.
+#pragma once
+#include <array>
+#include <string>
+
+#include "mv/demo/demo.h"
+#include "mv/host/window/gui.h"
+#include "mv/host/window/places.h"
+
+namespace mv {
+
+class KnobPanel final : public Panel {
+  public:
+    KnobPanel(Gui& gui, Places& places) : gui_(gui), places_(places) {}
+
+    // A row for each knob: name, widget, unit, and a button that sets it back. True when one was moved.
+    bool show(Demo& demo);
+
+    bool slider(const Knob& knob, double& value, double low, double high) override;
+    bool slider(const Knob& knob, int& value, int low, int high) override;
+    bool checkbox(const Knob& knob, bool& value) override;
+    bool choose(const Knob& knob, int& index, const std::vector<Option>& options) override;
+
+  private:
+    bool row(Knob& knob, float labelWidth);
+    bool bar(const Knob& knob, double& value, double low, double high, double digits);
+    bool field(Knob& knob);
+    void openField(const Knob& knob);
+
+    Gui& gui_;
+    Places& places_;
+    // The knob whose value is being typed; "" for none.
+    std::string typed_;
+    std::array<char, 128> text_{};
+    std::string refusal_;
+    bool focusField_ = false;
+};
+
+// Name, range, unit, initial value: what the mouse over a knob tells.
+std::string knobTip(const Knob& knob);
+
+}  // namespace mv

@@ -1,0 +1,35 @@
+// The parts of the panel that only show something.
+#pragma once
+#include <string>
+
+#include "mv/demo/demo.h"
+#include "mv/host/window/gui.h"
+#include "mv/host/window/places.h"
+#include "mv/host/window/playback.h"
+
+namespace mv {
+
+// A heading that folds what stands under it; open at first.
+bool section(const char* title);
+
+// What the demo measured of this picture.
+void showReadouts(const Demo& demo);
+
+// Live tables of the matrices, laid out as on paper.
+void showMatrices(const FrameNotes& notes);
+
+// Play, pause, step, speed. True when another frame is to be shown.
+bool showTime(Playback& playback, Places& places, float scale);
+
+// What keys, drag and wheel do: the demo's own, then the window's.
+void showControls(const Demo& demo, bool animated, bool menu);
+
+// Messages in a box at the bottom: errors red, notes amber. The height they take, 0 where there are none.
+struct Message {
+    std::string text;
+    bool error = false;
+};
+float messagesHeight(const std::vector<Message>& messages, float width, float most);
+void showMessages(const std::vector<Message>& messages, float height);
+
+}  // namespace mv

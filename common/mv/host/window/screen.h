@@ -1,0 +1,38 @@
+// What the window shows: the menu, or a demo. The loop in app.cpp shows one after the other.
+#pragma once
+#include "mv/demo/demo.h"
+#include "mv/host/window/window.h"
+
+namespace mv {
+
+// What is to come after this screen.
+struct Wish {
+    enum class Kind { stay, menu, open, quit };
+    Kind kind = Kind::stay;
+    const DemoInfo* demo = nullptr;  // to open
+};
+
+class Screen {
+  public:
+    Screen() = default;
+    virtual ~Screen() = default;
+    Screen(const Screen&) = delete;
+    Screen& operator=(const Screen&) = delete;
+
+    virtual void handle(const Event& event) = 0;
+    // Lets time pass, a visible window's only; true when something is to be drawn anew for it.
+    virtual bool advance(double seconds) = 0;
+    // Whether it goes on by itself: if not, the loop sleeps until something happens.
+    virtual bool moving() const = 0;
+    // Draws into the window's framebuffer, the widgets included.
+    virtual void draw() = 0;
+    // The window closes, or another screen follows: the report, where one was asked for.
+    virtual void finish(long windowFrames, double seconds) = 0;
+
+    Wish wish() const { return wish_; }
+
+  protected:
+    Wish wish_;
+};
+
+}  // namespace mv
