@@ -93,12 +93,12 @@ const bool added = addDemo<CubeOrtho>({
     .name = "cube-ortho",
     .sentence = "A parallel projection: a box of view, and the matrix that makes it the cube from -1 to 1.",
     .lookFor = "Edges that are parallel stay parallel, and no distance makes the cube smaller; only the box does.",
-    .chapter = "Projection",
+    .chapter = "Viewing and projection",
     .number = 2,
     .width = 512,
     .height = 512,
     .needs = {.depth = true},
-    .sweepAt = {{"spin-x", "30"}, {"spin-y", "40"}},
+    .pose = {{"spin-x", "30"}, {"spin-y", "40"}},
 });
 
 }  // namespace

@@ -102,12 +102,12 @@ const bool added = addDemo<CubePersp>({
     .sentence = "A perspective: a pyramid of view cut off at near and far, and the matrix that makes it a cube.",
     .lookFor = "Far edges are shorter than near ones. The field of view makes both smaller alike; near and far cut the "
                "cube open.",
-    .chapter = "Projection",
+    .chapter = "Viewing and projection",
     .number = 3,
     .width = 512,
     .height = 512,
     .needs = {.depth = true},
-    .sweepAt = {{"spin-x", "30"}, {"spin-y", "40"}},
+    .pose = {{"spin-x", "30"}, {"spin-y", "40"}},
 });
 
 }  // namespace

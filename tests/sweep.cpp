@@ -35,7 +35,7 @@ TEST_P(Sweep, knobs) {
     const std::vector<Knob*>& knobs = run.demo().knobs();
     expectPicture("initial");
     int cases = 1, refused = 0;
-    for (const auto& [name, value] : stage().info().sweepAt) run.set(name, value);
+    strikePose(run.demo(), stage().info());
     for (Knob* knob : knobs) {
         const std::string before = knob->text();
         for (const std::string& value : knob->sweep()) {

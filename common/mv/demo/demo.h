@@ -82,9 +82,9 @@ struct DemoInfo {
     int width = 512, height = 512;  // the original's canvas
     bool animated = false;          // the picture depends on the frame index
     Needs needs = {};
-    // Where the sweep test stands while it moves one knob at a time, for a demo whose first picture would show nothing of
-    // them (a cube seen straight on): knobs and values.
-    std::vector<std::pair<std::string, std::string>> sweepAt = {};
+    // Knobs and values that show the demo better than its first picture does (a cube seen straight on): its small pictures
+    // are drawn in this pose, and the sweep test moves one knob at a time from it.
+    std::vector<std::pair<std::string, std::string>> pose = {};
     std::function<std::unique_ptr<Demo>()> make = {};
 };
 

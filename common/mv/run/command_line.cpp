@@ -88,7 +88,8 @@ void declareFlags(CLI::App& app, Flags& flags, bool launcher) {
     app.add_option("--frames", flags.frames, "several frames; the file is then named a.%04d.png")->type_name("A..B");
     app.add_option("--size", flags.size, "of the picture in pixels; the original's canvas if not given")
         ->type_name("WxH");
-    app.add_flag("--headless{automatic}", flags.headless, "open no window; =osmesa, =egl or =egl-device chooses the host");
+    app.add_flag("--headless{automatic}", flags.headless,
+                 "open no window; =osmesa, =egl or =egl-device chooses the host");
     app.add_option("--compare", flags.compare, "two settings side by side, and their difference (with --shot)")
         ->type_name("KNOB=A,B");
     app.add_flag("--report{text}", flags.report, "print readouts, counters, matrices and times; =json as JSON");

@@ -123,6 +123,7 @@ Picture pictureStrip() {
     int left = 0;
     for (const DemoInfo& info : catalogue()) {
         headless.stage.open(info, info.width, info.height);
+        strikePose(headless.stage.demo(), info);
         headless.stage.draw(1);
         const Picture small = shrink(headless.stage.picture(), side, side);
         for (int y = 0; y < small.height; ++y) {

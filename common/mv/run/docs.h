@@ -17,7 +17,7 @@ std::string lessonPage(const std::string& page, const DemoInfo& info);
 // Writes docs/demos.md, the tables of demos/*.md and docs/strip.png into a source tree.
 void writeDocs(const std::string& root);
 
-// All demos at their first frame, in one row, for the README.
+// All demos in their poses at frame 1, in one row, for the README.
 
 Picture pictureStrip();
 

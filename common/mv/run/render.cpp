@@ -92,16 +92,18 @@ void writeGallery(const std::string& folder) {
         "figure{margin:0;border:1px solid #ccc;border-radius:6px;overflow:hidden}\n"
         "img{width:100%;display:block}\nfigcaption{padding:.8em 1em}\ncode{background:#eee;padding:.1em "
         ".3em}\n</style>\n"
-        "<h1>mvgl gallery</h1>\n<p>Each demo at its first frame. Click a picture for its full size.</p>\n<main>\n";
+        "<h1>mvgl gallery</h1>\n<p>Each demo at frame 1. Click a picture for its full size.</p>\n<main>\n";
     for (const DemoInfo& info : catalogue()) {
         std::fprintf(stderr, "gallery: %s\n", info.name.c_str());
         headless.stage.open(info, info.width, info.height);
+        strikePose(headless.stage.demo(), info);
         headless.stage.draw(1);
         writePng(folder + "/" + info.name + ".png", headless.stage.picture());
         html += "<figure><a href=\"" + info.name + ".png\"><img src=\"" + info.name + ".png\" alt=\"" +
                 htmlEscaped(info.sentence) + "\"></a><figcaption><b>" + info.name + "</b> &middot; " + info.chapter +
                 "<br>" + htmlEscaped(info.sentence) + "<br><i>Look for:</i> " + htmlEscaped(info.lookFor) +
-                "<br><code>./run " + info.name + "</code></figcaption></figure>\n";
+                "<br><code>./run " + copyableCommand(info, headless.stage.demo(), 1, info.width, info.height) +
+                "</code></figcaption></figure>\n";
     }
     html += "</main>\n</html>\n";
     writeFileAtomically(folder + "/index.html", std::string_view(html));

@@ -127,6 +127,10 @@ void Stage::draw(int index, bool readouts) {
     notes_ = std::move(notes);
 }
 
+void strikePose(Demo& demo, const DemoInfo& info) {
+    for (const auto& [name, text] : info.pose) demo.knob(name).parse(text);
+}
+
 void applyKnobs(Demo& demo, const std::vector<KnobSetting>& settings) {
     for (const auto& [name, text] : settings) demo.knob(name).parse(text);
 }

@@ -62,5 +62,7 @@ struct KnobSetting {
     std::string name, text;
 };
 void applyKnobs(Demo& demo, const std::vector<KnobSetting>& settings);
+// Sets the knobs of the demo's pose.
+void strikePose(Demo& demo, const DemoInfo& info);
 
 }  // namespace mv
