@@ -167,6 +167,7 @@ TEST(PerspectiveExtremes, X06RefusalsSayWhatWouldHaveBeenRight) {
     EXPECT_EQ(refusal([] { frustum(1, 1, -1, 1, 1, 2); }), "frustum: left and right must differ, 1");
     EXPECT_EQ(refusal([] { frustum(-1, 1, 2, 2, 1, 2); }), "frustum: bottom and top must differ, 2");
     EXPECT_EQ(refusal([] { frustum(-1, 1, -1, 1, 0, 2); }), "frustum: near must be greater than 0 and finite, 0");
+    EXPECT_EQ(refusal([] { frustum(-1, 1, -1, 1, 3, 2); }), "frustum: far must be greater than near, near 3, far 2");
     EXPECT_EQ(refusal([] { frustumBounds(50, 1, 2, 2); }),
               "frustumBounds: far must be greater than near, near 2, far 2");
 

@@ -179,6 +179,8 @@ TEST(LookAt, RefusalsSayWhatWouldHaveBeenRight) {
     EXPECT_EQ(refusal([&] { lookAt(z, origin, vec3(0, 0, -infinite)); }), "lookAt: up must be finite, (0, 0, -inf)");
     EXPECT_EQ(refusal([&] { lookAt(vec3(1e301, 0, 0), origin, y); }),
               "lookAt: eye must lie within 1e300 of the origin, (1e+301, 0, 0)");
+    EXPECT_EQ(refusal([&] { lookAt(vec3(1e301, 0, 0), vec3(1e301, 0, 5), y); }),
+              "lookAt: eye must lie within 1e300 of the origin, (1e+301, 0, 0)");
     EXPECT_EQ(refusal([&] { lookAtAnyRoll(z, z); }), "lookAtAnyRoll: eye and at must differ, (0, 0, 5)");
     EXPECT_EQ(refusal([&] { lookAtAnyRoll(z, vec3(notANumber)); }),
               "lookAtAnyRoll: at must be finite, (nan, nan, nan)");
@@ -325,18 +327,20 @@ TEST(NormalMatrix, RefusesInfinityAlsoWhereItDoesNotRead) {
     }
 }
 
-// Two columns 1e-9 apart: the plain cross product of them would be wrong from the seventh digit on.
+// Columns 1e-4 to 1e-9 apart: the plain cross product of them would be wrong from the twelfth or seventh digit on.
 TEST(NormalMatrix, IsAccurateWhereThePointsAreSqueezedNearlyFlat) {
-    mat4 m(1);
-    m[0] = vec4(0.3, 0.7, 0.9, 0);
-    m[1] = vec4(0.3, 0.7 + 0x1p-30, 0.9, 0);
-    m[2] = vec4(0.3, 0.7, 0.9 + 0x1p-30, 0);
-    const mat3 ours = normalMatrix(m);
-    for (int i = 0; i < 3; ++i) {
-        for (int k = 0; k < 3; ++k) {
-            if (k == i) continue;
-            // Each column is perpendicular to the other two of m; both have a length of about 1.
-            EXPECT_NEAR(glm::dot(ours[i], vec3(m[k])), 0, rounding) << i << k;
+    for (const double apart : {0x1p-13, 0x1p-20, 0x1p-30}) {
+        mat4 m(1);
+        m[0] = vec4(0.3, 0.7, 0.9, 0);
+        m[1] = vec4(0.3, 0.7 + apart, 0.9, 0);
+        m[2] = vec4(0.3, 0.7, 0.9 + apart, 0);
+        const mat3 ours = normalMatrix(m);
+        for (int i = 0; i < 3; ++i) {
+            for (int k = 0; k < 3; ++k) {
+                if (k == i) continue;
+                // Each column is perpendicular to the other two of m; both have a length of about 1.
+                EXPECT_NEAR(glm::dot(ours[i], vec3(m[k])), 0, rounding) << apart << i << k;
+            }
         }
     }
 }
@@ -350,6 +354,9 @@ TEST(NormalMatrix, X38StaysFiniteUnderAFlatteningScale) {
     // Nearly none: the squares of the cofactors would vanish.
     const mat3 needle = normalMatrix(scale(1, 1e-200, 1e-200));
     EXPECT_LT(distance(needle * vec3(0, 1, 0), {0, std::sqrt(1.5), 0}), rounding);
+    // And too large: the squares would overflow, though those of the columns do not.
+    const mat3 large = normalMatrix(scale(8e153, 2, 2));
+    EXPECT_LT(distance(large * vec3(0, 1, 0), {0, std::sqrt(1.5), 0}), rounding);
     // The twin: the inverse does not exist.
     EXPECT_FALSE(std::isfinite(glm::inverseTranspose(mat3(scale(1, 0, 1)))[1][1]));
     mat4 broken(1);

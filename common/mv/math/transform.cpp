@@ -233,10 +233,11 @@ mat3 normalMatrix(const mat4& m) {
     const double span = glm::dot(yz, x);
 
     // Plain products will do where the columns span enough: the comparison of carefulNormalMatrix without its roots and,
-    // lest roundings decide otherwise than there, a little stricter. With it the two sizes leave no square or product
-    // below 1e-80 or above 1e90. What is not read has only to be finite; a sum tells (one that overflows goes there too).
+    // lest roundings decide otherwise than there, a little stricter. The bounds 1e30 and 1e-80 keep all squares and
+    // products from overflowing and vanishing. What is not read has only to be finite, which its sum tells (one that
+    // overflows goes the careful way too).
     const double unread = m[0].w + m[1].w + m[2].w + m[3].x + m[3].y + m[3].z + m[3].w;
-    const bool plain = xx + yy + zz <= 1e30 && std::abs(span) >= 1e-40 && span * span > 1.001e-6 * xx * yy * zz;
+    const bool plain = xx + yy + zz <= 1e30 && span * span > 1.001e-6 * xx * yy * zz + 1e-80;
     if (!plain || !isFinite(unread)) return carefulNormalMatrix(m);
     const double factor = cofactorScale(glm::dot(yz, yz) + glm::dot(zx, zx) + glm::dot(xy, xy), span);
     return {yz * factor, zx * factor, xy * factor};
