@@ -108,11 +108,18 @@ mat4 cameraFromWorld(std::string_view subject, const vec3& eye, const vec3& at, 
     return carefulCamera(subject, eye, at, up);
 }
 
-// The factor that brings cofactors to a normal matrix. A rotation's elements have squares that sum to 3: with this
-// factor it gives itself. Only the determinant's sign is read.
-double cofactorScale(double squares, double determinant) {
-    const double length = std::sqrt(3.0 / squares);
-    return determinant < 0 ? -length : length;
+// Whether three columns with these squared lengths span enough of their volume for plain products: the angle between
+// any two is not small (the first term), nor is one far shorter than another (the second). The bound leaves 9 of 15
+// digits to the products. Scaling all columns alike changes nothing.
+bool spansEnough(double span, double xx, double yy, double zz) {
+    const double sum = xx + yy + zz;
+    return span * span > 1e-6 * xx * yy * zz + 1e-12 * sum * sum * sum;
+}
+
+// The factor that brings cofactors to a normal matrix: a rotation, times any one scale, gives the rotation, since the
+// squares of its columns sum to three times the scale's square. Only the determinant's sign is read.
+double cofactorScale(double squaresOfColumns, double determinant) {
+    return (determinant < 0 ? -3 : 3) / squaresOfColumns;
 }
 
 // The normal matrix of any m: refuses, scales, and takes care of columns that span little.
@@ -124,20 +131,25 @@ double cofactorScale(double squares, double determinant) {
     if (size == 0) return mat3(0);
     const mat3 linear = timesPowerOfTwo(mat3(m), -scalingExponent(size));
 
-    // Where the columns span little, the plain products have cancelled, and are made again with care.
+    const double xx = glm::dot(linear[0], linear[0]);
+    const double yy = glm::dot(linear[1], linear[1]);
+    const double zz = glm::dot(linear[2], linear[2]);
     mat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
                    glm::cross(linear[0], linear[1]));
     const double span = glm::dot(cofactors[0], linear[0]);
-    if (std::abs(span) <= 1e-3 * glm::length(linear[0]) * glm::length(linear[1]) * glm::length(linear[2])) {
-        cofactors = mat3(accurateCross(linear[1], linear[2]), accurateCross(linear[2], linear[0]),
-                         accurateCross(linear[0], linear[1]));
-    }
+    if (spansEnough(span, xx, yy, zz)) return cofactors * cofactorScale(xx + yy + zz, span);
+
+    // Where the columns span little, the plain products have cancelled, and are made again with care; and they are small,
+    // so that their own size is the one to divide by.
+    cofactors = mat3(accurateCross(linear[1], linear[2]), accurateCross(linear[2], linear[0]),
+                     accurateCross(linear[0], linear[1]));
     const double cofactorSize = largestElement(cofactors);
     if (cofactorSize == 0) return mat3(0);
     cofactors = timesPowerOfTwo(cofactors, -scalingExponent(cofactorSize));
     double squares = 0;
     for (int i = 0; i < 3; ++i) squares += glm::dot(cofactors[i], cofactors[i]);
-    return cofactors * cofactorScale(squares, glm::dot(cofactors[0], linear[0]));
+    const double determinant = glm::dot(cofactors[0], linear[0]);
+    return cofactors * ((determinant < 0 ? -1 : 1) * std::sqrt(3 / squares));
 }
 
 }  // namespace
@@ -232,14 +244,12 @@ mat3 normalMatrix(const mat4& m) {
     const vec3 xy = glm::cross(x, y);
     const double span = glm::dot(yz, x);
 
-    // Plain products will do where the columns span enough: the comparison of carefulNormalMatrix without its roots and,
-    // lest roundings decide otherwise than there, a little stricter. The bounds 1e30 and 1e-80 keep all squares and
-    // products from overflowing and vanishing. What is not read has only to be finite, which its sum tells (one that
-    // overflows goes the careful way too).
+    // Ordinary sizes keep all squares and products from overflowing; where they vanish, spansEnough says no. What is not
+    // read has only to be finite, which its sum tells (one that overflows goes the careful way too).
     const double unread = m[0].w + m[1].w + m[2].w + m[3].x + m[3].y + m[3].z + m[3].w;
-    const bool plain = xx + yy + zz <= 1e30 && span * span > 1.001e-6 * xx * yy * zz + 1e-80;
-    if (!plain || !isFinite(unread)) return carefulNormalMatrix(m);
-    const double factor = cofactorScale(glm::dot(yz, yz) + glm::dot(zx, zx) + glm::dot(xy, xy), span);
+    const double squares = xx + yy + zz;
+    if (!(squares <= 1e30) || !spansEnough(span, xx, yy, zz) || !isFinite(unread)) return carefulNormalMatrix(m);
+    const double factor = cofactorScale(squares, span);
     return {yz * factor, zx * factor, xy * factor};
 }
 
