@@ -55,6 +55,11 @@ TEST(Ortho, RefusalsSayWhatWouldHaveBeenRight) {
     EXPECT_EQ(refusal([] { ortho(-1, 1, -1, 1, 3, 3); }), "ortho: near and far must differ, 3");
     EXPECT_EQ(refusal([] { ortho(-1, notANumber, -1, 1, 1, 3); }), "ortho: right must be finite, nan");
     EXPECT_EQ(refusal([] { ortho(-1, 1, -1, 1, 1, infinite); }), "ortho: far must be finite, inf");
+    // The difference itself overflows, and 2/infinity would flatten the picture without a word.
+    EXPECT_EQ(refusal([] { ortho(-1e308, 1e308, -1, 1, 1, 3); }),
+              "ortho: the bounds must be neither so close nor so far apart that the matrix overflows");
+    EXPECT_EQ(refusal([] { frustum(-1, 1, -1e308, 1e308, 1, 3); }),
+              "frustum: the bounds must be neither so close nor so far apart that the matrix overflows");
     EXPECT_EQ(refusal([] { ortho(-1e308, 1e308, -1e-320, 1e-320, 1, 3); }),
               "ortho: the bounds must be neither so close nor so far apart that the matrix overflows");
 }

@@ -72,8 +72,9 @@ mat4 ortho(double left, double right, double bottom, double top, double near, do
     const double d = far - near;
     const vec3 factor(2.0 / w, 2.0 / h, -2.0 / d);
     const vec3 offset(-(left + right) / w, -(top + bottom) / h, -(near + far) / d);
-    // Two equal bounds give infinity (or 0/0), and one that is not finite gives NaN as an offset.
-    if (!isFinite(factor) || !isFinite(offset)) refuseOrtho({left, right, bottom, top, near, far});
+    // Two equal bounds give infinity (or 0/0), and one that is not finite gives NaN as an offset. Bounds so far apart that
+    // their difference overflows would give 0, a flattened picture.
+    if (!isFinite(factor) || !isFinite(offset) || !isFinite(vec3(w, h, d))) refuseOrtho({left, right, bottom, top, near, far});
     // clang-format off
     return {factor.x, 0,        0,        0,
             0,        factor.y, 0,        0,
@@ -102,7 +103,7 @@ mat4 frustum(double left, double right, double bottom, double top, double near, 
     const vec2 factor(2 * near / w, 2 * near / h);
     const vec4 third((right + left) / w, (top + bottom) / h, -(far + near) / d, -2 * near * far / d);
     // As in ortho: equal or infinite bounds show in the third column.
-    if (!(near > 0 && far > near && isFinite(factor) && isFinite(third))) {
+    if (!(near > 0 && far > near && isFinite(factor) && isFinite(third) && isFinite(vec3(w, h, d)))) {
         refuseFrustum({left, right, bottom, top, near, far});
     }
     // clang-format off
