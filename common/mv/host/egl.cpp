@@ -20,7 +20,6 @@ struct Egl {
     MVGL_EGL(GetProcAddress);
     MVGL_EGL(GetError);
     MVGL_EGL(Initialize);
-    MVGL_EGL(Terminate);
     MVGL_EGL(BindAPI);
     MVGL_EGL(ChooseConfig);
     MVGL_EGL(CreateContext);
@@ -146,10 +145,9 @@ class EglContext final : public Context {
             egl_.DestroyContext(display_, context_);
             context_ = EGL_NO_CONTEXT;
         }
-        if (display_ != EGL_NO_DISPLAY) {
-            egl_.Terminate(display_);
-            display_ = EGL_NO_DISPLAY;
-        }
+        // The display is not terminated: EGL has one for each platform, another context of this process may be using it,
+        // and Mesa would unload its driver under its own exit handlers.
+        display_ = EGL_NO_DISPLAY;
     }
 
     Egl egl_;
