@@ -112,6 +112,7 @@ const bool added = addDemo<CubeCull>({
     .width = 600,
     .height = 600,
     .needs = {.depth = true},
+    .pose = {{"spin-x", "20"}, {"spin-y", "30"}},
 });
 
 }  // namespace

@@ -162,6 +162,7 @@ const bool added = addDemo<StereoCube>({
     .width = 600,
     .height = 600,
     .needs = {.depth = true},
+    .pose = {{"spin-x", "20"}, {"spin-y", "30"}},
 });
 
 }  // namespace

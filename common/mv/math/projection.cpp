@@ -74,7 +74,8 @@ mat4 ortho(double left, double right, double bottom, double top, double near, do
     const vec3 offset(-(left + right) / w, -(top + bottom) / h, -(near + far) / d);
     // Two equal bounds give infinity (or 0/0), and one that is not finite gives NaN as an offset. Bounds so far apart that
     // their difference overflows would give 0, a flattened picture.
-    if (!isFinite(factor) || !isFinite(offset) || !isFinite(vec3(w, h, d))) refuseOrtho({left, right, bottom, top, near, far});
+    if (!isFinite(factor) || !isFinite(offset) || !isFinite(vec3(w, h, d)))
+        refuseOrtho({left, right, bottom, top, near, far});
     // clang-format off
     return {factor.x, 0,        0,        0,
             0,        factor.y, 0,        0,
