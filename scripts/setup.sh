@@ -83,6 +83,6 @@ configure() {
 build_targets() {
   local folder=$1
   shift
-  if ninja -C "$folder" -n "$@" 2>/dev/null | grep -q 'no work to do'; then return; fi
-  ninja -C "$folder" "$@" >&2 || fail "building: must succeed; see above"
+  ninja -C "$folder" "$@" > >(grep --line-buffered -vE 'Re-checking globbed|Entering directory|no work to do' >&2) ||
+    fail "building: must succeed; see above"
 }

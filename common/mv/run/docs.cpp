@@ -119,7 +119,8 @@ Picture pictureStrip() {
     constexpr int side = 150, gap = 6;
     const int count = static_cast<int>(catalogue().size());
     Picture strip(count * side + (count - 1) * gap, side);
-    std::fill(strip.rgba.begin(), strip.rgba.end(), std::uint8_t{255});
+    std::fill(strip.rgba.begin(), strip.rgba.end(), std::uint8_t{200});  // grey between the pictures: some are white
+    for (std::size_t i = 3; i < strip.rgba.size(); i += 4) strip.rgba[i] = 255;
     int left = 0;
     for (const DemoInfo& info : catalogue()) {
         headless.stage.open(info, info.width, info.height);

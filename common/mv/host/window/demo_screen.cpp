@@ -57,8 +57,8 @@ DemoScreen::DemoScreen(Window& window, Gui& gui, Stage& stage, const Command& co
     const int width = sizeGiven ? command.width : info_.width, height = sizeGiven ? command.height : info_.height;
     stage_.open(info_, width, height);
     applyKnobs(stage_.demo(), command.knobs);
-    // A size that was asked for is meant in pixels, an original's canvas in units as large as the screen's.
-    const double units = sizeGiven ? 1 / window_.pixelsPerUnit() : 1;
+    // A size that was asked for is meant in pixels; an original's canvas grows with the screen's density, like the panel.
+    const double units = (sizeGiven ? 1 : window_.contentScale()) / window_.pixelsPerUnit();
     const double panel = panelUnits * window_.contentScale() / window_.pixelsPerUnit();
     window_.setTitle("mvgl: " + info_.name);
     window_.show(static_cast<int>(std::lround(width * units + panel)), static_cast<int>(std::lround(height * units)),
