@@ -64,7 +64,7 @@ class Osmesa final : public Context {
     OsmesaContext context_ = nullptr;
     void (*destroy_)(OsmesaContext) = nullptr;
     void* (*address_)(const char*) = nullptr;
-    std::array<std::uint32_t, side * side> pixels_{};
+    std::array<std::uint32_t, std::size_t{side} * side> pixels_{};
 };
 
 }  // namespace
