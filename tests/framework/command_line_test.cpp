@@ -83,6 +83,7 @@ TEST(CommandLine, refuses_with_the_rule_and_the_nearest_name) {
     EXPECT_TRUE(has(refusal({"cube-cull", "--headless=glx"}), "must be osmesa | egl | egl-device"));
     EXPECT_TRUE(has(refusal({"cube-cull", "--report=xml"}), "must be json"));
     EXPECT_TRUE(has(refusal({"--shot", "a.png"}), "must be named first"));
+    EXPECT_TRUE(has(refusal({"--gallery", "g", "--compare", "cull=back,front"}), "must be named first"));
 }
 
 TEST(CommandLine, help_has_every_knob_with_its_range) {

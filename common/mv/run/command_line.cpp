@@ -124,7 +124,7 @@ std::string helpText(const CLI::App& app) {
 UsageError unknown(const CLI::App& app, const std::string& word) {
     std::vector<std::string> names;
     for (const CLI::Option* option : app.get_options()) names.push_back(option->get_name());
-    if (word.rfind("-", 0) != 0) return {"'" + word + "'", "is no flag; flags begin with -- (--help lists them)"};
+    if (!word.starts_with('-')) return {"'" + word + "'", "is no flag; flags begin with -- (--help lists them)"};
     const std::string flag = word.substr(0, word.find('='));
     return {flag, "is no flag here (--help lists them)" + suggestion(flag, names)};
 }
@@ -169,7 +169,7 @@ Command readFlags(const Flags& flags, Command command, const Demo* demo) {
     const bool wantsDemo = command.action == Action::knobs || command.action == Action::copyable ||
                            command.action == Action::render || !flags.compare.empty() || !flags.size.empty() ||
                            command.frameGiven || !flags.report.empty();
-    if (!demo && wantsDemo && command.action != Action::gallery && command.action != Action::docs) {
+    if (!demo && wantsDemo) {
         throw UsageError("demo", "must be named first, as in: mvgl cube-cull --shot a.png (--list shows them)");
     }
     if (!flags.compare.empty()) {
@@ -212,7 +212,7 @@ Command parseCommandLine(const std::vector<std::string>& arguments) {
         command.demo = &catalogue().front();
         // Its own name may stand first all the same, as in the line that --copyable prints.
         if (!rest.empty() && rest.front() == command.demo->name) rest.erase(rest.begin());
-    } else if (!rest.empty() && rest.front().rfind("-", 0) != 0) {
+    } else if (!rest.empty() && !rest.front().starts_with('-')) {
         try {
             command.demo = &findDemo(rest.front());
         } catch (const Error& error) {

@@ -15,7 +15,7 @@ Picture compareSettings(Stage& stage, int index, const std::string& knob, const 
         stage.demo().knob(knob).parse(value);
         stage.draw(index);
         pictures.push_back(stage.picture());
-        labels.push_back(knob + " = " + value);
+        labels.push_back(std::string(knob).append(" = ").append(value));
     }
     const Difference difference = compare(pictures[0], pictures[1]);
     pictures.push_back(differencePicture(pictures[0], pictures[1]));
