@@ -14,7 +14,7 @@ run(${CMAKE_COMMAND} --install "${BUILD}" --prefix "${work}/first")
 file(RENAME "${work}/first" "${work}/installed")
 file(GLOB sources "${CONSUMER}/*")
 file(COPY ${sources} DESTINATION "${work}/consumer")
-run(${CMAKE_COMMAND} -S "${work}/consumer" -B "${work}/build" "-DCMAKE_PREFIX_PATH=${work}/installed" -DCMAKE_BUILD_TYPE=Release)
+run(${CMAKE_COMMAND} -G Ninja -S "${work}/consumer" -B "${work}/build" "-DCMAKE_PREFIX_PATH=${work}/installed" -DCMAKE_BUILD_TYPE=Release)
 run(${CMAKE_COMMAND} --build "${work}/build")
 
 run("${work}/build/maths")

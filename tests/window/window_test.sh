@@ -17,6 +17,8 @@ if [ "${4:-}" != inside ]; then
     folder=$(mktemp -d) || exit 1
     trap 'rm -rf "$folder"' EXIT
     cd "$folder" || exit 1
+    # Wayland's library complains on standard error where there is none, before GLFW turns to X.
+    [ -n "${XDG_RUNTIME_DIR:-}" ] || { mkdir runtime && chmod 700 runtime && export XDG_RUNTIME_DIR=$folder/runtime; }
     xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" bash "$(cd "$OLDPWD" && realpath "$0")" "$case" "$cubeCull" "$launcher" inside
     exit $?
 fi
