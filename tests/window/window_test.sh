@@ -15,10 +15,11 @@ done
 # -noreset: else the server starts anew whenever the last window has closed, and the next program may come too early.
 if [ "${4:-}" != inside ]; then
     folder=$(mktemp -d) || exit 1
-    trap 'rm -rf "$folder"' EXIT
+    runtime=$(mktemp -d) || exit 1
+    trap 'rm -rf "$folder" "$runtime"' EXIT
     cd "$folder" || exit 1
     # Wayland's library complains on standard error where there is none, before GLFW turns to X.
-    [ -n "${XDG_RUNTIME_DIR:-}" ] || { mkdir runtime && chmod 700 runtime && export XDG_RUNTIME_DIR=$folder/runtime; }
+    [ -n "${XDG_RUNTIME_DIR:-}" ] || export XDG_RUNTIME_DIR=$runtime
     xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" bash "$(cd "$OLDPWD" && realpath "$0")" "$case" "$cubeCull" "$launcher" inside
     exit $?
 fi
@@ -33,6 +34,11 @@ fail() {
 equal() { [ "$2" = "$3" ] || fail "$1: expected '$2', found '$3'"; }
 atMost() { awk -v a="$2" -v b="$3" 'BEGIN { exit !(a != "" && a + 0 <= b + 0) }' || fail "$1: $2 must be at most $3"; }
 atLeast() { awk -v a="$2" -v b="$3" 'BEGIN { exit !(a != "" && a + 0 >= b + 0) }' || fail "$1: $2 must be at least $3"; }
+
+# As slowly as a hand: newer Dear ImGui asks for the state of Control when the key arrives, not when it was pressed.
+withControl() {
+    xdotool keydown ctrl && sleep 0.15 && xdotool key "$1" && sleep 0.15 && xdotool keyup ctrl
+}
 
 # Waits up to 20 s (the machine may be busy) until the command succeeds.
 waitFor() {
@@ -166,7 +172,7 @@ typed() {
     typeValue() {
         at "$x" "$y" && sleep 0.2
         xdotool keydown ctrl && sleep 0.1 && xdotool click 1 && sleep 0.1 && xdotool keyup ctrl && sleep 0.3
-        xdotool key ctrl+a && xdotool type --delay 60 "$1" && xdotool key Return && sleep 0.3
+        withControl a && xdotool type --delay 60 "$1" && xdotool key Return && sleep 0.3
     }
     typeValue 2.125
     quit
@@ -266,7 +272,7 @@ clipboard() {
     start 'mvgl: cube-cull' "$cubeCull" --size 600x1000 --report=json
     clickOn "Copy command line"
     clickOn "file name" # the way to look into the clipboard: paste it, and save under that name
-    xdotool key ctrl+v && sleep 0.3 && xdotool key Return && sleep 0.2
+    withControl v && sleep 0.3 && xdotool key Return && sleep 0.2
     clickOn "Save picture"
     quit
     [ -f "cube-cull --size 600x1000.png" ] || fail "the clipboard did not have the command line: $(ls)"

@@ -112,6 +112,8 @@ bool DemoScreen::binds(Key key) const {
 }
 
 void DemoScreen::onKey(const Event& event) {
+    // The field first: newer Dear ImGui may give it the keyboard back only frames after a refusal.
+    if (event.key == GLFW_KEY_ESCAPE && knobs_.fieldOpen()) return knobs_.closeField();
     if (gui_.typing()) return;
     if (event.key == GLFW_KEY_ESCAPE) {
         if (gui_.popupOpen()) return gui_.closePopup();

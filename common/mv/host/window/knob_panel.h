@@ -21,6 +21,10 @@ class KnobPanel final : public Panel {
     bool checkbox(const Knob& knob, bool& value) override;
     bool choose(const Knob& knob, int& index, const std::vector<Option>& options) override;
 
+    // A field for a value to be typed hangs open in the place of a bar; closing it leaves the value as it was.
+    bool fieldOpen() const { return !typed_.empty(); }
+    void closeField() { typed_.clear(); }
+
   private:
     bool row(Knob& knob, float labelWidth);
     bool bar(const Knob& knob, double& value, double low, double high, double digits);
