@@ -25,7 +25,10 @@ std::pair<std::string, std::string> splitAt(const std::string& text, const std::
 
 int frameNumber(const std::string& flag, const std::string& text) {
     const auto number = wholeNumber(text);
-    if (!number || *number < 0) throw UsageError(flag, "must be a whole number from 0", "'" + text + "'");
+    // Half a year at 60 a second; beyond it an index would come near the end of int.
+    if (!number || *number < 0 || *number > 1'000'000'000) {
+        throw UsageError(flag, "must be a whole number 0 .. 1000000000", "'" + text + "'");
+    }
     return *number;
 }
 
