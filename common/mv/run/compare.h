@@ -9,7 +9,7 @@
 namespace mv {
 
 // Draws frame `index` with the knob at each value, and lays the two pictures and their difference beside each other,
-// each under its label. The knob keeps the second value. The stage is closed afterwards: its demo is drawn out.
+// each under its label. The knob keeps the second value.
 // Error: as Stage::draw.
 Picture compareSettings(Stage& stage, int index, const std::string& knob, const std::vector<std::string>& values);
 
