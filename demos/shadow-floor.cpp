@@ -99,7 +99,9 @@ struct ShadowFloor final : Demo {
         program.set("shadowFromModel", shadowFromWorld * worldFromSquare);
         program.set("crop", crop);
         drawMesh(plate, vec4(0.2, 0, 0, 1), viewFromWorld * shadowFromWorld * worldFromSquare);
-        if (frame.readouts()) measure(corners, shadowFromWorld);
+        measure(corners, shadowFromWorld);
+        if (crop && *onFloor.value() == 0)
+            frame.say("The shadow falls beside the floor: with crop off it is seen there.");
     }
 
     void drawMesh(const Mesh& mesh, const vec4& color, const mat4& viewFromModel) {

@@ -127,6 +127,13 @@ TEST(ShadowFloor, ends_with_the_floor) {
     for (const double l : {light.x, light.z}) area *= std::min(1.5, 1 - l) - std::max(-1.5, -1 - l);
     EXPECT_NEAR(run.readout("on-floor"), area, 1e-14);  // a few roundings of numbers up to 4
     EXPECT_NEAR(run.readout("shadow-area"), 4, 1e-14);
+    // A low light throws the whole shadow beside the floor: nothing is seen of it, and a sentence says where it is.
+    run.set("crop", "on").set("light-x", 0).set("light-height", 0.6).picture();
+    EXPECT_EQ(run.readout("on-floor"), 0);
+    ASSERT_EQ(run.messages().size(), 1U);
+    EXPECT_EQ(run.messages().front().rfind("The shadow falls beside the floor", 0), 0U);
+    run.set("crop", "off").picture();
+    EXPECT_TRUE(run.messages().empty());
 }
 
 TEST(ShadowFloor, moved_by_keys) {
