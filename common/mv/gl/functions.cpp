@@ -190,7 +190,10 @@ int allowedVersion() { return allowed; }
 bool isEs() { return es; }
 
 const Counters& counters() { return counted; }
-void resetCounters(const Counters& to) { counted = to; }
+void resetCounters(const Counters& to) {
+    counted = to;
+    newPass = true;
+}
 long liveObjects() { return live; }
 
 void labelObject(GLenum kind, GLuint id, const std::string& label) {

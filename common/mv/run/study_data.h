@@ -36,8 +36,8 @@ struct StudyRun {
     ErrorAxis axis = ErrorAxis::rms;
     double wrongBeyond = 0.5;
     int width = 0, height = 0, frame = 1;
-    std::string host, renderer, processor;  // who drew, and on what
-    int threads = 0;                        // of the machine
+    std::string host, renderer, processor;                        // who drew, and on what
+    int threads = 0;                                              // of the machine
     std::vector<std::pair<std::string, double>> referenceErrors;  // by scene; Reference::ownError
     std::vector<StudyRow> rows;
 
@@ -57,6 +57,9 @@ std::string studyJson(const StudyRun& run);
 std::string studyCsv(const StudyRun& run);
 // Reads studyJson's text. Error: not such a text, with what is missing.
 StudyRun readStudy(const std::string& json);
+
+// For the code that builds the committed studies in; see cmake/EmbedShaders.cmake.
+bool addStudyFile(const std::string& demo, std::string text);
 
 // The committed study of a demo, which is built in beside its shaders (docs/errors-and-times/<demo>.json); nothing
 // where there is none.
