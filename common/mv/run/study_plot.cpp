@@ -154,6 +154,7 @@ std::string plotScript(const StudyRun& run, const std::string& scene) {
         }
         ++color;
     }
+    if (plots.empty()) throw Error("plot", "must have a row with an error and a time", scene);
     addBlock("with points pt 6 ps 1.9 lw 1.5 lc rgb 'black'", "Pareto-best", isBest);
     std::string script = data;
     script += "set title " + quoted(run.demo + (scene.empty() ? "" : ": " + scene)) + "\n";
