@@ -1,4 +1,5 @@
 # Run as a script: writes OUTPUT, a C++ file that adds each of FILES to the embedded shaders.
+# STUDY, where it exists, is the committed study of the demo NAME.
 # A file in a folder called include keeps that folder in its name. PATHS=ON also notes where the files are.
 set(code "// Generated from shader files; do not edit.\n#include \"mv/gl/shader_source.h\"\n\n")
 set(number 0)
@@ -18,4 +19,9 @@ foreach(file IN LISTS FILES)
     "static const bool added${number} = mv::addShaderFile(\"${name}\", R\"glsl(${text})glsl\", \"${path}\");\n")
   math(EXPR number "${number} + 1")
 endforeach()
+if(STUDY AND EXISTS "${STUDY}")
+  file(READ "${STUDY}" text)
+  string(PREPEND code "#include \"mv/run/study_data.h\"\n")
+  string(APPEND code "static const bool addedStudy = mv::addStudyFile(\"${NAME}\", R\"json(${text})json\");\n")
+endif()
 file(WRITE "${OUTPUT}" "${code}")

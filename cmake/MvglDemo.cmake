@@ -2,7 +2,8 @@
 #
 # Makes the program <name> of one demo: <name>.cpp in the current folder (or SOURCE), with the shader files
 # <name>.vert, <name>.frag, <name>.<variant>.vert ... of the folder SHADERS (default: ../shaders beside the current
-# folder, else the current folder) built in, and the folder's include/*.glsl with them.
+# folder, else the current folder) built in, and the folder's include/*.glsl with them; and the demo's committed study,
+# where ../docs/errors-and-times beside the shaders has one.
 # The demo's objects are the target demo-<name>, for programs of several demos.
 function(mvgl_embed_shaders target name folder)
   file(GLOB files CONFIGURE_DEPENDS
@@ -12,11 +13,13 @@ function(mvgl_embed_shaders target name folder)
   if(NOT files)
     message(FATAL_ERROR "${name}: no shader files ${name}.vert, ${name}.frag in ${folder}")
   endif()
+  file(GLOB study CONFIGURE_DEPENDS "${folder}/../docs/errors-and-times/${name}.json")
   set(output "${CMAKE_CURRENT_BINARY_DIR}/${target}-shaders.cpp")
   add_custom_command(OUTPUT "${output}"
     COMMAND "${CMAKE_COMMAND}" "-DOUTPUT=${output}" "-DFILES=${files}" "-DPATHS=${MVGL_SHADERS_FROM_SOURCE}"
+      "-DSTUDY=${study}" "-DNAME=${name}"
       -P "${MVGL_CMAKE_DIR}/EmbedShaders.cmake"
-    DEPENDS ${files} "${MVGL_CMAKE_DIR}/EmbedShaders.cmake" VERBATIM
+    DEPENDS ${files} ${study} "${MVGL_CMAKE_DIR}/EmbedShaders.cmake" VERBATIM
     COMMENT "Embedding the shaders of ${name}")
   target_sources(${target} PRIVATE "${output}")
 endfunction()

@@ -18,6 +18,14 @@ void Demo::add(Knob* knob) {
     knobs_.push_back(knob);
 }
 
+Reference Demo::reference(const Frame&, const std::function<void(double)>&) const {
+    throw Error("reference", "must be made by a demo that has a study; this one makes none");
+}
+
+std::vector<double> Demo::values() const {
+    throw Error("values", "must be computed by a demo whose study is of values; this one computes none");
+}
+
 Knob& Demo::knob(std::string_view name) const {
     std::vector<std::string> names;
     for (Knob* knob : knobs_) {

@@ -5,6 +5,7 @@
 #pragma once
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "mv/demo/frame.h"
 #include "mv/demo/knob.h"
 #include "mv/demo/readout.h"
+#include "mv/demo/study.h"
 #include "mv/error.h"
 
 namespace mv {
@@ -31,6 +33,13 @@ class Demo {
     // Throws Error where settings that are each in range make no picture together (near beyond far, eye at the target).
     // Headless that ends the program; the window keeps its last picture and shows the sentence.
     virtual void check() const {}
+
+    // For a demo with a study. What is right for the present settings, in the picture that `frame` describes (its size and
+    // index; not drawn into); made by a method that shares nothing with the one under study. Slow ones report the part
+    // that is done.
+    virtual Reference reference(const Frame& frame, const std::function<void(double part)>& progress) const;
+    // For a study of values: computes them for the present settings, without GL. This is what is timed.
+    virtual std::vector<double> values() const;
 
     const std::vector<Knob*>& knobs() const { return knobs_; }
     const std::vector<Readout*>& readouts() const { return readouts_; }
@@ -85,6 +94,8 @@ struct DemoInfo {
     // Knobs and values that show the demo better than its first picture does (a cube seen straight on): its small pictures
     // are drawn in this pose, and the sweep test moves one knob at a time from it.
     std::vector<std::pair<std::string, std::string>> pose = {};
+    // What is to be measured, error against run time (--study).
+    std::optional<Study> study = {};
     std::function<std::unique_ptr<Demo>()> make = {};
 };
 

@@ -1,5 +1,6 @@
 // What a demo is told about the picture it draws, and what it may tell back.
 #pragma once
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,12 +13,21 @@ namespace mv {
 struct FrameNotes {
     std::vector<std::pair<std::string, mat4>> matrices;
     std::vector<std::string> messages;
+    std::vector<std::pair<std::string, double>> counts;
+};
+
+// How a frame is drawn, besides its number and size.
+struct FrameMode {
+    bool readouts = false;
+    bool measuring = false;
+    bool ownError = false;
+    std::function<void()> bindTarget = {};
 };
 
 class Frame {
   public:
-    Frame(int index, int width, int height, FrameNotes& notes, bool readouts = false)
-        : index_(index), width_(width), height_(height), readouts_(readouts), notes_(&notes) {}
+    Frame(int index, int width, int height, FrameNotes& notes, FrameMode mode = {})
+        : index_(index), width_(width), height_(height), mode_(std::move(mode)), notes_(&notes) {}
 
     // Frame n is the original's picture after n of its steps; the first picture of an original is frame 1.
     int index() const { return index_; }
@@ -29,16 +39,26 @@ class Frame {
     double aspect() const { return double(width_) / height_; }
     // Whether anybody reads the readouts of this frame. One that costs draws of its own (a count of triangles, say) is
     // left out where nobody does; the picture is the same either way.
-    bool readouts() const { return readouts_; }
+    bool readouts() const { return mode_.readouts; }
+    // Whether a study asks for its quantity instead of a picture. The target then has one float a pixel (R32F): clear it
+    // to -1, where nothing is compared, and write the quantity (the lit fraction, say) in red where it is.
+    bool measuring() const { return mode_.measuring; }
+    // Whether a reference is to find its own error too, which costs more than it does itself.
+    bool ownError() const { return mode_.ownError; }
+    // Draws go into the picture again, all of it, after a demo has drawn into a target of its own.
+    void bindTarget() const { mode_.bindTarget(); }
 
     // Shows a matrix as a live table, under its name in the form aFromB.
     void show(std::string name, const mat4& matrix) const { notes_->matrices.emplace_back(std::move(name), matrix); }
     // One sentence that the user must see beside this picture (a shadow that cannot be, say).
     void say(std::string message) const { notes_->messages.push_back(std::move(message)); }
+    // Work done in this frame that the framework does not count itself: taps, rays, lights. Shown by --report, and beside
+    // the errors of a study, since it does not depend on the machine.
+    void count(std::string name, double amount) const { notes_->counts.emplace_back(std::move(name), amount); }
 
   private:
     int index_, width_, height_;
-    bool readouts_;
+    FrameMode mode_;
     FrameNotes* notes_;
 };
 

@@ -12,6 +12,11 @@ namespace mv {
 
 class Demo;
 
+// A knob and the value it is set to, as text.
+struct KnobSetting {
+    std::string name, text;
+};
+
 // A setting. To add a kind of knob, derive from it and answer these questions; nothing else has to know the new kind.
 class Knob {
   public:

@@ -21,6 +21,7 @@ Driver driver;
 PFNGLOBJECTLABELPROC driverObjectLabel = nullptr;
 
 Counters counted;
+bool newPass = true;  // nothing was drawn yet into the framebuffer that is bound
 long live = 0;
 int allowed = 33;
 bool es = false;
@@ -52,6 +53,8 @@ struct Refusal<facts, Result (*)(Arguments...)> {
 
 void countPrimitives(GLenum mode, GLsizei count) {
     ++counted.draws;
+    if (newPass) ++counted.passes;
+    newPass = false;
     counted.vertices += count;
     if (mode == GL_TRIANGLES) counted.triangles += count / 3;
     if ((mode == GL_TRIANGLE_STRIP || mode == GL_TRIANGLE_FAN) && count > 2) counted.triangles += count - 2;
@@ -96,7 +99,13 @@ void countedDeleteShader(GLuint name) {
     driver.DeleteShader(name);
 }
 
+void countedBindFramebuffer(GLenum target, GLuint framebuffer) {
+    if (target != GL_READ_FRAMEBUFFER) newPass = true;
+    driver.BindFramebuffer(target, framebuffer);
+}
+
 void layCountersOver() {
+    glBindFramebuffer = countedBindFramebuffer;
     glDrawArrays = countedDrawArrays;
     glDrawElements = countedDrawElements;
     glGenBuffers = countedGenerate<&Driver::GenBuffers>;
@@ -181,7 +190,10 @@ int allowedVersion() { return allowed; }
 bool isEs() { return es; }
 
 const Counters& counters() { return counted; }
-void resetCounters(const Counters& to) { counted = to; }
+void resetCounters(const Counters& to) {
+    counted = to;
+    newPass = true;
+}
 long liveObjects() { return live; }
 
 void labelObject(GLenum kind, GLuint id, const std::string& label) {

@@ -32,6 +32,7 @@ struct Counters {
     long draws = 0;
     long triangles = 0;  // submitted
     long vertices = 0;   // submitted
+    long passes = 0;     // framebuffers bound and then drawn into
 };
 const Counters& counters();
 void resetCounters(const Counters& to = {});

@@ -55,7 +55,7 @@ Target::Target(int width, int height, Buffers buffers, const std::string& label)
         }
     }
     framebuffer_ = makeFramebuffer();
-    color_ = storage(GL_RGBA8, buffers.samples, width, height);
+    color_ = storage(buffers.color, buffers.samples, width, height);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color_.id());
     if (buffers.depth || buffers.stencil) {
@@ -69,7 +69,7 @@ Target::Target(int width, int height, Buffers buffers, const std::string& label)
     labelObject(GL_FRAMEBUFFER, framebuffer_.id(), label);
     if (buffers.samples > 0) {
         single_ = makeFramebuffer();
-        singleColor_ = storage(GL_RGBA8, 0, width, height);
+        singleColor_ = storage(buffers.color, 0, width, height);
         glBindFramebuffer(GL_FRAMEBUFFER, single_.id());
         glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, singleColor_.id());
         requireComplete(label + " resolved");
@@ -99,6 +99,21 @@ Picture Target::read() const {
     bind();
     flipRows(picture);
     return picture;
+}
+
+std::vector<float> Target::readRed() const {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.id());
+    const auto width = static_cast<std::size_t>(width_), height = static_cast<std::size_t>(height_);
+    std::vector<float> values(width * height);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, width_, height_, GL_RED, GL_FLOAT, values.data());
+    bind();
+    for (std::size_t row = 0; row < height / 2; ++row) {  // GL counts rows from below
+        std::swap_ranges(values.begin() + static_cast<std::ptrdiff_t>(row * width),
+                         values.begin() + static_cast<std::ptrdiff_t>((row + 1) * width),
+                         values.begin() + static_cast<std::ptrdiff_t>((height - 1 - row) * width));
+    }
+    return values;
 }
 
 void Target::blitToWindow(int x, int y) const {

@@ -1,6 +1,7 @@
 // The framebuffer a picture is drawn into: exactly the buffers that were asked for.
 #pragma once
 #include <string>
+#include <vector>
 
 #include "mv/gl/object.h"
 #include "mv/image/picture.h"
@@ -15,6 +16,7 @@ class Target {
         bool depth = false;
         bool stencil = false;
         int samples = 0;
+        GLenum color = GL_RGBA8;  // or GL_R32F, for a quantity instead of a picture
     };
     Target() = default;
     // Error: a size the driver cannot make, a number of samples it does not have.
@@ -28,6 +30,8 @@ class Target {
     void bind() const;
     // The colours as a picture, samples resolved. Leaves the target bound.
     Picture read() const;
+    // Red as numbers, the upper row first, for a target of floats without samples. Leaves the target bound.
+    std::vector<float> readRed() const;
     // Copies the colours to the window's framebuffer with the lower left corner at (x, y), and leaves that bound.
     void blitToWindow(int x, int y) const;
 

@@ -80,7 +80,7 @@ std::string knobHelp(const Knob& knob) {
 
 // The flags of the command line; each has one line here, and its value is read below.
 struct Flags {
-    std::string shot, frame, frames, headless, size, compare, report, knobs, gallery, docs;
+    std::string shot, frame, frames, headless, size, compare, report, knobs, gallery, docs, study, vary;
     bool list = false, version = false, copyable = false;
 };
 
@@ -95,6 +95,10 @@ void declareFlags(CLI::App& app, Flags& flags, bool launcher) {
                  "open no window; =osmesa, =egl or =egl-device chooses the host");
     app.add_option("--compare", flags.compare, "two settings side by side, and their difference (with --shot)")
         ->type_name("KNOB=A,B");
+    app.add_option("--study", flags.study, "error against run time: study.csv, study.json, study.svg and a table")
+        ->type_name("DIR");
+    app.add_option("--vary", flags.vary, "a study by hand: KNOB=A..B:N or KNOB=a,b,c (with --study)")
+        ->type_name("WHAT");
     app.add_flag("--report{text}", flags.report, "print readouts, counters, matrices and times; =json as JSON");
     app.add_flag("--knobs{text}", flags.knobs, "list the knobs; =json as JSON");
     app.add_flag("--copyable", flags.copyable, "print the command line of these settings");
@@ -162,6 +166,10 @@ Command readFlags(const Flags& flags, Command command, const Demo* demo) {
     } else if (!flags.docs.empty()) {
         command.action = Action::docs;
         command.folder = flags.docs;
+    } else if (!flags.study.empty()) {
+        command.action = Action::study;
+        command.folder = flags.study;
+        command.vary = flags.vary;
     } else if (!flags.knobs.empty()) {
         command.action = Action::knobs;
     } else if (flags.copyable) {
@@ -170,11 +178,12 @@ Command readFlags(const Flags& flags, Command command, const Demo* demo) {
         command.action = Action::render;
     }
     const bool wantsDemo = command.action == Action::knobs || command.action == Action::copyable ||
-                           command.action == Action::render || !flags.compare.empty() || !flags.size.empty() ||
-                           command.frameGiven || !flags.report.empty();
+                           command.action == Action::render || command.action == Action::study ||
+                           !flags.compare.empty() || !flags.size.empty() || command.frameGiven || !flags.report.empty();
     if (!demo && wantsDemo) {
         throw UsageError("demo", "must be named first, as in: mvgl cube-cull --shot a.png (--list shows them)");
     }
+    if (!flags.vary.empty() && flags.study.empty()) throw UsageError("--vary", "needs --study DIR for its files");
     if (!flags.compare.empty()) {
         readCompare(flags.compare, *demo, command);
         if (flags.shot.empty()) throw UsageError("--compare", "needs --shot FILE for its picture");

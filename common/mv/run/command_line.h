@@ -17,7 +17,7 @@ class UsageError : public Error {
     explicit UsageError(const Error& error) : Error(error) {}
 };
 
-enum class Action { window, render, help, list, version, knobs, copyable, gallery, docs };
+enum class Action { window, render, help, list, version, knobs, copyable, gallery, docs, study };
 enum class ReportForm { none, text, json };
 
 struct Command {
@@ -33,7 +33,8 @@ struct Command {
     std::vector<std::string> compareValues;
     ReportForm report = ReportForm::none;
     bool json = false;   // --knobs=json
-    std::string folder;  // of --gallery and --docs
+    std::string folder;  // of --gallery, --docs and --study
+    std::string vary;    // of --study: KNOB=A..B:N or KNOB=a,b,c; "" for the demo's own study
     std::string text;    // what --help prints
 };
 

@@ -10,6 +10,7 @@
 #include "mv/run/docs.h"
 #include "mv/run/render.h"
 #include "mv/run/report.h"
+#include "mv/run/study.h"
 #include "mv/run/window_module.h"
 
 namespace mv {
@@ -57,6 +58,8 @@ void act(const Command& command) {
             return writeGallery(command.folder);
         case Action::docs:
             return writeDocs(command.folder);
+        case Action::study:
+            return study(command);
         case Action::render:
             return render(command);
         case Action::window:

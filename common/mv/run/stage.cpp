@@ -70,7 +70,7 @@ Stage::~Stage() {
 }
 
 void Stage::makeTargets(int width, int height) {
-    const Target::Buffers buffers{info_->needs.depth, info_->needs.stencil, info_->needs.samples};
+    const Target::Buffers buffers{info_->needs.depth, info_->needs.stencil, info_->needs.samples, GL_RGBA8};
     Target first(width, height, buffers, info_->name);
     Target second = keepLast_ ? Target(width, height, buffers, info_->name + " last") : Target();
     targets_[0] = std::move(first);
@@ -99,6 +99,7 @@ void Stage::close() {
     notes_ = {};
     targets_[0] = Target();
     targets_[1] = Target();
+    measured_ = Target();
     forgetText();
     if (liveObjects() != 0) {
         throw Error(info_ ? info_->name : "stage", "must delete its GL objects; left behind",
@@ -110,21 +111,36 @@ void Stage::resize(int width, int height) {
     if (width != front().width() || height != front().height()) makeTargets(width, height);
 }
 
-void Stage::draw(int index, bool readouts) {
+void Stage::drawInto(const Target& target, int index, FrameMode mode) {
     demo_->check();
     FrameNotes notes;
-    const int drawn = keepLast_ ? 1 - shown_ : shown_;
-    targets_[drawn].bind();
-    if (readouts) {
+    mode.bindTarget = [&target] { target.bind(); };
+    target.bind();
+    if (mode.readouts) {
         for (Readout* readout : demo_->readouts()) readout->clear();
     }
     resetCounters();
-    demo_->draw(Frame(index, targets_[drawn].width(), targets_[drawn].height(), notes, readouts));
+    demo_->draw(Frame(index, target.width(), target.height(), notes, mode));
     counters_ = counters();
     const std::vector<std::string> errors = takeErrors();
     if (!errors.empty()) throw Error("OpenGL in " + info_->name, "must report no error", errors.front());
-    shown_ = drawn;
     notes_ = std::move(notes);
+}
+
+void Stage::draw(int index, bool readouts) {
+    const int drawn = keepLast_ ? 1 - shown_ : shown_;
+    drawInto(targets_[drawn], index, {.readouts = readouts});
+    shown_ = drawn;
+}
+
+std::vector<float> Stage::measure(int index) {
+    if (measured_.width() != front().width() || measured_.height() != front().height()) {
+        measured_ = Target(front().width(), front().height(),
+                           {.depth = info_->needs.depth, .stencil = info_->needs.stencil, .color = GL_R32F},
+                           info_->name + " measured");
+    }
+    drawInto(measured_, index, {.measuring = true});
+    return measured_.readRed();
 }
 
 void strikePose(Demo& demo, const DemoInfo& info) {

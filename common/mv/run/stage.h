@@ -35,7 +35,10 @@ class Stage {
     // Draws frame `index`; with `readouts`, also measures what the demo reads out. Error: the settings make no picture
     // (check()), or GL reports an error.
     void draw(int index, bool readouts = false);
-    // What the last good draw left.
+    // Draws frame `index` with frame.measuring() into a target of its own and returns the quantity, one float a pixel,
+    // the upper row first; -1 where the demo has none. The picture is not touched. Error: as draw().
+    std::vector<float> measure(int index);
+    // What the last good draw, or measure, left.
     const FrameNotes& notes() const { return notes_; }
     const Counters& frameCounters() const { return counters_; }
     Picture picture() const { return front().read(); }
@@ -47,20 +50,18 @@ class Stage {
 
   private:
     void makeTargets(int width, int height);
+    void drawInto(const Target& target, int index, FrameMode mode);
     bool keepLast_;
     DriverInfo driver_;
     const DemoInfo* info_ = nullptr;
     std::unique_ptr<Demo> demo_;
     Target targets_[2];
+    Target measured_;  // made when something is measured
     int shown_ = 0;
     FrameNotes notes_;
     Counters counters_;
 };
 
-// A knob and the value it is set to, as text.
-struct KnobSetting {
-    std::string name, text;
-};
 void applyKnobs(Demo& demo, const std::vector<KnobSetting>& settings);
 // Sets the knobs of the demo's pose.
 void strikePose(Demo& demo, const DemoInfo& info);

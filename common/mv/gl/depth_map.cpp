@@ -1,0 +1,53 @@
+#include "mv/gl/depth_map.h"
+
+#include "mv/error.h"
+
+namespace mv {
+
+DepthMap::DepthMap(int size, const std::string& label) : size_(size) {
+    GLint largest = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+    if (size < 1 || size > largest) {
+        throw Error(label, "must have 1 .. " + std::to_string(largest) + " texels a side on this driver",
+                    std::to_string(size));
+    }
+    texture_ = makeTexture();
+    glBindTexture(GL_TEXTURE_2D, texture_.id());
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, size, size, 0, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, nullptr);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+    labelObject(GL_TEXTURE, texture_.id(), label);
+
+    GLint before = 0;
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &before);
+    framebuffer_ = makeFramebuffer();
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, texture_.id(), 0);
+    const GLenum none = GL_NONE;
+    glDrawBuffers(1, &none);
+    glReadBuffer(GL_NONE);
+    const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
+    labelObject(GL_FRAMEBUFFER, framebuffer_.id(), label);
+    glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(before));
+    if (status != GL_FRAMEBUFFER_COMPLETE) {
+        throw Error(label, "must be complete; the driver refuses a depth texture alone", std::to_string(status));
+    }
+}
+
+void DepthMap::bindForDrawing() const {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+    glViewport(0, 0, size_, size_);
+}
+
+void DepthMap::bind(int unit, DepthLookup lookup) const {
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glBindTexture(GL_TEXTURE_2D, texture_.id());
+    const bool compares = lookup != DepthLookup::depth;
+    const GLint filter = lookup == DepthLookup::compareLinear ? GL_LINEAR : GL_NEAREST;
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, compares ? GL_COMPARE_REF_TO_TEXTURE : GL_NONE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
+}
+
+}  // namespace mv

@@ -1,0 +1,39 @@
+// Runs studies: error against run time.
+#pragma once
+#include <functional>
+#include <string>
+
+#include "mv/run/command_line.h"
+#include "mv/run/study_data.h"
+
+namespace mv {
+
+struct StudyOptions {
+    int rounds = 7;     // timed runs of each row, interleaved; an untimed one goes before each
+    bool timed = true;  // false: errors and counts only, without the reference's own error, as a test wants
+    // A line of progress for people, now and then.
+    std::function<void(const std::string& line)> progress = {};
+};
+
+// The study that the demo declares, or with --vary one made by hand: the knob's values in the demo's own scene.
+// Error: the demo declares none; --vary of a demo without a reference; a range the knob does not have.
+Study studyOf(const DemoInfo& info, const std::vector<KnobSetting>& knobs, const std::string& vary);
+
+// Runs it on the stage, which must be open with the demo; its knobs end as they were. A setting that fails is a row
+// with its reason as status. Error: the reference cannot be made.
+StudyRun runStudy(Stage& stage, const Study& study, const StudyOptions& options);
+
+// The table that --study prints: a row a setting, the Pareto-best marked with *.
+std::string studyTable(const StudyRun& run);
+
+// The plot as SVG, drawn by gnuplot: error on x, time on y, both logarithmic, one line a method. Error: gnuplot is
+// missing (package gnuplot-nox) or fails; no row has both numbers.
+std::string studySvg(const StudyRun& run);
+
+// --study DIR: runs, prints the table, writes study.csv, study.json and study.svg into the folder.
+void study(const Command& command);
+
+// docs/errors-and-times/<demo>.md, from a committed run.
+std::string studyPage(const StudyRun& run, const DemoInfo& info);
+
+}  // namespace mv

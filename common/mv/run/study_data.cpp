@@ -1,0 +1,230 @@
+#include "mv/run/study_data.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "mv/error.h"
+
+namespace mv {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Six digits say all that a measurement can.
+double rounded(double value) {
+    char text[32];
+    const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::general, 6);
+    double result = 0;
+    std::from_chars(text, end.ptr, result);
+    return result;
+}
+
+Json errorJson(const StudyError& error) {
+    return {{"rms", rounded(error.rms)},
+            {"max", rounded(error.max)},
+            {"fraction", rounded(error.fraction)},
+            {"n", error.n}};
+}
+
+StudyError errorOf(const Json& json) { return {json.at("rms"), json.at("max"), json.at("fraction"), json.at("n")}; }
+
+std::optional<double> number(const std::string& text) {
+    double value = 0;
+    const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (result.ec != std::errc() || result.ptr != text.data() + text.size()) return {};
+    return value;
+}
+
+// Slope of log y over log parameter, by least squares.
+std::optional<double> slope(const StudyRun& run, const std::string& scene, const std::string& method,
+                            const std::function<double(const StudyRow&)>& y) {
+    std::vector<std::pair<double, double>> points;
+    for (const StudyRow& row : run.rows) {
+        if (row.scene != scene || row.method != method || !row.ok()) continue;
+        const auto parameter = number(row.parameter);
+        if (parameter && *parameter > 0 && y(row) > 0) points.emplace_back(std::log(*parameter), std::log(y(row)));
+    }
+    if (points.size() < 3) return {};
+    double meanX = 0, meanY = 0, xx = 0, xy = 0;
+    for (const auto& [x, value] : points) {
+        meanX += x / double(points.size());
+        meanY += value / double(points.size());
+    }
+    for (const auto& [x, value] : points) {
+        xx += (x - meanX) * (x - meanX);
+        xy += (x - meanX) * (value - meanY);
+    }
+    if (xx == 0) return {};
+    return xy / xx;
+}
+
+std::string csvField(const std::string& text) {
+    if (text.find_first_of(",\"\n") == std::string::npos) return text;
+    std::string quoted = "\"";
+    for (const char c : text) {
+        if (c == '"') quoted += '"';
+        quoted += c;
+    }
+    return quoted + "\"";
+}
+
+}  // namespace
+
+std::optional<double> errorSlope(const StudyRun& run, const std::string& scene, const std::string& method) {
+    return slope(run, scene, method, [&](const StudyRow& row) { return run.shownError(row); });
+}
+
+std::optional<double> timeSlope(const StudyRun& run, const std::string& scene, const std::string& method) {
+    return slope(run, scene, method, [](const StudyRow& row) { return row.msMedian; });
+}
+
+void markBest(StudyRun& run) {
+    for (StudyRow& row : run.rows) {
+        row.best =
+            row.ok() && row.rounds > 0 && std::none_of(run.rows.begin(), run.rows.end(), [&](const StudyRow& other) {
+                if (!other.ok() || other.scene != row.scene) return false;
+                const double nearer = run.shownError(row) - run.shownError(other);
+                const double faster = row.msMedian - other.msMedian;
+                return nearer >= 0 && faster >= 0 && (nearer > 0 || faster > 0);
+            });
+    }
+}
+
+std::string studyJson(const StudyRun& run) {
+    Json json;
+    json["demo"] = run.demo;
+    json["quantity"] = run.quantity;
+    json["reference"] = run.reference;
+    json["axis"] = run.axis == ErrorAxis::rms ? "rms" : "fraction";
+    json["wrong_beyond"] = run.wrongBeyond;
+    json["width"] = run.width;
+    json["height"] = run.height;
+    json["frame"] = run.frame;
+    json["host"] = run.host;
+    json["renderer"] = run.renderer;
+    json["processor"] = run.processor;
+    json["threads"] = run.threads;
+    json["reference_errors"] = Json::object();
+    for (const auto& [scene, error] : run.referenceErrors) json["reference_errors"][scene] = rounded(error);
+    json["rows"] = Json::array();
+    for (const StudyRow& row : run.rows) {
+        Json entry;
+        entry["scene"] = row.scene;
+        entry["method"] = row.method;
+        entry["parameter"] = row.parameter;
+        entry["settings"] = Json::object();
+        for (const auto& [name, text] : row.settings) entry["settings"][name] = text;
+        entry["status"] = row.status;
+        entry["all"] = errorJson(row.all);
+        entry["inside"] = errorJson(row.inside);
+        entry["unmatched"] = row.unmatched;
+        entry["ms_median"] = rounded(row.msMedian);
+        entry["ms_mad"] = rounded(row.msMad);
+        entry["rounds"] = row.rounds;
+        entry["counts"] = Json::object();
+        for (const auto& [name, amount] : row.counts) entry["counts"][name] = amount;
+        entry["best"] = row.best;
+        json["rows"].push_back(std::move(entry));
+    }
+    return json.dump(1) + "\n";
+}
+
+std::string studyCsv(const StudyRun& run) {
+    std::string text =
+        "scene,method,parameter,err_rms,err_max,err_frac,inside_rms,inside_max,inside_frac,ms_median,ms_mad,n,rounds,"
+        "unmatched,ops,best,reference,status\n";
+    for (const StudyRow& row : run.rows) {
+        std::string ops;
+        for (const auto& [name, amount] : row.counts) {
+            ops += std::string(ops.empty() ? "" : " ").append(name).append("=").append(numberText(amount));
+        }
+        const auto add = [&](const std::string& field) { text += csvField(field) + ","; };
+        const auto addNumber = [&](double value) { add(row.ok() ? numberText(rounded(value)) : ""); };
+        add(row.scene);
+        add(row.method);
+        add(row.parameter);
+        for (const StudyError* error : {&row.all, &row.inside}) {
+            addNumber(error->rms);
+            addNumber(error->max);
+            addNumber(error->fraction);
+        }
+        addNumber(row.msMedian);
+        addNumber(row.msMad);
+        add(std::to_string(row.all.n));
+        add(std::to_string(row.rounds));
+        add(std::to_string(row.unmatched));
+        add(ops);
+        add(row.best ? "best" : "");
+        add(run.reference);
+        text += csvField(row.status) + "\n";
+    }
+    return text;
+}
+
+StudyRun readStudy(const std::string& text) {
+    try {
+        const Json json = Json::parse(text);
+        StudyRun run;
+        run.demo = json.at("demo");
+        run.quantity = json.at("quantity");
+        run.reference = json.at("reference");
+        run.axis = json.at("axis") == "rms" ? ErrorAxis::rms : ErrorAxis::fraction;
+        run.wrongBeyond = json.at("wrong_beyond");
+        run.width = json.at("width");
+        run.height = json.at("height");
+        run.frame = json.at("frame");
+        run.host = json.at("host");
+        run.renderer = json.at("renderer");
+        run.processor = json.at("processor");
+        run.threads = json.at("threads");
+        for (const auto& [scene, error] : json.at("reference_errors").items()) {
+            run.referenceErrors.emplace_back(scene, error.get<double>());
+        }
+        for (const Json& entry : json.at("rows")) {
+            StudyRow row;
+            row.scene = entry.at("scene");
+            row.method = entry.at("method");
+            row.parameter = entry.at("parameter");
+            for (const auto& [name, value] : entry.at("settings").items()) row.settings.push_back({name, value});
+            row.status = entry.at("status");
+            row.all = errorOf(entry.at("all"));
+            row.inside = errorOf(entry.at("inside"));
+            row.unmatched = entry.at("unmatched");
+            row.msMedian = entry.at("ms_median");
+            row.msMad = entry.at("ms_mad");
+            row.rounds = entry.at("rounds");
+            for (const auto& [name, amount] : entry.at("counts").items()) {
+                row.counts.emplace_back(name, amount.get<double>());
+            }
+            row.best = entry.at("best");
+            run.rows.push_back(std::move(row));
+        }
+        return run;
+    } catch (const Json::exception& problem) {
+        throw Error("study", "must be the text of a study.json of this version", problem.what());
+    }
+}
+
+namespace {
+// Never destroyed: the files of the demos fill it before main, in any order.
+std::map<std::string, std::string>& committedTexts() {
+    static auto& texts = *new std::map<std::string, std::string>;
+    return texts;
+}
+}  // namespace
+
+bool addStudyFile(const std::string& demo, std::string text) {
+    return committedTexts().emplace(demo, std::move(text)).second;
+}
+
+std::optional<StudyRun> committedStudy(const std::string& demo) {
+    const auto found = committedTexts().find(demo);
+    if (found == committedTexts().end()) return {};
+    return readStudy(found->second);
+}
+
+}  // namespace mv

@@ -1,0 +1,68 @@
+// The outcome of a study: rows of errors, times and counts, and their file.
+#pragma once
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "mv/demo/study.h"
+
+namespace mv {
+
+// How far the values are from the reference. Dimensionless or in the unit of the quantity.
+struct StudyError {
+    double rms = 0;
+    double max = 0;
+    double fraction = 0;  // of the values that are wrong, 0..1
+    long n = 0;           // values compared
+};
+
+struct StudyRow {
+    std::string scene, method;
+    std::string parameter;              // the value of the line's knob; "" for a single point
+    std::vector<KnobSetting> settings;  // all knobs that the row sets
+    StudyError all, inside;             // of all values, and without the edge band
+    long unmatched = 0;                 // pixels that count for only one of the two: for the demo, or for the reference
+    double msMedian = 0, msMad = 0;     // milliseconds of one frame, or of one values()
+    int rounds = 0;
+    std::vector<std::pair<std::string, double>> counts;  // triangles, fragments, passes, taps ...
+    std::string status = "ok";                           // or why there is no number
+    bool best = false;  // no other row of the scene is both nearer to the reference and faster
+    bool ok() const { return status == "ok"; }
+};
+
+struct StudyRun {
+    std::string demo, quantity, reference;
+    ErrorAxis axis = ErrorAxis::rms;
+    double wrongBeyond = 0.5;
+    int width = 0, height = 0, frame = 1;
+    std::string host, renderer, processor;                        // who drew, and on what
+    int threads = 0;                                              // of the machine
+    std::vector<std::pair<std::string, double>> referenceErrors;  // by scene; Reference::ownError
+    std::vector<StudyRow> rows;
+
+    // The error that the plot shows.
+    double shownError(const StudyRow& row) const { return axis == ErrorAxis::rms ? row.all.rms : row.all.fraction; }
+};
+
+// How a line's error falls (or its time grows) with its parameter p: the least-squares slope of the logarithms, so that
+// the quantity goes as p^slope. Nothing where fewer than three of the line's rows have a positive number.
+std::optional<double> errorSlope(const StudyRun& run, const std::string& scene, const std::string& method);
+std::optional<double> timeSlope(const StudyRun& run, const std::string& scene, const std::string& method);
+
+// Marks the rows that are Pareto-best in their scene.
+void markBest(StudyRun& run);
+
+std::string studyJson(const StudyRun& run);
+std::string studyCsv(const StudyRun& run);
+// Reads studyJson's text. Error: not such a text, with what is missing.
+StudyRun readStudy(const std::string& json);
+
+// For the code that builds the committed studies in; see cmake/EmbedShaders.cmake.
+bool addStudyFile(const std::string& demo, std::string text);
+
+// The committed study of a demo, which is built in beside its shaders (docs/errors-and-times/<demo>.json); nothing
+// where there is none.
+std::optional<StudyRun> committedStudy(const std::string& demo);
+
+}  // namespace mv

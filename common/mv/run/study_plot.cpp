@@ -1,0 +1,279 @@
+// What a study looks like: its table, its plot and its page.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "mv/error.h"
+#include "mv/image/file.h"
+#include "mv/run/study.h"
+
+namespace mv {
+namespace {
+
+std::string formatted(const char* format, double value) {
+    char text[64];
+    std::snprintf(text, sizeof text, format, value);
+    return text;
+}
+
+// Three digits, an exact zero as "0".
+std::string errorText(double value) { return value == 0 ? "0" : formatted("%.3g", value); }
+
+std::vector<std::string> scenesOf(const StudyRun& run) {
+    std::vector<std::string> scenes;
+    for (const StudyRow& row : run.rows) {
+        if (std::find(scenes.begin(), scenes.end(), row.scene) == scenes.end()) scenes.push_back(row.scene);
+    }
+    return scenes;
+}
+
+std::vector<std::string> methodsOf(const StudyRun& run, const std::string& scene) {
+    std::vector<std::string> methods;
+    for (const StudyRow& row : run.rows) {
+        if (row.scene != scene) continue;
+        if (std::find(methods.begin(), methods.end(), row.method) == methods.end()) methods.push_back(row.method);
+    }
+    return methods;
+}
+
+// Columns of text, each as wide as its widest cell; the first `left` of them flush left.
+std::string aligned(const std::vector<std::vector<std::string>>& rows, std::size_t left) {
+    std::vector<std::size_t> widths;
+    for (const auto& row : rows) {
+        widths.resize(std::max(widths.size(), row.size()));
+        for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+    }
+    std::string text;
+    for (const auto& row : rows) {
+        std::string line;
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            const std::string space(widths[i] - row[i].size(), ' ');
+            line += i < left ? row[i] + space : space + row[i];
+            line += "  ";
+        }
+        while (line.ends_with(' ')) line.pop_back();
+        text += line + "\n";
+    }
+    return text;
+}
+
+std::string countsText(const StudyRow& row) {
+    std::string text;
+    for (const auto& [name, amount] : row.counts) {
+        if (!text.empty()) text += ", ";
+        text += std::string(name).append(" ").append(formatted("%.10g", amount));
+    }
+    return text;
+}
+
+std::string machineText(const StudyRun& run) {
+    return run.renderer + ", " + run.processor + ", " + std::to_string(run.threads) + " threads";
+}
+
+std::string referenceText(const StudyRun& run) {
+    std::string text = run.reference;
+    for (const auto& [scene, error] : run.referenceErrors) {
+        text += std::string("; ")
+                    .append(scene.empty() ? "its" : scene + ": its")
+                    .append(" own error ")
+                    .append(errorText(error))
+                    .append(" by doubling");
+    }
+    return text;
+}
+
+// ---- gnuplot
+
+// A text in gnuplot's double quotes; its enhanced mode is off where this is used.
+std::string quoted(const std::string& text) {
+    std::string result = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\') result += '\\';
+        result += c;
+    }
+    return result + "\"";
+}
+
+std::string legend(const StudyRun& run, const std::string& scene, const std::string& method) {
+    std::string text = method;
+    if (const auto slope = errorSlope(run, scene, method)) text += formatted(" (slope %.2f)", *slope);
+    return text;
+}
+
+// Of the errors that are not 0, and where 0 is drawn; of the times.
+struct PlotRange {
+    double low, high, zero;
+    double fastest, slowest;
+};
+
+PlotRange plotRange(const StudyRun& run, const std::string& scene) {
+    double low = 0, high = 0, fastest = 0, slowest = 0;
+    for (const StudyRow& row : run.rows) {
+        if (row.scene != scene || !row.ok() || row.rounds == 0) continue;
+        fastest = fastest == 0 ? row.msMedian : std::min(fastest, row.msMedian);
+        slowest = std::max(slowest, row.msMedian);
+        const double error = run.shownError(row);
+        if (error <= 0) continue;
+        low = low == 0 ? error : std::min(low, error);
+        high = std::max(high, error);
+    }
+    if (low == 0) low = high = 1;
+    if (fastest == 0) fastest = slowest = 1;
+    const double decade = std::pow(10, std::floor(std::log10(low)));
+    return {decade, 2 * high, decade / 6, fastest / 1.5, slowest * 1.5};
+}
+
+// 1, 2 and 5 of every decade: a range of times may lie between two powers of ten.
+std::string timeTics(const PlotRange& range) {
+    std::string tics;
+    for (double decade = std::pow(10, std::floor(std::log10(range.fastest))); decade <= range.slowest; decade *= 10) {
+        for (const double step : {1.0, 2.0, 5.0}) {
+            const std::string text = formatted("%g", step * decade);
+            tics += (tics.empty() ? "'" : ", '") + text + "' " + text;
+        }
+    }
+    return "set ytics (" + tics + ")\n";
+}
+
+// One scene's plot. Zero has no place on a logarithmic axis; it gets a column of its own at the left.
+std::string plotScript(const StudyRun& run, const std::string& scene) {
+    const PlotRange range = plotRange(run, scene);
+    const auto shownX = [&](const StudyRow& row) {
+        const double error = run.shownError(row);
+        return error > 0 ? error : range.zero;
+    };
+    std::string data, plots;
+    int index = 0;
+    const auto addBlock = [&](const std::string& style, const std::string& title, const auto& wanted) {
+        std::string points;
+        for (const StudyRow& row : run.rows) {
+            if (row.scene != scene || !row.ok() || row.rounds == 0 || !wanted(row)) continue;
+            points += formatted("%.9g ", shownX(row)) + formatted("%.9g ", row.msMedian) + quoted(row.parameter) + "\n";
+        }
+        if (points.empty()) return;
+        const std::string name = "$block" + std::to_string(index++);
+        data += name + " << END\n" + points + "END\n";
+        plots += (plots.empty() ? "plot " : ", \\\n  ") + name + " using 1:2 " + style + " title " + quoted(title);
+    };
+    const auto isBest = [](const StudyRow& row) { return row.best; };
+    int color = 1;
+    for (const std::string& method : methodsOf(run, scene)) {
+        const auto ofMethod = [&](const StudyRow& row) { return row.method == method; };
+        const std::string look = "lw 1.5 ps 0.7 pt " + std::to_string(4 + color % 9) + " lc " + std::to_string(color);
+        const std::size_t blocks = static_cast<std::size_t>(index);
+        addBlock("with linespoints " + look, legend(run, scene, method), ofMethod);
+        if (static_cast<std::size_t>(index) > blocks) {  // the parameter beside each point
+            plots += ", \\\n  $block" + std::to_string(index - 1) +
+                     " using 1:2:3 with labels left offset 0.6,0.45 font ',8' noenhanced notitle";
+        }
+        ++color;
+    }
+    if (plots.empty()) throw Error("plot", "must have a row with an error and a time", scene);
+    addBlock("with points pt 6 ps 1.9 lw 1.5 lc rgb 'black'", "Pareto-best", isBest);
+    std::string script = data;
+    script += "set title " + quoted(run.demo + (scene.empty() ? "" : ": " + scene)) + "\n";
+    script +=
+        "set xlabel " +
+        quoted((run.axis == ErrorAxis::rms ? "root mean square error, " : "part that is wrong, ") + run.quantity) +
+        "\n";
+    script += "set xrange [" + formatted("%g", range.zero / 1.5) + ":" + formatted("%g", range.high) + "]\n";
+    script += "set yrange [" + formatted("%g", range.fastest) + ":" + formatted("%g", range.slowest) + "]\n" +
+              timeTics(range);
+    script += "set xtics add ('0' " + formatted("%g", range.zero) + ")\n";
+    script += "set arrow 1 from " + formatted("%g", range.zero * 2.4) + ", graph 0 to " +
+              formatted("%g", range.zero * 2.4) + ", graph 1 nohead dt 3 lc rgb '#999999'\n";
+    return script + plots + "\nunset xtics\nset xtics format '10^{%T}'\n";
+}
+
+// A folder of its own that goes with its owner.
+struct Scratch {
+    std::string path;
+    Scratch() {
+        std::string pattern = (std::filesystem::temp_directory_path() / "mvgl-plot-XXXXXX").string();
+        if (!mkdtemp(pattern.data())) throw Error("plot", "needs a temporary folder that can be written", pattern);
+        path = pattern;
+    }
+    ~Scratch() {
+        std::error_code ignored;
+        std::filesystem::remove_all(path, ignored);
+    }
+    Scratch(const Scratch&) = delete;
+    Scratch& operator=(const Scratch&) = delete;
+};
+
+std::string fileText(const std::string& path) {
+    std::ifstream stream(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+}  // namespace
+
+std::string studyTable(const StudyRun& run) {
+    std::vector<std::vector<std::string>> rows{
+        {"scene", "method", "p", "rms", "max", "wrong %", "inside %", "ms", "MAD", "best", "counts"}};
+    std::string failures;
+    for (const StudyRow& row : run.rows) {
+        if (!row.ok()) {
+            failures += "failed: " + row.scene + ", " + row.method + " " + row.parameter + ": " + row.status + "\n";
+            rows.push_back({row.scene, row.method, row.parameter, "-", "-", "-", "-", "-", "-", "", "failed"});
+            continue;
+        }
+        rows.push_back({row.scene, row.method, row.parameter, errorText(row.all.rms), errorText(row.all.max),
+                        errorText(100 * row.all.fraction), errorText(100 * row.inside.fraction),
+                        row.rounds ? formatted("%.3g", row.msMedian) : "-",
+                        row.rounds ? formatted("%.2g", row.msMad) : "-", row.best ? "*" : "", countsText(row)});
+    }
+    std::string text = run.demo + ": " + run.quantity + "\nreference: " + referenceText(run) +
+                       "\nmachine: " + machineText(run) + "\n\n" + aligned(rows, 3) + failures + "\n";
+    for (const std::string& scene : scenesOf(run)) {
+        for (const std::string& method : methodsOf(run, scene)) {
+            const auto error = errorSlope(run, scene, method), time = timeSlope(run, scene, method);
+            if (!error && !time) continue;
+            text += "slope " + (scene.empty() ? "" : scene + ", ") + method + ":";
+            if (error) text += formatted(" error ~ p^%.2f", *error);
+            if (time) text += formatted(" time ~ p^%.2f", *time);
+            text += "\n";
+        }
+    }
+    return text;
+}
+
+std::string studySvg(const StudyRun& run) {
+    const std::vector<std::string> scenes = scenesOf(run);
+    const Scratch scratch;
+    const int height = 520 * static_cast<int>(scenes.size()) + 60;
+    std::string script =
+        "set terminal svg size 980," + std::to_string(height) +
+        " dynamic font 'DejaVu Sans,11' background rgb 'white'\n"
+        "set output '" +
+        scratch.path +
+        "/plot.svg'\n"
+        "set logscale xy\nset grid lc rgb '#dddddd'\nset key outside right top Left reverse noenhanced\n"
+        "set format x '10^{%T}'\nset format y '%g'\n";
+    script += run.rows.empty() || run.width > 0 ? "set ylabel 'milliseconds a frame'\n" : "set ylabel 'milliseconds'\n";
+    const double foot = 60.0 / height;
+    script += "set multiplot layout " + std::to_string(scenes.size()) + ",1 margins 0.09,0.68," +
+              formatted("%.4f", foot + 60.0 / height) + "," + formatted("%.4f", 1 - 40.0 / height) + " spacing " +
+              formatted("%.4f", 100.0 / height) + "\n";
+    script += "set label 1 " + quoted("Reference: " + referenceText(run)) + " at screen 0.01, screen " +
+              formatted("%.4f", 34.0 / height) + " font ',9' noenhanced\n";
+    script += "set label 2 " + quoted("Measured on: " + machineText(run)) + " at screen 0.01, screen " +
+              formatted("%.4f", 14.0 / height) + " font ',9' noenhanced\n";
+    for (const std::string& scene : scenes) script += plotScript(run, scene);
+    script += "unset multiplot\nset output\n";
+    writeFileAtomically(scratch.path + "/plot.gp", std::string_view(script));
+    const std::string command = "gnuplot '" + scratch.path + "/plot.gp' 2>'" + scratch.path + "/errors' >&2";
+    const int status = std::system(command.c_str());
+    const std::string svg = fileText(scratch.path + "/plot.svg");
+    if (status != 0 || svg.find("</svg>") == std::string::npos) {
+        throw Error("gnuplot", "must be there and draw the plot (package gnuplot-nox)",
+                    fileText(scratch.path + "/errors"));
+    }
+    return svg;
+}
+
+}  // namespace mv
