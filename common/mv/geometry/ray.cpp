@@ -27,18 +27,16 @@ std::optional<RayInterval<T>> intersectSphere(const RayOf<T>& ray, const glm::ve
     const glm::vec<3, T> fromCenter = ray.origin - center;
     const T a = glm::dot(ray.direction, ray.direction);
     const T b = -glm::dot(fromCenter, ray.direction);
-    // From the centre to the nearest point of the line: as long as the miss distance, however far the origin is.
+    const T c = glm::dot(fromCenter, fromCenter) - radius * radius;
+    // From the centre to the nearest point of the line: a difference of points, of which only what they share cancels.
     const glm::vec<3, T> miss = fromCenter + (b / a) * ray.direction;
-    const T missLength = std::sqrt(glm::dot(miss, miss));
-    const T discriminant = a * (radius - missLength) * (radius + missLength);
+    const T discriminant = a * (radius * radius - glm::dot(miss, miss));
     if (!(discriminant >= 0 && radius > 0)) return {};
-    // The root that adds numbers of one sign, and the other one by the product of both.
-    const T length = std::sqrt(glm::dot(fromCenter, fromCenter));
+    // One root adds numbers of one sign, and the other one follows from the product of both, c/a.
     const T q = b + std::copysign(std::sqrt(discriminant), b);
-    T near = (length - radius) * (length + radius) / q;
-    T far = q / a;
-    if (b < 0) std::swap(near, far);
-    if (q == 0) near = far = 0;  // touches the sphere at its own origin
+    T near = c / q, far = q / a;
+    if (q == 0) near = far = 0;  // touches the sphere where the ray starts
+    if (near > far) std::swap(near, far);
     if (!(far >= 0) || !isNumber(near) || !isNumber(far)) return {};
     return RayInterval<T>{near, far};
 }
