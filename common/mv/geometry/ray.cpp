@@ -23,25 +23,6 @@ std::optional<T> intersectPlane(const RayOf<T>& ray, const glm::vec<4, T>& plane
 }
 
 template <typename T>
-std::optional<RayInterval<T>> intersectSphere(const RayOf<T>& ray, const glm::vec<3, T>& center, T radius) {
-    const glm::vec<3, T> fromCenter = ray.origin - center;
-    const T a = glm::dot(ray.direction, ray.direction);
-    const T b = -glm::dot(fromCenter, ray.direction);
-    const T c = glm::dot(fromCenter, fromCenter) - radius * radius;
-    // From the centre to the nearest point of the line: a difference of points, of which only what they share cancels.
-    const glm::vec<3, T> miss = fromCenter + (b / a) * ray.direction;
-    const T discriminant = a * (radius * radius - glm::dot(miss, miss));
-    if (!(discriminant >= 0 && radius > 0)) return {};
-    // One root adds numbers of one sign, and the other one follows from the product of both, c/a.
-    const T q = b + std::copysign(std::sqrt(discriminant), b);
-    T near = c / q, far = q / a;
-    if (q == 0) near = far = 0;  // touches the sphere where the ray starts
-    if (near > far) std::swap(near, far);
-    if (!(far >= 0) || !isNumber(near) || !isNumber(far)) return {};
-    return RayInterval<T>{near, far};
-}
-
-template <typename T>
 std::optional<RayInterval<T>> intersectBox(const RayOf<T>& ray, const glm::vec<3, T>& lo, const glm::vec<3, T>& hi) {
     T near = -std::numeric_limits<T>::infinity(), far = std::numeric_limits<T>::infinity();
     for (int axis = 0; axis < 3; ++axis) {
@@ -63,8 +44,6 @@ std::optional<RayInterval<T>> intersectBox(const RayOf<T>& ray, const glm::vec<3
 
 template std::optional<float> intersectPlane(const RayOf<float>&, const fvec4&);
 template std::optional<double> intersectPlane(const RayOf<double>&, const vec4&);
-template std::optional<RayInterval<float>> intersectSphere(const RayOf<float>&, const fvec3&, float);
-template std::optional<RayInterval<double>> intersectSphere(const RayOf<double>&, const vec3&, double);
 template std::optional<RayInterval<float>> intersectBox(const RayOf<float>&, const fvec3&, const fvec3&);
 template std::optional<RayInterval<double>> intersectBox(const RayOf<double>&, const vec3&, const vec3&);
 
