@@ -278,6 +278,41 @@ TEST(LitPicture, ConvergesAsTheLightIsAskedAtMorePoints) {
     EXPECT_LT(slope, 2.1);
 }
 
+// Which is found by one look at the whole light where little stands between; here by a ray to each of its points.
+TEST(LitPicture, EqualsTheMeanOverThePointsOfTheLight) {
+    for (const std::uint64_t seed : {11, 12, 13}) {
+        Scene scene = randomScene(seed);
+        for (SceneObject& object : scene.objects) object.worldFromObject = object.worldFromObject * scale(0.6);
+        const SceneLight light{.position = {2, 6, 3, 2}, .halfU = {0.5, 0.1, 0}, .halfV = {0, -0.4, 0.5}};
+        scene.lights[0] = light;
+        const RayCaster caster(scene);
+        const int side = 120, lightSide = 5;
+        const LitPicture picture = caster.lit(side, side, {.lightSide = lightSide});
+        const mat4 worldFromClip = glm::inverse(scene.clipFromWorld());
+        int partly = 0;
+        for (int i = 0; i < side * side; ++i) {
+            const vec2 ndc((2 * (i % side) + 1.0) / side - 1, 1 - (2 * (i / side) + 1.0) / side);
+            const vec4 near = worldFromClip * vec4(ndc, -1, 1), far = worldFromClip * vec4(ndc, 1, 1);
+            const vec3 origin = vec3(near) / near.w;
+            const auto hit = caster.nearest({origin, vec3(far) / far.w - origin});
+            const auto pixel = static_cast<std::size_t>(i);
+            ASSERT_EQ(picture.object[pixel], hit ? hit->object : -1);
+            if (!hit) continue;
+            int reached = 0;
+            for (int k = 0; k < lightSide * lightSide; ++k) {
+                const double s = (2 * (k % lightSide) + 1.0) / lightSide - 1,
+                             t = (2 * (k / lightSide) + 1.0) / lightSide - 1;
+                const vec3 point = vec3(light.position) / light.position.w + s * light.halfU + t * light.halfV;
+                if (glm::dot(hit->normal, point - hit->point) <= 0) continue;
+                reached += caster.inShadow(*hit, vec4(point, 1)) ? 0 : 1;
+            }
+            EXPECT_EQ(picture.lit[pixel], static_cast<double>(reached) / (lightSide * lightSide)) << seed;
+            partly += reached > 0 && reached < lightSide * lightSide ? 1 : 0;
+        }
+        EXPECT_GT(partly, 30) << seed;
+    }
+}
+
 TEST(LitPicture, AveragesThePointsOfAPixel) {
     const Scene scene = lookedAt(floorWith({.name = "box", .mesh = box({-0.4, 0, -0.4}, {0.4, 0.8, 0.4})}),
                                  {.position = {-1, 3, 1, 1}});

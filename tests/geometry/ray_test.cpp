@@ -295,6 +295,19 @@ TEST(IntersectTriangle, IsWatertightWhereTheTextbookLeaks) {
     EXPECT_GT(missed<float>(Aim::edge, textbook), 1000);
 }
 
+// Beside a common edge, by less than the products of the coordinates can tell: twice these differ by 1 in 2^54.
+TEST(IntersectTriangle, HitsOneOfTwoNeighboursAndNotBoth) {
+    const double one = 134217728;  // 2^27
+    const vec3 p(one + 1, one, -1), q(-one - 2, -one - 1, -1);
+    ASSERT_EQ(q.x * p.y - q.y * p.x, 0);  // it is 1: the origin is on the left of the way from q to p
+    const vec3 left(-one, one, -1), right(one, -one, -1);
+    const Ray ray{{0, 0, 0}, {0, 0, -1}};
+    const bool inLeft = intersectTriangle(ray, p, left, q).has_value();
+    const bool inRight = intersectTriangle(ray, p, q, right).has_value();
+    EXPECT_TRUE(inLeft);
+    EXPECT_FALSE(inRight);
+}
+
 TEST(IntersectTriangle, FindsThePointByItsWeights) {
     Random random(3);
     int hits = 0;
