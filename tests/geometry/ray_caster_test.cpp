@@ -145,6 +145,16 @@ TEST(RayCaster, ShadowsEndAtTheLightAndNotAtADirection) {
     EXPECT_FALSE(caster.inShadow(*hit, {0, -1, 0, 0}));  // downwards the floor is in the way, and does not cast
 }
 
+TEST(RayCaster, TheTriangleItselfCastsNoShadowOnAPointBehindIt) {
+    Scene scene;
+    scene.objects.push_back({.name = "box", .mesh = box({-1, -1, -1}, {1, 1, 1})});
+    const RayCaster caster(scene);
+    auto hit = caster.nearest({{0.3, 5, 0.1}, {0, -1, 0}});
+    ASSERT_TRUE(hit);
+    hit->point.y -= 1e-9;  // as by one who computes it from t
+    EXPECT_FALSE(caster.inShadow(*hit, {1, 2, 3, 0}));
+}
+
 TEST(RayCaster, NeitherShadesItselfNorLosesWhatIsNear) {
     // Convex, so that no triangle may shade another one that faces the light. At every scale, and off the origin.
     for (const double size : {1e-3, 1.0, 1e3, 1e6}) {
@@ -280,10 +290,12 @@ TEST(LitPicture, ConvergesAsTheLightIsAskedAtMorePoints) {
 
 // Which is found by one look at the whole light where little stands between; here by a ray to each of its points.
 TEST(LitPicture, EqualsTheMeanOverThePointsOfTheLight) {
-    for (const std::uint64_t seed : {11, 12, 13}) {
+    for (const std::uint64_t seed : {11, 12, 13, 14}) {
         Scene scene = randomScene(seed);
         for (SceneObject& object : scene.objects) object.worldFromObject = object.worldFromObject * scale(0.6);
-        const SceneLight light{.position = {2, 6, 3, 2}, .halfU = {0.5, 0.1, 0}, .halfV = {0, -0.4, 0.5}};
+        // Above all objects, or among them: what is behind the light is near the way to it then, and does not shade.
+        const vec4 position = seed % 2 == 0 ? vec4(2, 6, 3, 2) : vec4(0.3, 0.4, 0.6, 1);
+        const SceneLight light{.position = position, .halfU = {0.5, 0.1, 0}, .halfV = {0, -0.4, 0.5}};
         scene.lights[0] = light;
         const RayCaster caster(scene);
         const int side = 120, lightSide = 5;

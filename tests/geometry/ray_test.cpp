@@ -117,8 +117,9 @@ TEST(IntersectSphere, KeepsTheGroundUnderTheEye) {
             const auto textbook = textbookSphere(rounded, fvec3(0), static_cast<float>(radius));
             textbookError = std::max(textbookError, textbook ? std::abs(textbook->near / exact - 1) : 1);
         }
-        // |f| - r cancels to 1: an ulp of the radius, 1e-10 at 1e6, is what is left of it.
-        EXPECT_LT(error, 4e-16 * radius + 1e-15) << radius;
+        // The squares of these whole numbers are exact, and so is c; what is left are some roundings of products. The
+        // root as (b - sqrt)/a would be off by 1e-10 at 1e6.
+        EXPECT_LT(error, 2e-15) << radius;
         floatError = textbookError;
     }
     EXPECT_GT(floatError, 1e-2);  // float, textbook, at 1e6
