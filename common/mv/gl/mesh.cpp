@@ -72,7 +72,7 @@ Mesh::Mesh(const MeshData& data, const std::string& label) : primitive_(glPrimit
 
 void Mesh::draw() const {
     if (!vertexArray_) throw Error("Mesh", "must be made in init() before it is drawn");
-    glBindVertexArray(vertexArray_.id());
+    if (boundVertexArray() != vertexArray_.id()) glBindVertexArray(vertexArray_.id());
     if (indices_) {
         glDrawElements(primitive_, count_, GL_UNSIGNED_INT, nullptr);
     } else {

@@ -17,7 +17,7 @@ class UsageError : public Error {
     explicit UsageError(const Error& error) : Error(error) {}
 };
 
-enum class Action { window, render, help, list, version, knobs, copyable, gallery, docs, study };
+enum class Action { window, render, help, list, version, knobs, copyable, gallery, docs, study, audit };
 enum class ReportForm { none, text, json };
 
 struct Command {
@@ -33,6 +33,7 @@ struct Command {
     std::vector<std::string> compareValues;
     ReportForm report = ReportForm::none;
     bool json = false;   // --knobs=json
+    bool all = false;    // --audit --all
     std::string folder;  // of --gallery, --docs and --study
     std::string vary;    // of --study: KNOB=A..B:N or KNOB=a,b,c; "" for the demo's own study
     std::string text;    // what --help prints

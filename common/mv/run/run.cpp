@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "mv/run/audit.h"
 #include "mv/run/command_line.h"
 #include "mv/run/docs.h"
 #include "mv/run/render.h"
@@ -58,6 +59,8 @@ void act(const Command& command) {
             return writeGallery(command.folder);
         case Action::docs:
             return writeDocs(command.folder);
+        case Action::audit:
+            return audit(command);
         case Action::study:
             return study(command);
         case Action::render:
