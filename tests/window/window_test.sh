@@ -573,6 +573,83 @@ comparePanel() {
     cmp probe-5.png a.png || fail "after the end the picture is not A's"
 }
 
+study() {
+    local integral=("$launcher" integral --size 400x1000 --report=json)
+    learnPlaces 'mvgl: integral' "${integral[@]}"
+    equal "where it was measured" "Committed, measured on: no driver, a machine of long ago, 1 threads." "$(reported study)"
+    equal "the row of the present settings" "trapezia 4" "$(reported here)"
+    # A longer time stands higher, a smaller error further left, an error of 0 left of all; what has failed nowhere.
+    local x4 y4 x64 y64 x0
+    read -r x4 y4 <<<"$(place "point simpson 4")" && read -r x64 y64 <<<"$(place "point simpson 64")"
+    read -r x0 _ <<<"$(place "point exact")"
+    [ "$y64" -lt "$y4" ] || fail "64 strips take longer than 4 and must stand higher: $y64 and $y4"
+    [ "$x64" -lt "$x4" ] || fail "64 strips are nearer than 4 and must stand further left: $x64 and $x4"
+    [ "$x0" -lt "$x64" ] || fail "no error at all must stand left of all: $x0 and $x64"
+    equal "a row that failed" "" "$(place "point simpson 255")"
+    start 'mvgl: integral' "${integral[@]}"
+    clickOn "point simpson 16"
+    quit
+    equal "row after a click on its point" "simpson 16" "$(reported here)"
+    equal "command after a click on a point" "integral --rule simpson --n 16 --size 400x1000" "$(reported command)"
+    # Beside the points a click sets nothing.
+    start 'mvgl: integral' "${integral[@]}"
+    at $((x64 + 3)) $((y64 - 60)) && sleep 0.2 && xdotool click 1 && sleep 0.3
+    quit
+    equal "row after a click beside the points" "trapezia 4" "$(reported here)"
+    equal "demo frames" 1 "$(reported demo_frames)"
+    atMost "window frames at rest" "$(reported window_frames)" 40
+    # It begins with the scene of its settings; settings that were not measured are at no point.
+    start 'mvgl: integral' "${integral[@]}" --function root --n 64
+    quit
+    equal "row in another scene" "trapezia 64" "$(reported here)"
+    start 'mvgl: integral' "${integral[@]}" --n 5
+    quit
+    equal "row of settings that were not measured" "" "$(reported here)"
+}
+
+measure() {
+    mkdir tmp && export TMPDIR=$PWD/tmp
+    local integral=("$launcher" integral --n 16 --size 400x1000 --report=json) child
+    made() { [ -n "$(ls tmp)" ]; }
+    gone() { [ -z "$(ls tmp)" ]; }
+    learnPlaces 'mvgl: integral' "${integral[@]}"
+    start 'mvgl: integral' "${integral[@]}"
+    clickOn "Measure here"
+    waitFor made && waitFor gone && settle
+    quit
+    reported study | grep -q "^Measured here: .* threads\.$" || fail "the plot is not the one measured here: $(reported study)"
+    equal "row of the present settings, as measured" "trapezia 16" "$(reported here)"
+    equal "standard error" "" "$(cat err)"
+    # A long one: closing the window ends it, and so do Cancel and a window that is killed.
+    export PROBE_SLOW=1
+    cp places before
+    slowOne() {
+        cp before places
+        start 'mvgl: integral' "${integral[@]}"
+        clickOn "Measure here"
+        waitFor made && sleep 1
+        child=$(pgrep -P $pid)
+        [ -n "$child" ] || fail "no program measures"
+    }
+    ended() { ! kill -0 "$child" 2>/dev/null; }
+    slowOne
+    quit
+    equal "measuring while the window was closed" true "$(reported measuring)"
+    ended || fail "the measurement outlives the window"
+    gone || fail "a closed window leaves its folder: $(ls tmp)"
+    cp out cancel
+    slowOne
+    cp cancel places && clickOn Cancel
+    waitFor ended
+    gone || fail "Cancel leaves the folder: $(ls tmp)"
+    quit
+    equal "measuring after Cancel" false "$(reported measuring)"
+    reported study | grep -q '^Committed' || fail "after Cancel the committed study must be shown: $(reported study)"
+    slowOne
+    kill -KILL $pid && wait $pid 2>/dev/null
+    waitFor ended
+}
+
 noDisplay() {
     env -u DISPLAY -u WAYLAND_DISPLAY "$cubeCull" >out 2>err
     equal "exit status" 1 $?
@@ -595,7 +672,7 @@ case $case in
     compare) compare_ ;;
     compare-panel) comparePanel ;;
     launcher) launcher_ ;;
-    opens | keys | slider | typed | choice | wheel | drag | replay | save | clipboard | error | resize | paused | reload | idle)
+    opens | keys | slider | typed | choice | wheel | drag | replay | save | clipboard | error | resize | paused | reload | idle | study | measure)
         "$case"
         ;;
     *) fail "there is no case '$case'" ;;

@@ -41,6 +41,7 @@ DemoScreen::DemoScreen(Window& window, Gui& gui, Stage& stage, const Command& co
       report_(command.report),
       menu_(menu),
       knobs_(gui, places_),
+      study_(*command.demo, gui, places_),
       // A frame asked for by number stands still, so that a copied command shows the very picture it was copied from.
       playback_(info_.animated, command.firstFrame, command.frameGiven),
       drawnFrame_(command.firstFrame) {
@@ -161,7 +162,8 @@ bool DemoScreen::advance(double seconds) {
         reloadShaders();
         changed = before != shaderErrors_;
     }
-    stale_ |= playback_.advance(seconds);
+    changed |= study_.advance();
+    if (!study_.measuring()) stale_ |= playback_.advance(seconds);  // two that draw would spoil what one measures
     return changed || stale_;
 }
 
@@ -331,6 +333,7 @@ void DemoScreen::showPanelContent() {
     if (!demo.knobs().empty() && section("Compare")) stale_ |= showComparison(demo, comparison_, gui_, places_);
     if (playback_.animated() && section("Time")) stale_ |= showTime(playback_, places_, gui_.scale());
     if (!demo.readouts().empty() && section("Readouts")) showReadouts(demo, comparison_);
+    if (study_.any() && section("Error and time")) stale_ |= study_.show(demo);
     if (!stage_.notes().matrices.empty() && section("Matrices")) {
         if (comparison_.on()) wrapped(color::dim, "of A: " + comparison_.labelA());
         showMatrices(stage_.notes());
@@ -416,6 +419,11 @@ void DemoScreen::finish(long windowFrames, double seconds) {
         auto& window = json["window"];
         window = {{"demo_frames", demoFrames_}, {"window_frames", windowFrames}, {"seconds", seconds}};
         window["playing"] = playback_.playing();
+        if (study_.any()) {
+            window["study"] = study_.origin();
+            window["here"] = study_.here(stage_.demo());
+            window["measuring"] = study_.measuring();
+        }
         if (comparison_.drawn()) {
             window["compare"] = comparison_.compared().name;
             window["compare_with"] = comparison_.other();

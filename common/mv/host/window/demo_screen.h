@@ -11,6 +11,7 @@
 #include "mv/host/window/panel_parts.h"
 #include "mv/host/window/playback.h"
 #include "mv/host/window/screen.h"
+#include "mv/host/window/study_section.h"
 #include "mv/run/command_line.h"
 #include "mv/run/stage.h"
 
@@ -24,7 +25,7 @@ class DemoScreen final : public Screen {
 
     void handle(const Event& event) override;
     bool advance(double seconds) override;
-    bool moving() const override { return playback_.playing() || stale_; }
+    bool moving() const override { return (playback_.playing() && !study_.measuring()) || stale_; }
     void draw() override;
     void finish(long windowFrames, double seconds) override;
 
@@ -63,6 +64,7 @@ class DemoScreen final : public Screen {
     Places places_;
     KnobPanel knobs_;
     Comparison comparison_;
+    StudySection study_;
     Playback playback_;
 
     bool panelShown_ = true;
