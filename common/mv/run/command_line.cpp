@@ -64,7 +64,7 @@ void readCompare(const std::string& text, const Demo& demo, Command& command) {
     if (knob.empty() || a.empty() || b.empty() || b.find(',') != std::string::npos) {
         throw UsageError("--compare", "must be one knob and two values, as cull=back,front", "'" + text + "'");
     }
-    demo.knob(knob);
+    for (const std::string& value : {b, a}) demo.knob(knob).parse(value);
     command.compareKnob = knob;
     command.compareValues = {a, b};
 }
@@ -93,7 +93,7 @@ void declareFlags(CLI::App& app, Flags& flags, bool launcher) {
         ->type_name("WxH");
     app.add_flag("--headless{automatic}", flags.headless,
                  "open no window; =osmesa, =egl or =egl-device chooses the host");
-    app.add_option("--compare", flags.compare, "two settings side by side, and their difference (with --shot)")
+    app.add_option("--compare", flags.compare, "two settings of a knob in one window, or side by side with --shot")
         ->type_name("KNOB=A,B");
     app.add_option("--study", flags.study, "error against run time: study.csv, study.json, study.svg and a table")
         ->type_name("DIR");
@@ -195,7 +195,9 @@ Command readFlags(const Flags& flags, Command command, const Demo* demo) {
     if (!flags.vary.empty() && flags.study.empty()) throw UsageError("--vary", "needs --study DIR for its files");
     if (!flags.compare.empty()) {
         readCompare(flags.compare, *demo, command);
-        if (flags.shot.empty()) throw UsageError("--compare", "needs --shot FILE for its picture");
+        if (flags.shot.empty() && command.action == Action::render) {
+            throw UsageError("--compare", "needs --shot FILE for its picture, or a window");
+        }
     }
     if (command.lastFrame > command.firstFrame) {
         if (flags.shot.empty()) throw UsageError("--frames", "needs --shot FILE with %d or %04d in its name");
@@ -285,10 +287,15 @@ Command parseCommandLine(const std::vector<std::string>& arguments) {
     }
 }
 
-std::string copyableCommand(const DemoInfo& info, const Demo& demo, int frame, int width, int height) {
+std::string copyableCommand(const DemoInfo& info, const Demo& demo, int frame, int width, int height,
+                            const ComparedKnob& compared) {
     std::string text = info.name;
     for (const Knob* knob : demo.knobs()) {
+        if (knob->name() == compared.name) continue;
         if (!knob->isInitial()) text += " --" + knob->name() + " " + knob->text();
+    }
+    if (!compared.name.empty()) {
+        text += " --compare " + compared.name + "=" + demo.knob(compared.name).text() + "," + compared.other;
     }
     if (info.animated && frame != 1) text += " --frame " + std::to_string(frame);
     if (width != info.width || height != info.height) {

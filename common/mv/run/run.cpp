@@ -51,8 +51,13 @@ void act(const Command& command) {
         case Action::copyable: {
             const auto demo = demoWithKnobs(command);
             const DemoInfo& info = *command.demo;
+            ComparedKnob compared;
+            if (!command.compareKnob.empty()) {
+                demo->knob(command.compareKnob).parse(command.compareValues[0]);
+                compared = {command.compareKnob, command.compareValues[1]};
+            }
             return print(copyableCommand(info, *demo, command.firstFrame, command.width ? command.width : info.width,
-                                         command.height ? command.height : info.height) +
+                                         command.height ? command.height : info.height, compared) +
                          "\n");
         }
         case Action::gallery:
