@@ -92,12 +92,18 @@ TEST(ClosedMesh, RefusesWhatHasNoInside) {
 TEST(FacesLight, RefusesWhatIsNoLight) {
     const ClosedMesh cube(colorCube());
     EXPECT_EQ(refusal([&] { facesLight(cube, vec4(0)); }), "shadow volume: the light must not be (0, 0, 0, 0)");
-    EXPECT_EQ(refusal([&] { silhouette(cube, {1, 2, 3, -1}); }),
+    EXPECT_EQ(refusal([&] {
+                  silhouette(cube, {1, 2, 3, -1});
+              }),
               "shadow volume: the light's w must not be negative, (1, 2, 3, -1)");
-    EXPECT_EQ(refusal([&] { shadowVolume(cube, {1, notANumber, 3, 1}); }),
+    EXPECT_EQ(refusal([&] {
+                  shadowVolume(cube, {1, notANumber, 3, 1});
+              }),
               "shadow volume: the light must be finite, (1, nan, 3, 1)");
-    EXPECT_NE(refusal([&] { shadowVolume(cube, {1e39, 0, 0, 1}); }).find("as a float, must be finite"),
-              std::string::npos);
+    EXPECT_EQ(refusal([&] {
+                  shadowVolume(cube, {1e39, 0, 0, 1});
+              }),
+              "shadow volume: directions away from the light must fit into floats, (-1e+39, 0.5, 0.5)");
 }
 
 TEST(Silhouette, IsTheOutlineOfACube) {
@@ -133,8 +139,8 @@ TEST(ShadowVolume, IsClosed) {
     for (const MeshData& mesh : solids()) {
         const ClosedMesh closed(mesh);
         // The last two lie exactly in planes of faces, the one before inside the box and the ball.
-        for (const vec4& light : {above, sun, vec4(-3, 0.1, 2, 1), vec4(0.1, 0.2, 0.3, 1), vec4(1, 5, 1, 1),
-                                  vec4(0, 0, -2, 0)}) {
+        for (const vec4& light :
+             {above, sun, vec4(-3, 0.1, 2, 1), vec4(0.1, 0.2, 0.3, 1), vec4(1, 5, 1, 1), vec4(0, 0, -2, 0)}) {
             for (const Extrude extrude : {Extrude::silhouette, Extrude::everyTriangle}) {
                 const ShadowVolume volume = shadowVolume(closed, light, extrude);
                 if (volume.indices.empty()) {  // no face sees a light inside a convex solid
@@ -164,13 +170,13 @@ TEST(ShadowVolume, HasThePartsItCounts) {
         EXPECT_EQ(volume.positions[volume.indices[volume.sides + volume.lightCap + i]].w, 0);
     }
     // Of a light at infinity: one triangle an edge, and no cap there.
-    volume = shadowVolume(cube, {5, 5, 0.1, 0});
+    volume = shadowVolume(cube, {5, 5, 0, 0});
     EXPECT_EQ(volume.edges, 6U);
     EXPECT_EQ(volume.sides, 18U);
     EXPECT_EQ(volume.lightCap, 12U);
     EXPECT_EQ(volume.darkCap, 0U);
     EXPECT_EQ(volume.positions.size(), 9U);
-    EXPECT_EQ(volume.positions.back(), fvec4(-5, -5, -0.1F, 0));
+    EXPECT_EQ(volume.positions.back(), fvec4(-5, -5, 0, 0));
     // Every triangle: three edges each of four triangles.
     volume = shadowVolume(cube, {5, 5, 0.1, 1}, Extrude::everyTriangle);
     EXPECT_EQ(volume.edges, 12U);

@@ -97,7 +97,8 @@ void Mesh::draw(std::size_t first, std::size_t count) const {
     glBindVertexArray(vertexArray_.id());
     if (indices_) {
         // An offset in bytes into the bound index buffer, which GL takes as a pointer
-        const auto* offset = reinterpret_cast<const void*>(first * sizeof(std::uint32_t));  // NOLINT(performance-no-int-to-ptr)
+        const auto* offset =
+            reinterpret_cast<const void*>(first * sizeof(std::uint32_t));  // NOLINT(performance-no-int-to-ptr)
         glDrawElements(primitive_, static_cast<GLsizei>(count), GL_UNSIGNED_INT, offset);
     } else {
         glDrawArrays(primitive_, static_cast<GLint>(first), static_cast<GLsizei>(count));
