@@ -11,9 +11,13 @@ namespace mv {
 struct StudyOptions {
     int rounds = 7;     // timed runs of each row, interleaved; an untimed one goes before each
     bool timed = true;  // false: errors and counts only, without the reference's own error, as a test wants
+    // Rows for which this says no are left out, with the status below; empty: all are measured.
+    std::function<bool(const StudyRow& row)> wanted = {};
     // A line of progress for people, now and then.
     std::function<void(const std::string& line)> progress = {};
 };
+
+inline constexpr const char* notMeasured = "not measured";
 
 // The study that the demo declares, or with --vary one made by hand: the knob's values in the demo's own scene.
 // Error: the demo declares none; --vary of a demo without a reference; a range the knob does not have.
