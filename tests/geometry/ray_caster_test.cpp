@@ -163,11 +163,16 @@ TEST(RayCaster, NeitherShadesItselfNorLosesWhatIsNear) {
         scene.objects[0].worldFromObject = translate(3 * size, size, -2 * size) * rotate(33, {3, 1, 2}) * scale(size);
         const RayCaster caster(scene);
         Random random(22);
+        const auto corners = worldCorners(scene.objects[0]);
         int facing = 0, shaded = 0, shadedWithout = 0;
         for (int i = 0; i < 50000; ++i) {
             const vec3 middle(3 * size, size, -2 * size);
             const vec3 origin = middle + 5 * size * random.direction();
-            const auto hit = caster.nearest({origin, middle + 0.9 * size * random.direction() - origin});
+            // Half of them to corners and edges, where the neighbours are within a rounding of the point
+            const auto first = static_cast<std::size_t>(random.number(0, static_cast<double>(corners.size()))) / 3 * 3;
+            const vec3 edge = corners[first] + (i % 4 == 0 ? 0.0 : 0.3) * (corners[first + 1] - corners[first]);
+            const vec3 aim = i % 2 == 0 ? edge : middle + 0.9 * size * random.direction();
+            const auto hit = caster.nearest({origin, aim - origin});
             const vec3 light = random.direction();
             if (!hit || glm::dot(hit->normal, light) <= 0) continue;
             ++facing;
@@ -181,13 +186,15 @@ TEST(RayCaster, NeitherShadesItselfNorLosesWhatIsNear) {
 
         // A plate that hovers a millionth of a millionth of its size above a floor shades it nevertheless.
         Scene near = floorWith({.name = "plate", .mesh = box({-1, 0, -1}, {1, 0.1, 1})});
-        near.objects[0].worldFromObject = scale(size);
-        near.objects[1].worldFromObject = translate(0, 1e-12 * size, 0) * scale(size);
+        const mat4 turned = rotate(30, {1, 2, 3});
+        near.objects[0].worldFromObject = turned * scale(size);
+        near.objects[1].worldFromObject = turned * translate(0, 1e-12 * size, 0) * scale(size);
         const RayCaster nearCaster(near);
-        const auto hit = nearCaster.nearest({{0.3 * size, -size, 0.2 * size}, {0, 1, 0}});
+        const auto inWorld = [&](const vec3& v) { return vec3(turned * vec4(v, 0)); };
+        const auto hit = nearCaster.nearest({inWorld({0.3 * size, -size, 0.2 * size}), inWorld({0, 1, 0})});
         ASSERT_TRUE(hit);
         ASSERT_EQ(hit->object, 0);
-        EXPECT_TRUE(nearCaster.inShadow(*hit, {1, 2, 3, 0})) << size;
+        EXPECT_TRUE(nearCaster.inShadow(*hit, vec4(inWorld({1, 2, 3}), 0))) << size;
     }
 }
 
@@ -253,7 +260,8 @@ TEST(LitPicture, LacksThePenumbraThatTheoryGivesASphere) {
     }
     double expected = 0;
     for (int i = 0; i < lightSide * lightSide; ++i) {
-        const double s = (2 * (i % lightSide) + 1.0) / lightSide - 1, t = (2 * (i / lightSide) + 1.0) / lightSide - 1;
+        const int row = i / lightSide, column = i % lightSide;
+        const double s = (2 * column + 1.0) / lightSide - 1, t = (2 * row + 1.0) / lightSide - 1;
         expected += shadowArea(vec3(light.position) + s * light.halfU + t * light.halfV, center, radius);
     }
     expected /= lightSide * lightSide;
@@ -303,7 +311,8 @@ TEST(LitPicture, EqualsTheMeanOverThePointsOfTheLight) {
         const mat4 worldFromClip = glm::inverse(scene.clipFromWorld());
         int partly = 0;
         for (int i = 0; i < side * side; ++i) {
-            const vec2 ndc((2 * (i % side) + 1.0) / side - 1, 1 - (2 * (i / side) + 1.0) / side);
+            const int row = i / side, column = i % side;
+            const vec2 ndc((2 * column + 1.0) / side - 1, 1 - (2 * row + 1.0) / side);
             const vec4 near = worldFromClip * vec4(ndc, -1, 1), far = worldFromClip * vec4(ndc, 1, 1);
             const vec3 origin = vec3(near) / near.w;
             const auto hit = caster.nearest({origin, vec3(far) / far.w - origin});
@@ -312,8 +321,8 @@ TEST(LitPicture, EqualsTheMeanOverThePointsOfTheLight) {
             if (!hit) continue;
             int reached = 0;
             for (int k = 0; k < lightSide * lightSide; ++k) {
-                const double s = (2 * (k % lightSide) + 1.0) / lightSide - 1,
-                             t = (2 * (k / lightSide) + 1.0) / lightSide - 1;
+                const int across = k % lightSide, along = k / lightSide;
+                const double s = (2 * across + 1.0) / lightSide - 1, t = (2 * along + 1.0) / lightSide - 1;
                 const vec3 point = vec3(light.position) / light.position.w + s * light.halfU + t * light.halfV;
                 if (glm::dot(hit->normal, point - hit->point) <= 0) continue;
                 reached += caster.inShadow(*hit, vec4(point, 1)) ? 0 : 1;
@@ -323,6 +332,18 @@ TEST(LitPicture, EqualsTheMeanOverThePointsOfTheLight) {
         }
         EXPECT_GT(partly, 30) << seed;
     }
+}
+
+TEST(LitPicture, WhatIsBehindAnAreaLightDoesNotShade) {
+    // A plate that slants over light and floor: beside the way to the light, and across it beyond.
+    Scene scene = floorWith({.name = "plate",
+                             .mesh = box({-3, 0, -3}, {3, 0.1, 3}),
+                             .worldFromObject = translate(0, 1.3, 0) * rotateZ(40)});
+    scene.objects[0].worldFromObject = scale(0.5);
+    scene.lights.push_back({.position = {0, 1, 0, 1}, .halfU = {0.1, 0, 0}, .halfV = {0, 0, 0.1}});
+    scene.viewFromWorld = lookAt({0, -1, 0}, {0, 0, 0}, {0, 0, -1});
+    scene.clipFromView = ortho(-0.9, 0.9, -0.9, 0.9, 0.5, 1.5);
+    for (const double lit : RayCaster(scene).lit(20, 20, {.lightSide = 3}).lit) EXPECT_EQ(lit, 1);
 }
 
 TEST(LitPicture, AveragesThePointsOfAPixel) {

@@ -118,7 +118,8 @@ struct LightPoints {
 
     LightPoints(const SceneLight& light, int side) {
         for (int i = 0; i < side * side; ++i) {
-            const double s = (2 * (i % side) + 1.0) / side - 1, t = (2 * (i / side) + 1.0) / side - 1;
+            const int row = i / side, column = i % side;
+            const double s = (2 * column + 1.0) / side - 1, t = (2 * row + 1.0) / side - 1;
             points.push_back(light.position + light.position.w * vec4(s * light.halfU + t * light.halfV, 0));
             requireFinite("lit", "each point of the light", points.back());
             if (points.back().w == 0) continue;
@@ -287,9 +288,9 @@ LitPicture RayCaster::lit(int width, int height, const LitOptions& options) cons
             int points = 0;
             const int side = options.pixelSide;
             for (int i = 0; i < side * side; ++i) {
-                const bool isMiddle = 2 * (i % side) + 1 == side && 2 * (i / side) + 1 == side;
-                const auto seen =
-                    isMiddle ? middle : seenAt(column + (i % side + 0.5) / side, row + (i / side + 0.5) / side);
+                const int x = i % side, y = i / side;
+                const bool isMiddle = 2 * x + 1 == side && 2 * y + 1 == side;
+                const auto seen = isMiddle ? middle : seenAt(column + (x + 0.5) / side, row + (y + 0.5) / side);
                 if (!seen || seen->object != middle->object) continue;
                 sum += state.litPart(*seen, lightPoints, scratch);
                 ++points;
