@@ -184,8 +184,8 @@ TEST(RayCaster, NeitherShadesItselfNorLosesWhatIsNear) {
         EXPECT_EQ(shaded, 0) << size;
         EXPECT_GT(shadedWithout, 1000) << size;
 
-        // A plate that hovers a millionth of a millionth of its size above a floor shades it nevertheless.
-        Scene near = floorWith({.name = "plate", .mesh = box({-1, 0, -1}, {1, 0.1, 1})});
+        // A plate that hovers a millionth of a millionth of its size above a floor, and is as thin, shades it nevertheless.
+        Scene near = floorWith({.name = "plate", .mesh = box({-1, 0, -1}, {1, 1e-12, 1})});
         const mat4 turned = rotate(30, {1, 2, 3});
         near.objects[0].worldFromObject = turned * scale(size);
         near.objects[1].worldFromObject = turned * translate(0, 1e-12 * size, 0) * scale(size);
