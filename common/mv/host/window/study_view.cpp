@@ -73,9 +73,10 @@ struct Tick {
 
 std::vector<Tick> ticks(const Axis& axis) {
     std::vector<Tick> all;
-    for (double decade = decadeOf(axis.low); decade <= axis.high * 1.001; decade *= 10) {
+    const int last = static_cast<int>(std::floor(std::log10(axis.high * 1.001)));
+    for (int power = static_cast<int>(std::floor(std::log10(axis.low))); power <= last; ++power) {
         for (const double step : {1.0, 2.0, 5.0}) {
-            const double value = step * decade;
+            const double value = step * std::pow(10, power);
             if (value >= axis.low * 0.999 && value <= axis.high * 1.001) all.push_back({value, step == 1});
         }
     }
@@ -191,8 +192,10 @@ void drawFrame(ImDrawList& list, const StudyRun& run, const Plot& plot, ImVec2 c
         return ImVec2{plot.low.x - size.x - 4 * scale, y - size.y / 2};
     });
     if (plot.anyZero) {
-        for (float y = plot.low.y; y < plot.high.y; y += 6 * scale) {
-            list.AddLine({plot.x.from, y}, {plot.x.from, std::min(y + 3 * scale, plot.high.y)}, ink);
+        const int dashes = static_cast<int>((plot.high.y - plot.low.y) / (6 * scale));
+        for (int i = 0; i < dashes; ++i) {
+            const float y = plot.low.y + 6 * scale * float(i);
+            list.AddLine({plot.x.from, y}, {plot.x.from, y + 3 * scale}, ink);
         }
         list.AddText({plot.zeroX - ImGui::CalcTextSize("0").x / 2, below}, ink, "0");
     }
