@@ -70,3 +70,86 @@ vec3 onSphere(double theta, double phi) {
     const double t = radians(theta), p = radians(phi);
     return {std::sin(p) * std::cos(t), std::sin(p) * std::sin(t), std::cos(p)};
 }
+
+constexpr double floorBelow = 1.0125;  // the middle of the scene
+constexpr double wallX = -3;
+
+// The course's cube, of side 2, in its colours.
+MeshData paintedCube() {
+    MeshData cube = box(vec3(-1), vec3(1));
+    for (const fvec3& face : {fvec3(1, 0, 0), {0, 1, 1}, {1, 1, 0}, {0, 1, 0}, {1, 0, 1}, {0, 0, 1}})
+        cube.colors.insert(cube.colors.end(), 6, fvec4(face, 1));
+    return cube;
+}
+
+// What casts, in coordinates about the middle of the scene, z upwards.
+Scene castersOf(Place place) {
+    if (place != Place::stillLife) return {.objects = {{.name = "cube", .mesh = paintedCube()}}};
+    Scene life = stillLife(1);
+    std::erase_if(life.objects, [](const SceneObject& object) { return !object.casts; });
+    // Its y up becomes z, its wall's front +z becomes +x, and its wall at -1.6 comes to stand where ours is.
+    const mat4 turned(vec4(0, 1, 0, 0), vec4(0, 0, 1, 0), vec4(1, 0, 0, 0), vec4(0, 0, 0, 1));
+    for (SceneObject& object : life.objects)
+        object.worldFromObject = translate(0, 0, -floorBelow) * turned * scale(wallX / -1.6) * object.worldFromObject;
+    return life;
+}
+
+struct CubeShadows final : Demo {
+    Choice<Place> place{this,
+                        "scene",
+                        Place::plane,
+                        {{"plane", "a cube over the original's plane, which is not drawn"},
+                         {"room", "the cube before a floor and a wall"},
+                         {"still-life", "a pawn, a ring, a sphere and a box before a floor and a wall"}},
+                        "what casts, and on what"};
+    Angle lightTheta{this, "light-theta", 20, "where the light stands: its turn about the upright axis, 0 along x"};
+    Real lightPhi{this, "light-phi", 80, {0, 180}, "where the light stands: its angle from straight above", "deg"};
+    Real lightDistance{this, "light-distance", 8.5, {1.75, 20}, "distance of the light from the middle of the scene"};
+    Toggle atInfinity{this, "at-infinity", false, "a light in that direction, infinitely far away: w = 0"};
+    Real lift{this, "lift", 0, {-3, 12}, "how far what casts is lifted"};
+    Real tilt{this, "tilt", 0, {-30, 60}, "how far the wall leans back; in scene plane, how far the plane rises", "deg"};
+    Real darkness{this, "darkness", 0.25, {0, 1}, "how much of the light a shadow takes away; 0: no shadow"};
+    Toggle once{this, "once", true, "darken each pixel once, by the stencil buffer"};
+    Choice<Cut> cut{this,
+                    "cut",
+                    Cut::clip,
+                    {{"clip", "clip distances: GL cuts the triangles"},
+                     {"discard", "the fragment shader discards"},
+                     {"none", "not at all: false shadows are seen"}},
+                    "how false shadows are cut off: those of what is not between plane and light"};
+    Choice<Formula> formula{this,
+                            "formula",
+                            Formula::general,
+                            {{"general", "for any plane"},
+                             {"axis-aligned", "the slide's special case, for a plane across an axis"},
+                             {"transposed", "as the slide prints the general one: wrong for columns"}},
+                            "which matrix flattens"};
+    Real planeDistance{this, "plane-distance", floorBelow, {0, 1e8}, "distance of the floor below the world's origin"};
+    Choice<Space> space{this,
+                        "space",
+                        Space::planeLocal,
+                        {{"plane-local", "relative to a point of the plane, in double"},
+                         {"world", "world coordinates in double"},
+                         {"world-float", "world coordinates in float"}},
+                        "where the matrix is computed; all are rounded to float when they are uploaded"};
+    Angle theta{this, "theta", 20, "where the eye stands: its turn about the upright axis"};
+    Real phi{this, "phi", 80, {1, 179}, "where the eye stands: its angle from straight above", "deg"};
+    Real distance{this, "distance", 8.5, {2, 30}, "distance of the eye from the middle of the scene"};
+    Real fov{this, "fov", 40, {10, 120}, "the view's angle, upwards", "deg"};
+
+    Readout lightHeight{this, "light-height", "height of the light above the floor; at infinity the sine of its angle"};
+    Readout placeError{this, "place-error", "largest miss of a shadow's corner on the floor, of a cube of side 2"};
+
+    Program surfaces, shadows;
+    Scene casters[2];
+    std::vector<Mesh> casterMeshes[2];
+    Mesh square2, wires, lamp;
+
+    CubeShadows() {
+        bindDrag(theta, -360.0 / 700, phi, -360.0 / 700);
+        bindWheel(distance, -0.5);
+        bindKeys(Key::left, Key::right, lightTheta, 5);
+        bindKeys(Key::up, Key::down, lightPhi, 5);
+    }
+};
+}
