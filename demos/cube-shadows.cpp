@@ -12,17 +12,20 @@
 // - [grazing-light] Under a light 1e-7 above the plane no pixel beside floor and wall is darkened (X15).
 // - [far-from-the-origin] With the plane 1e6 from the origin a shadow's place is right to 1e-5 of the cube (X16).
 // - [moved-by-hand] The arrow keys turn the light by 5 degrees.
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 #include "mv/demo/demo.h"
-#include "mv/geometry/scene.h"
+#include "mv/geometry/scenes.h"
 #include "mv/geometry/shapes.h"
 #include "mv/gl/gl.h"
 #include "mv/math/projection.h"
 #include "mv/math/shadow.h"
 #include "mv/math/shadow_caster.h"
+#include "mv/math/shadow_textbook.h"
 #include "mv/math/transform.h"
 
 using namespace mv;
@@ -34,65 +37,20 @@ enum class Formula { general, axisAligned, transposed };
 enum class Space { planeLocal, world, worldFloat };
 enum class Cut { clip, discard, none };
 
-// For the plane (a, b, c, d), n.L I - L n^T: row i is n.L e_i - L_i (a, b, c, d). The slide prints it transposed.
-template <class T>
-glm::mat<4, 4, T> ofAnyPlane(const glm::vec<4, T>& light, const glm::vec<4, T>& plane, bool transposed) {
-    glm::mat<4, 4, T> m(glm::dot(plane, light));
-    for (int column = 0; column < 4; ++column) m[column] -= transposed ? plane * light[column] : light * plane[column];
-    return m;
-}
-
-// The slide's special case, for the plane where coordinate k is q: P_j = ((L_k - q) V_j - L_j (V_k - q)) / (L_k - V_k).
-template <class T>
-glm::mat<4, 4, T> acrossAxis(const glm::vec<4, T>& light, const glm::vec<4, T>& plane) {
-    const int k = std::abs(plane.x) > T(0.5) ? 0 : std::abs(plane.y) > T(0.5) ? 1 : 2;
-    const T q = -plane.w / plane[k];
-    glm::mat<4, 4, T> m(light[k] - q * light.w);
-    for (int j = 0; j < 3; ++j) {
-        m[k][j] = j == k ? -q * light.w : -light[j];
-        m[3][j] = q * light[j];
-    }
-    m[k][3] = -light.w;
-    m[3][3] = light[k];
-    return m;
-}
-
-struct Receiver {
-    mat4 worldFromSquare;
-    PlaneKind kind;
-    vec3 color;
-    vec3 origin() const { return vec3(worldFromSquare[3]); }
-    vec3 normal() const { return vec3(worldFromSquare[1]); }  // of unit length: squares are not scaled along it
-    vec4 plane() const { return {normal(), -glm::dot(normal(), origin())}; }
-};
-
-vec3 onSphere(double theta, double phi) {
-    const double t = radians(theta), p = radians(phi);
-    return {std::sin(p) * std::cos(t), std::sin(p) * std::sin(t), std::cos(p)};
-}
-
 constexpr double floorBelow = 1.0125;  // the middle of the scene
-constexpr double wallX = -3;
 
-// The course's cube, of side 2, in its colours.
-MeshData paintedCube() {
-    MeshData cube = box(vec3(-1), vec3(1));
-    for (const fvec3& face : {fvec3(1, 0, 0), {0, 1, 1}, {1, 1, 0}, {0, 1, 0}, {1, 0, 1}, {0, 0, 1}})
-        cube.colors.insert(cube.colors.end(), 6, fvec4(face, 1));
-    return cube;
+vec3 onSphere(double radius, double theta, double phi) {
+    const double t = radians(theta), p = radians(phi);
+    return radius * vec3(std::sin(p) * std::cos(t), std::sin(p) * std::sin(t), std::cos(p));
 }
 
-// What casts, in coordinates about the middle of the scene, z upwards.
-Scene castersOf(Place place) {
-    if (place != Place::stillLife) return {.objects = {{.name = "cube", .mesh = paintedCube()}}};
-    Scene life = stillLife(1);
-    std::erase_if(life.objects, [](const SceneObject& object) { return !object.casts; });
-    // Its y up becomes z, its wall's front +z becomes +x, and its wall at -1.6 comes to stand where ours is.
-    const mat4 turned(vec4(0, 1, 0, 0), vec4(0, 0, 1, 0), vec4(1, 0, 0, 0), vec4(0, 0, 0, 1));
-    for (SceneObject& object : life.objects)
-        object.worldFromObject = translate(0, 0, -floorBelow) * turned * scale(wallX / -1.6) * object.worldFromObject;
-    return life;
-}
+// A plane that shows shadows, by its unit normal and a point on it.
+struct Plane {
+    vec3 normal, origin;
+    vec4 inWorld() const { return {normal, -glm::dot(normal, origin)}; }
+    vec4 local() const { return {normal, 0}; }
+    vec4 localOf(const vec4& light) const { return {vec3(light) - light.w * origin, light.w}; }
+};
 
 struct CubeShadows final : Demo {
     Choice<Place> place{this,
@@ -107,7 +65,8 @@ struct CubeShadows final : Demo {
     Real lightDistance{this, "light-distance", 8.5, {1.75, 20}, "distance of the light from the middle of the scene"};
     Toggle atInfinity{this, "at-infinity", false, "a light in that direction, infinitely far away: w = 0"};
     Real lift{this, "lift", 0, {-3, 12}, "how far what casts is lifted"};
-    Real tilt{this, "tilt", 0, {-30, 60}, "how far the wall leans back; in scene plane, how far the plane rises", "deg"};
+    Real tilt{this, "tilt", 0, {-30, 60}, "how far the wall leans back; in scene plane, how far the plane rises",
+              "deg"};
     Real darkness{this, "darkness", 0.25, {0, 1}, "how much of the light a shadow takes away; 0: no shadow"};
     Toggle once{this, "once", true, "darken each pixel once, by the stencil buffer"};
     Choice<Cut> cut{this,
@@ -116,34 +75,35 @@ struct CubeShadows final : Demo {
                     {{"clip", "clip distances: GL cuts the triangles"},
                      {"discard", "the fragment shader discards"},
                      {"none", "not at all: false shadows are seen"}},
-                    "how false shadows are cut off: those of what is not between plane and light"};
+                    "how the shadows of what is not between plane and light are cut off"};
     Choice<Formula> formula{this,
                             "formula",
                             Formula::general,
                             {{"general", "for any plane"},
                              {"axis-aligned", "the slide's special case, for a plane across an axis"},
-                             {"transposed", "as the slide prints the general one: wrong for columns"}},
+                             {"transposed", "the general one as the slide prints it: wrong for columns"}},
                             "which matrix flattens"};
     Real planeDistance{this, "plane-distance", floorBelow, {0, 1e8}, "distance of the floor below the world's origin"};
     Choice<Space> space{this,
                         "space",
                         Space::planeLocal,
-                        {{"plane-local", "relative to a point of the plane, in double"},
+                        {{"plane-local", "relative to a point on the plane, in double"},
                          {"world", "world coordinates in double"},
                          {"world-float", "world coordinates in float"}},
-                        "where the matrix is computed; all are rounded to float when they are uploaded"};
+                        "where the matrix is computed; each is rounded to float when it is uploaded"};
     Angle theta{this, "theta", 20, "where the eye stands: its turn about the upright axis"};
     Real phi{this, "phi", 80, {1, 179}, "where the eye stands: its angle from straight above", "deg"};
     Real distance{this, "distance", 8.5, {2, 30}, "distance of the eye from the middle of the scene"};
     Real fov{this, "fov", 40, {10, 120}, "the view's angle, upwards", "deg"};
 
     Readout lightHeight{this, "light-height", "height of the light above the floor; at infinity the sine of its angle"};
-    Readout placeError{this, "place-error", "largest miss of a shadow's corner on the floor, of a cube of side 2"};
+    Readout placeError{this, "place-error",
+                       "farthest that a corner's shadow on the floor is off, for a cube of side 2"};
 
     Program surfaces, shadows;
-    Scene casters[2];
-    std::vector<Mesh> casterMeshes[2];
-    Mesh square2, wires, lamp;
+    Scene cubeRoom, lifeRoom;
+    std::vector<Mesh> cubeMeshes, lifeMeshes;
+    Mesh wires, lamp;
 
     CubeShadows() {
         bindDrag(theta, -360.0 / 700, phi, -360.0 / 700);
@@ -151,5 +111,263 @@ struct CubeShadows final : Demo {
         bindKeys(Key::left, Key::right, lightTheta, 5);
         bindKeys(Key::up, Key::down, lightPhi, 5);
     }
+
+    void init() override {
+        surfaces = Program("cube-shadows");
+        shadows = Program("cube-shadows", "shadow");
+        cubeRoom = cubeInRoom();
+        lifeRoom = stillLifeInRoom();
+        cubeMeshes = uploadMeshes(cubeRoom);
+        lifeMeshes = uploadMeshes(lifeRoom);
+        wires = Mesh(wireCube(), "edges");
+        lamp = Mesh(sphere(0.12, 32, 16), "light");
+    }
+
+    void check() const override {
+        if (formula == Formula::axisAligned && tilt != 0)
+            throw Error("--tilt", "must be 0 for --formula axis-aligned, which knows no other planes", tilt.text());
+    }
+
+    // ---- The scene: everything goes with its middle, wherever in the world the floor is
+
+    vec3 middle() const { return {0, 0, floorBelow - planeDistance}; }
+
+    vec4 light() const {
+        if (atInfinity) return {onSphere(1, lightTheta, lightPhi), 0};
+        return {middle() + onSphere(lightDistance, lightTheta, lightPhi), 1};
+    }
+
+    mat4 worldFromObject(const SceneObject& object) const {
+        if (object.casts) return translate(middle() + vec3(0, 0, lift)) * object.worldFromObject;
+        const mat4 worldFromLevel = translate(middle()) * object.worldFromObject;
+        if (object.name == "wall") return worldFromLevel * rotateX(-tilt);
+        if (place != Place::plane) return worldFromLevel;
+        return worldFromLevel * rotateX(-tilt) * translate(0, 0, -500) * scale(100, 1, 100);  // without an end in sight
+    }
+
+    static Plane planeOf(const mat4& worldFromGround) { return {vec3(worldFromGround[1]), vec3(worldFromGround[3])}; }
+
+    // ---- The shadow's matrix
+
+    template <class T>
+    glm::mat<4, 4, T> textbook(const glm::vec<4, T>& light, const glm::vec<4, T>& plane) const {
+        if (formula == Formula::axisAligned) return textbookShadowAcrossAxis(light, plane);
+        return textbookShadow(light, plane, formula == Formula::transposed);
+    }
+
+    // What model space is flattened by, seen from `target`: one matrix, multiplied from both ends before it is uploaded.
+    mat4 flattened(const mat4& targetFromWorld, const Plane& plane, const mat4& worldFromModel) const {
+        if (space == Space::worldFloat)
+            return mat4(fmat4(targetFromWorld) * textbook(fvec4(light()), fvec4(plane.inWorld())) *
+                        fmat4(worldFromModel));
+        if (space == Space::world && formula == Formula::general)
+            return targetFromWorld * shadowProjection(light(), plane.inWorld()) * worldFromModel;
+        if (space == Space::world) return targetFromWorld * textbook(light(), plane.inWorld()) * worldFromModel;
+        // Nothing that is large meets the shadow's matrix: it stands between coordinates relative to the origin
+        const mat4 flat = formula == Formula::general ? shadowProjection(light(), plane.inWorld(), plane.origin)
+                                                      : textbook(plane.localOf(light()), plane.local());
+        return (targetFromWorld * translate(plane.origin)) * flat * (translate(-plane.origin) * worldFromModel);
+    }
+
+    void draw(const Frame& frame) override {
+        // Clear the picture
+        glClearColor(1, 1, 1, 1);
+        glClearStencil(0);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+
+        // Look at the middle; its distance from the world's origin drops out of the product in double
+        const vec3 eye = onSphere(distance, theta, phi);
+        const mat4 viewFromWorld = lookAt(eye, vec3(0), vec3(0, 0, 1)) * translate(-middle());
+        const mat4 clipFromView = perspective(fov, frame.aspect(), 1, 100);
+        frame.show("viewFromWorld", viewFromWorld);
+        frame.show("clipFromView", clipFromView);
+
+        // Draw what is seen. The stencil buffer keeps for each pixel whether it shows a plane's front, and which: its tag
+        glEnable(GL_DEPTH_TEST);
+        glDepthFunc(GL_LESS);
+        glDisable(GL_BLEND);
+        glEnable(GL_STENCIL_TEST);
+        glStencilMask(0xFF);
+        glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+        surfaces.use();
+        surfaces.set("clipFromView", clipFromView);
+        surfaces.set("viewLight", viewFromWorld * light());
+        const Scene& room = place == Place::stillLife ? lifeRoom : cubeRoom;
+        const std::vector<Mesh>& meshes = place == Place::stillLife ? lifeMeshes : cubeMeshes;
+        const std::size_t shown = room.objects.size() - (place == Place::plane ? 1 : 0);  // the last is the wall
+        std::vector<std::size_t> planes;
+        for (std::size_t i = 0; i < shown; ++i) {
+            const SceneObject& object = room.objects[i];
+            const mat4 worldFromModel = worldFromObject(object);
+            const bool unseen = place == Place::plane && !object.casts;
+            const Plane plane = planeOf(worldFromModel);
+            const bool fromTheFront = unseen || glm::dot(plane.normal, middle() + eye - plane.origin) > 0;
+            if (!object.casts) planes.push_back(i);
+            glStencilFunc(GL_ALWAYS, object.casts || !fromTheFront ? 0 : static_cast<GLint>(i), 0xFF);
+            glColorMask(!unseen, !unseen, !unseen, !unseen);
+            drawSurface(meshes[i], viewFromWorld * worldFromModel, object.color, true, !object.mesh.colors.empty());
+        }
+        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+        glStencilFunc(GL_ALWAYS, 0, 0xFF);
+        glDepthFunc(GL_LEQUAL);
+        if (place != Place::stillLife)
+            drawSurface(wires, viewFromWorld * worldFromObject(room.objects[0]) * scale(2), vec3(0), false, false);
+        if (!atInfinity) drawSurface(lamp, viewFromWorld * translate(vec3(light())), vec3(1, 0.6, 0), false, false);
+
+        // Draw what casts once more, flattened onto each plane, where the tag says that this plane is seen. So the depth
+        // test is not needed and nothing fights; and with the tag set to 0 by the first shadow, there is no second.
+        glDisable(GL_DEPTH_TEST);
+        glEnable(GL_BLEND);
+        glBlendEquation(GL_FUNC_ADD);
+        glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+        glStencilOp(GL_KEEP, GL_KEEP, once ? GL_ZERO : GL_KEEP);
+        const bool clips = cut == Cut::clip && !isEs();
+        if (clips) glEnable(GL_CLIP_DISTANCE0);
+        if (clips) glEnable(GL_CLIP_DISTANCE1);
+        shadows.use();
+        shadows.set("clipFromView", clipFromView);
+        shadows.set("darkness", darkness);
+        shadows.set("discardOutside", cut != Cut::none && !clips);
+        std::vector<std::string> sentences;
+        for (const std::size_t i : planes) {
+            const SceneObject& ground = room.objects[i];
+            const Plane plane = planeOf(worldFromObject(ground));
+            const PlaneKind kind = ground.name == "wall" ? PlaneKind::wall : PlaneKind::floor;
+            glStencilFunc(GL_EQUAL, static_cast<GLint>(i), 0xFF);
+            for (std::size_t k = 0; k < planes[0]; ++k) {
+                const std::string sentence = castShadow(plane, kind, room.objects[k], meshes[k], viewFromWorld);
+                if (std::find(sentences.begin(), sentences.end(), sentence) == sentences.end())
+                    sentences.push_back(sentence);
+            }
+        }
+        if (clips) glDisable(GL_CLIP_DISTANCE0);
+        if (clips) glDisable(GL_CLIP_DISTANCE1);
+        for (const std::string& sentence : sentences) {
+            if (!sentence.empty()) frame.say(sentence);
+        }
+        const Plane floor = planeOf(worldFromObject(room.objects[planes[0]]));
+        if (lightSide(floor.localOf(light()), floor.local()) > 0)
+            frame.show("shadowFromWorld", flattened(mat4(1), floor, mat4(1)));
+        if (frame.readouts()) measure(frame, floor);
+    }
+
+    void drawSurface(const Mesh& mesh, const mat4& viewFromModel, const vec3& color, bool lit, bool colored) const {
+        surfaces.set("viewFromModel", viewFromModel);
+        surfaces.set("viewFromNormal", normalMatrix(viewFromModel));
+        surfaces.set("color", vec4(color, 1));
+        surfaces.set("lit", lit);
+        surfaces.set("colored", colored);
+        mesh.draw();
+    }
+
+    // Returns what is to be said about it.
+    std::string castShadow(const Plane& plane, PlaneKind kind, const SceneObject& caster, const Mesh& mesh,
+                           const mat4& viewFromWorld) const {
+        const mat4 worldFromModel = worldFromObject(caster), localFromModel = translate(-plane.origin) * worldFromModel;
+        const vec4 localLight = plane.localOf(light());
+        std::vector<vec3> corners;
+        corners.reserve(caster.mesh.positions.size());
+        for (const fvec3& corner : caster.mesh.positions) corners.emplace_back(localFromModel * vec4(corner, 1));
+        const CasterVerdict verdict = judgeCaster(caster.name, corners, localLight, plane.local(), kind);
+        const bool possible = cut == Cut::none && lightSide(localLight, plane.local()) > 0;
+        if (!verdict.casts && !possible) return verdict.sentence;
+
+        const auto [beforePlane, beforeLight] = shadowCasterBounds(localLight, plane.local());
+        shadows.set("beforePlane", beforePlane * localFromModel);  // a half space moves by the transpose
+        shadows.set("beforeLight", beforeLight * localFromModel);
+        shadows.set("viewFromModel", flattened(viewFromWorld, plane, worldFromModel));
+        mesh.draw();
+        return verdict.sentence;
+    }
+
+    // ---- The study: where the shadows of the cube's corners lie on the floor, relative to a point on it
+
+    static std::array<vec3, 8> corners() {
+        std::array<vec3, 8> corners;
+        for (int i = 0; i < 8; ++i) corners[static_cast<std::size_t>(i)] = vec3(i & 1, i >> 1 & 1, i >> 2) * 2.0 - 1.0;
+        return corners;
+    }
+    Plane studied() const { return planeOf(worldFromObject(cubeRoom.objects[1])); }
+    vec3 cubeMiddle() const { return middle() + vec3(0, 0, lift); }
+
+    // As the GPU computes it: the matrix rounded to float, multiplied and divided in float.
+    std::vector<double> values() const override {
+        const Plane plane = studied();
+        const fmat4 localFromModel(flattened(translate(-plane.origin), plane, translate(cubeMiddle())));
+        std::vector<double> places;
+        for (const vec3& corner : corners()) {
+            const fvec4 shadow = localFromModel * fvec4(corner, 1);
+            for (int axis = 0; axis < 3; ++axis) places.push_back(shadow[axis] / shadow.w);
+        }
+        return places;
+    }
+
+    // By another way: where the ray from the light through the corner meets the plane, in long double, without a matrix.
+    Reference reference(const Frame&, const std::function<void(double)>&) const override {
+        using Wide = glm::vec<3, long double>;
+        const Plane plane = studied();
+        const Wide normal{plane.normal}, origin{plane.origin};
+        const Wide source{vec3(light())};
+        Reference result;
+        for (const vec3& corner : corners()) {
+            const Wide from = Wide(middle()) + Wide(0, 0, lift) + Wide(corner) - origin;
+            const Wide along = atInfinity ? -source : from - (source - origin);
+            const Wide met = from - along * (glm::dot(normal, from) / glm::dot(normal, along));
+            for (int axis = 0; axis < 3; ++axis) result.values.push_back(double(met[axis]));
+        }
+        return result;
+    }
+
+    void measure(const Frame& frame, const Plane& floor) {
+        const vec4 localLight = floor.localOf(light());
+        lightHeight = glm::dot(floor.local(), localLight);
+        if (lightSide(localLight, floor.local()) <= 0) return;
+        for (const vec4& bound : shadowCasterBounds(localLight, floor.local())) {
+            for (const vec3& corner : corners())
+                if (glm::dot(bound, vec4(cubeMiddle() + corner - floor.origin, 1)) <= 0) return;  // not all of it casts
+        }
+        const std::vector<double> drawn = values(), right = reference(frame, {}).values;
+        double most = 0;
+        for (std::size_t i = 0; i < drawn.size(); ++i) most = std::fmax(most, std::abs(drawn[i] - right[i]));
+        if (std::isfinite(most)) placeError = most;
+    }
 };
+
+const char* const distances[] = {"1", "10", "100", "1e3", "1e4", "1e5", "1e6", "1e7", "1e8"};
+
+StudyLine lineOf(const std::string& method, const std::string& space) {
+    return {.method = method,
+            .settings = {{"space", space}},
+            .knob = "plane-distance",
+            .values = {std::begin(distances), std::end(distances)}};
 }
+
+const bool added = addDemo<CubeShadows>({
+    .name = "cube-shadows",
+    .sentence = "Planar shadows on any plane, from a lamp or a light at infinity, by one matrix.",
+    .lookFor = "Move the light: the shadow runs over the floor and up the wall, and is never darkened twice.",
+    .chapter = "Shadows",
+    .number = 11,
+    .width = 700,
+    .height = 700,
+    .needs = {.depth = true,
+              .stencil = true,
+              .beyondEs = "clip distances; there the fragment shader discards by the same two distances"},
+    .pose = {{"scene", "room"},
+             {"theta", "35"},
+             {"phi", "65"},
+             {"distance", "14"},
+             {"light-theta", "60"},
+             {"light-phi", "50"},
+             {"darkness", "0.5"}},
+    .study = Study{.quantity = "place of the shadows of a cube's eight corners, relative to a point on the plane",
+                   .reference = "the ray from the light through the corner meets the plane, in long double",
+                   .scenes = {{"level plane", {{"light-phi", "40"}}},
+                              {"rising plane", {{"light-phi", "40"}, {"tilt", "-20"}}}},
+                   .lines = {lineOf("world space, float", "world-float"), lineOf("world space, double", "world"),
+                             lineOf("plane-local, double", "plane-local")},
+                   .wrongBeyond = 2e-5,
+                   .ofValues = true},
+});
+
+}  // namespace
