@@ -145,7 +145,11 @@ struct CubeShadows final : Demo {
         return worldFromLevel * rotateX(-tilt) * translate(0, 0, -500) * scale(100, 1, 100);  // without an end in sight
     }
 
-    static Plane planeOf(const mat4& worldFromGround) { return {vec3(worldFromGround[1]), vec3(worldFromGround[3])}; }
+    // The point on it is the one nearest to the middle of the scene: what is relative to it stays small.
+    Plane planeOf(const mat4& worldFromGround) const {
+        const vec3 normal(worldFromGround[1]), point(worldFromGround[3]);
+        return {normal, middle() - glm::dot(normal, middle() - point) * normal};
+    }
 
     // ---- The shadow's matrix
 
@@ -189,6 +193,7 @@ struct CubeShadows final : Demo {
         glEnable(GL_STENCIL_TEST);
         glStencilMask(0xFF);
         glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+        glPolygonOffset(1, 1);
         surfaces.use();
         surfaces.set("clipFromView", clipFromView);
         surfaces.set("viewLight", viewFromWorld * light());
@@ -205,11 +210,18 @@ struct CubeShadows final : Demo {
             if (!object.casts) planes.push_back(i);
             glStencilFunc(GL_ALWAYS, object.casts || !fromTheFront ? 0 : static_cast<GLint>(i), 0xFF);
             glColorMask(!unseen, !unseen, !unseen, !unseen);
+            glDepthMask(!unseen);
+            // The cube gives way to the lines on its edges
+            if (object.casts) {
+                glEnable(GL_POLYGON_OFFSET_FILL);
+            } else {
+                glDisable(GL_POLYGON_OFFSET_FILL);
+            }
             drawSurface(meshes[i], viewFromWorld * worldFromModel, object.color, true, !object.mesh.colors.empty());
         }
         glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+        glDepthMask(GL_TRUE);
         glStencilFunc(GL_ALWAYS, 0, 0xFF);
-        glDepthFunc(GL_LEQUAL);
         if (place != Place::stillLife)
             drawSurface(wires, viewFromWorld * worldFromObject(room.objects[0]) * scale(2), vec3(0), false, false);
         if (!atInfinity) drawSurface(lamp, viewFromWorld * translate(vec3(light())), vec3(1, 0.6, 0), false, false);
@@ -227,6 +239,7 @@ struct CubeShadows final : Demo {
         shadows.use();
         shadows.set("clipFromView", clipFromView);
         shadows.set("darkness", darkness);
+        if (!isEs()) shadows.set("clips", clips);
         shadows.set("discardOutside", cut != Cut::none && !clips);
         std::vector<std::string> sentences;
         for (const std::size_t i : planes) {
