@@ -193,7 +193,6 @@ struct CubeShadows final : Demo {
         glEnable(GL_STENCIL_TEST);
         glStencilMask(0xFF);
         glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
-        glPolygonOffset(1, 1);
         surfaces.use();
         surfaces.set("clipFromView", clipFromView);
         surfaces.set("viewLight", viewFromWorld * light());
@@ -211,19 +210,15 @@ struct CubeShadows final : Demo {
             glStencilFunc(GL_ALWAYS, object.casts || !fromTheFront ? 0 : static_cast<GLint>(i), 0xFF);
             glColorMask(!unseen, !unseen, !unseen, !unseen);
             glDepthMask(!unseen);
-            // The cube gives way to the lines on its edges
-            if (object.casts) {
-                glEnable(GL_POLYGON_OFFSET_FILL);
-            } else {
-                glDisable(GL_POLYGON_OFFSET_FILL);
-            }
             drawSurface(meshes[i], viewFromWorld * worldFromModel, object.color, true, !object.mesh.colors.empty());
         }
         glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
         glDepthMask(GL_TRUE);
         glStencilFunc(GL_ALWAYS, 0, 0xFF);
-        if (place != Place::stillLife)
-            drawSurface(wires, viewFromWorld * worldFromObject(room.objects[0]) * scale(2), vec3(0), false, false);
+        if (place != Place::stillLife) {  // a little outside the faces, which would come through them else
+            const mat4 viewFromEdges = viewFromWorld * worldFromObject(room.objects[0]) * scale(2.004);
+            drawSurface(wires, viewFromEdges, vec3(0), false, false);
+        }
         if (!atInfinity) drawSurface(lamp, viewFromWorld * translate(vec3(light())), vec3(1, 0.6, 0), false, false);
 
         // Draw what casts once more, flattened onto each plane, where the tag says that this plane is seen. So the depth

@@ -92,7 +92,7 @@ struct Compared {
 };
 
 // Each pixel is dark or not as the rays say. Passed over: those with a neighbour that sees something else, for which
-// rounding decides, and the lamp, which the rays do not know.
+// rounding decides, and the lamp and the cube's black edges, which the rays do not know.
 Compared againstRays(DemoRun& run) {
     const Darkened drawn = darkened(run);
     const Scene scene = sceneOf(run);
@@ -109,7 +109,8 @@ Compared againstRays(DemoRun& run) {
     for (int y = 1; y + 1 < height; ++y) {
         for (int x = 1; x + 1 < width; ++x) {
             const int here = seen(x, y);
-            bool edge = drawn.with.at(x, y) == lampColor;
+            const Pixel there = drawn.without.at(x, y);
+            bool edge = there == lampColor || there == Pixel{0, 0, 0};
             for (int v = y - 1; v <= y + 1; ++v)
                 for (int u = x - 1; u <= x + 1; ++u) edge = edge || seen(u, v) != here;
             if (edge) continue;
