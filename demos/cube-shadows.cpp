@@ -17,8 +17,10 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <optional>
 
 #include "mv/demo/demo.h"
+#include "mv/geometry/in_view.h"
 #include "mv/geometry/ray.h"
 #include "mv/geometry/scenes.h"
 #include "mv/geometry/shapes.h"
@@ -102,9 +104,11 @@ struct CubeShadows final : Demo {
                        "farthest that a corner's shadow on the floor is off, for a cube of side 2"};
 
     Program surfaces, shadows;
-    Scene cubeRoom, lifeRoom;
-    std::vector<Mesh> cubeMeshes, lifeMeshes;
-    Mesh wires, lamp;
+    std::optional<Place> made;  // the scene of these two
+    Scene room;
+    std::vector<Mesh> meshes;
+    MeshData lampShape = painted(sphere(0.12, 32, 16), {1, 0.6, 0});
+    Mesh edges, lamp;
 
     CubeShadows() {
         bindDrag(theta, -360.0 / 700, phi, -360.0 / 700);
@@ -116,12 +120,29 @@ struct CubeShadows final : Demo {
     void init() override {
         surfaces = Program("cube-shadows");
         shadows = Program("cube-shadows", "shadow");
-        cubeRoom = cubeInRoom();
-        lifeRoom = stillLifeInRoom();
-        cubeMeshes = uploadMeshes(cubeRoom);
-        lifeMeshes = uploadMeshes(lifeRoom);
-        wires = Mesh(wireCube(), "edges");
-        lamp = Mesh(sphere(0.12, 32, 16), "light");
+        edges = Mesh(painted(wireCube(), {0, 0, 0}), "edges");
+    }
+
+    // Vertices with a colour and without a normal are shown in that colour, unlit.
+    static MeshData painted(MeshData mesh, const vec3& color) {
+        mesh.colors.assign(mesh.positions.size(), fvec4(color, 1));
+        mesh.normals.clear();
+        return mesh;
+    }
+
+    void makeScene() {
+        if (made == place) return;
+        room = place == Place::stillLife ? stillLifeInRoom() : cubeInRoom();
+        if (place == Place::plane) room.objects.pop_back();  // the wall
+        for (SceneObject& object : room.objects) {
+            if (object.name == "cube") {
+                object.mesh.normals.clear();
+            } else {
+                object.mesh.colors.assign(object.mesh.positions.size(), fvec4(object.color, 1));
+            }
+        }
+        meshes = uploadMeshes(room);
+        made = place;
     }
 
     void check() const override {
@@ -180,6 +201,8 @@ struct CubeShadows final : Demo {
         glClearStencil(0);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
 
+        makeScene();
+
         // Look at the middle; its distance from the world's origin drops out of the product in double
         const vec3 eye = onSphere(distance, theta, phi);
         const mat4 viewFromWorld = lookAt(eye, vec3(0), vec3(0, 0, 1)) * translate(-middle());
@@ -197,30 +220,30 @@ struct CubeShadows final : Demo {
         surfaces.use();
         surfaces.set("clipFromView", clipFromView);
         surfaces.set("viewLight", viewFromWorld * light());
-        const Scene& room = place == Place::stillLife ? lifeRoom : cubeRoom;
-        const std::vector<Mesh>& meshes = place == Place::stillLife ? lifeMeshes : cubeMeshes;
-        const std::size_t shown = room.objects.size() - (place == Place::plane ? 1 : 0);  // the last is the wall
         std::vector<std::size_t> planes;
-        for (std::size_t i = 0; i < shown; ++i) {
-            const SceneObject& object = room.objects[i];
-            const mat4 worldFromModel = worldFromObject(object);
-            const bool unseen = place == Place::plane && !object.casts;
-            const Plane plane = planeOf(worldFromModel);
-            const bool fromTheFront = unseen || glm::dot(plane.normal, middle() + eye - plane.origin) > 0;
-            if (!object.casts) planes.push_back(i);
-            glStencilFunc(GL_ALWAYS, object.casts || !fromTheFront ? 0 : static_cast<GLint>(i), 0xFF);
-            glColorMask(!unseen, !unseen, !unseen, !unseen);
-            glDepthMask(!unseen);
-            drawSurface(meshes[i], viewFromWorld * worldFromModel, object.color, true, !object.mesh.colors.empty());
+        for (std::size_t i = 0; i < room.objects.size(); ++i) {
+            const mat4 worldFromModel = worldFromObject(room.objects[i]);
+            GLint tag = 0;
+            if (!room.objects[i].casts) {
+                const Plane plane = planeOf(worldFromModel);
+                const bool fromTheFront = glm::dot(plane.normal, middle() + eye - plane.origin) > 0;
+                if (fromTheFront || place == Place::plane) tag = static_cast<GLint>(i);
+                planes.push_back(i);
+            }
+            glStencilFunc(GL_ALWAYS, tag, 0xFF);
+            if (tag != 0 && place == Place::plane) setSeen(false);
+            drawSurface(meshes[i], viewFromWorld * worldFromModel);
         }
-        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-        glDepthMask(GL_TRUE);
+        if (place == Place::plane) setSeen(true);
         glStencilFunc(GL_ALWAYS, 0, 0xFF);
-        if (place != Place::stillLife) {  // a little outside the faces, which would come through them else
-            const mat4 viewFromEdges = viewFromWorld * worldFromObject(room.objects[0]) * scale(2.004);
-            drawSurface(wires, viewFromEdges, vec3(0), false, false);
+        // The edges a little outside the faces, which would come through them else
+        if (place != Place::stillLife)
+            drawSurface(edges, viewFromWorld * worldFromObject(room.objects[0]) * scale(2.004));
+        const mat4 viewFromLamp = viewFromWorld * translate(vec3(light()));
+        if (!atInfinity && isInView(lampShape, clipFromView * viewFromLamp)) {
+            if (lamp.count() == 0) lamp = Mesh(lampShape, "light");
+            drawSurface(lamp, viewFromLamp);
         }
-        if (!atInfinity) drawSurface(lamp, viewFromWorld * translate(vec3(light())), vec3(1, 0.6, 0), false, false);
 
         // Draw what casts once more, flattened onto each plane, where the tag says that this plane is seen. So the depth
         // test is not needed and nothing fights; and with the tag set to 0 by the first shadow, there is no second.
@@ -260,12 +283,14 @@ struct CubeShadows final : Demo {
         if (frame.readouts()) measure(frame, floor);
     }
 
-    void drawSurface(const Mesh& mesh, const mat4& viewFromModel, const vec3& color, bool lit, bool colored) const {
+    // The original's plane is not drawn: it is only tagged.
+    static void setSeen(bool seen) {
+        glColorMask(seen, seen, seen, seen);
+        glDepthMask(seen);
+    }
+
+    void drawSurface(const Mesh& mesh, const mat4& viewFromModel) const {
         surfaces.set("viewFromModel", viewFromModel);
-        surfaces.set("viewFromNormal", normalMatrix(viewFromModel));
-        surfaces.set("color", vec4(color, 1));
-        surfaces.set("lit", lit);
-        surfaces.set("colored", colored);
         mesh.draw();
     }
 
@@ -296,7 +321,10 @@ struct CubeShadows final : Demo {
         for (int i = 0; i < 8; ++i) corners[static_cast<std::size_t>(i)] = vec3(i & 1, i >> 1 & 1, i >> 2) * 2.0 - 1.0;
         return corners;
     }
-    Plane studied() const { return planeOf(worldFromObject(cubeRoom.objects[1])); }
+    Plane studied() const {
+        static const Scene cubeScene = cubeInRoom();
+        return planeOf(worldFromObject(cubeScene.objects[1]));
+    }
     vec3 cubeMiddle() const { return middle() + vec3(0, 0, lift); }
 
     // As the GPU computes it: the matrix rounded to float, multiplied and divided in float.
@@ -377,7 +405,12 @@ const bool added = addDemo<CubeShadows>({
               .lines = {lineOf("world space, float", "world-float"), lineOf("world space, double", "world"),
                         lineOf("plane-local, double", "plane-local")},
               .wrongBeyond = 2e-5,
+              .says = "In world space the error grows with the distance of the plane, in float from the start and in "
+                      "double from 1e5 on; relative to a point on the plane it is what rounding the matrix to float "
+                      "costs, wherever the plane is. It takes less than 0.1 microseconds more.",
               .ofValues = true},
+    .waste = {{"no-sample", "draw of 'cube'",
+               "in the first picture the eye is at the light: the cube hides its shadow"}},
 });
 
 }  // namespace

@@ -1,7 +1,4 @@
 #include "light.glsl"
-uniform vec4 color;
-uniform bool colored;  // the vertices bring their colours, which are shown as they are
-uniform bool lit;
 uniform vec4 viewLight;
 in vec3 viewPoint;
 in vec3 viewNormal;
@@ -9,11 +6,9 @@ in vec4 ownColor;
 out vec4 fragColor;
 
 void main() {
-    if (colored) {
-        fragColor = ownColor;
-    } else if (lit) {
-        fragColor = vec4(shade(color.rgb, viewPoint, normalize(viewNormal), viewLight, 1.0), 1.0);
-    } else {
-        fragColor = color;
+    fragColor = ownColor;
+    // A mesh without normals has (0, 0, 0) here, and is shown as it is.
+    if (dot(viewNormal, viewNormal) > 0.0) {
+        fragColor.rgb = shade(ownColor.rgb, viewPoint, normalize(viewNormal), viewLight, 1.0);
     }
 }

@@ -1,6 +1,5 @@
 uniform mat4 clipFromView;
 uniform mat4 viewFromModel;
-uniform mat3 viewFromNormal;
 in vec4 position;
 in vec3 normal;
 in vec4 color;
@@ -11,7 +10,7 @@ out vec4 ownColor;
 void main() {
     vec4 point = viewFromModel * position;
     viewPoint = point.xyz;
-    viewNormal = viewFromNormal * normal;
+    viewNormal = mat3(viewFromModel) * normal;  // what is lit is turned, and scaled alike in all directions
     ownColor = color;
     gl_Position = clipFromView * point;
 }
