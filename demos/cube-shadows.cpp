@@ -397,6 +397,8 @@ const bool added = addDemo<CubeShadows>({
              {"theta", "15"},
              {"phi", "70"},
              {"distance", "13"}},
+    .waste = {{"no-sample", "draw of 'cube'",
+               "in the first picture the eye is at the light: the cube hides its shadow"}},
     .study =
         Study{.quantity = "place of the shadows of a cube's eight corners, relative to a point on the plane",
               .reference = "the ray from the light through the corner meets the plane, in double, without a matrix",
@@ -409,8 +411,6 @@ const bool added = addDemo<CubeShadows>({
                       "double from 1e5 on; relative to a point on the plane it is what rounding the matrix to float "
                       "costs, wherever the plane is. It takes less than 0.1 microseconds more.",
               .ofValues = true},
-    .waste = {{"no-sample", "draw of 'cube'",
-               "in the first picture the eye is at the light: the cube hides its shadow"}},
 });
 
 }  // namespace
