@@ -87,6 +87,12 @@ Darkened darkened(DemoRun& run) {
     return result;
 }
 
+// Of a picture's numbers, one a pixel, that of this pixel.
+template <class Numbers>
+auto at(const Numbers& numbers, int width, int x, int y) {
+    return numbers[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
+}
+
 struct Compared {
     long wrong = 0, shadow = 0, compared = 0;
 };
@@ -99,10 +105,9 @@ Compared againstRays(DemoRun& run) {
     const int width = drawn.with.width, height = drawn.with.height;
     const LitPicture rays = RayCaster(scene).lit(width, height);
     const auto seen = [&](int x, int y) {  // the object and whether it is dark, as one number
-        const auto i = static_cast<std::size_t>(y * width + x);
-        const int object = rays.object[i];
-        const bool dark = object >= 0 && scene.objects[static_cast<std::size_t>(object)].receives && rays.faces[i] &&
-                          rays.lit[i] < 0.5;
+        const int object = at(rays.object, width, x, y);
+        const bool dark = object >= 0 && scene.objects[static_cast<std::size_t>(object)].receives &&
+                          at(rays.faces, width, x, y) && at(rays.lit, width, x, y) < 0.5;
         return 2 * object + (dark ? 1 : 0);
     };
     Compared result;
@@ -159,7 +164,7 @@ TEST(CubeShadows, cast_by_rays) {
     long ofFloor = 0, dark = 0;
     for (int y = 0; y < 320; ++y) {
         for (int x = 0; x < 320; ++x) {
-            const int object = rays.object[static_cast<std::size_t>(y * 320 + x)];
+            const int object = at(rays.object, 320, x, y);
             if (object < 0 || scene.objects[static_cast<std::size_t>(object)].name != "floor") continue;
             ++ofFloor;
             dark += drawn.isDark(x, y);
@@ -333,7 +338,7 @@ TEST(CubeShadows, grazing_light) {
         const Darkened drawn = darkened(run);
         const Scene seen = sceneOf(run);
         const LitPicture rays = RayCaster(seen).lit(320, 320);
-        const auto objectAt = [&](int x, int y) { return rays.object[static_cast<std::size_t>(y * 320 + x)]; };
+        const auto objectAt = [&](int x, int y) { return at(rays.object, 320, x, y); };
         const auto receives = [&](int object) {
             return object >= 0 && seen.objects[static_cast<std::size_t>(object)].receives;
         };
