@@ -103,7 +103,8 @@ TEST(JudgeCaster, SpeaksOfWalls) {
     EXPECT_EQ(judgeAtWall(-2, -1, 3).sentence, "The cube is not in front of the wall: no shadow of it falls there.");
     EXPECT_EQ(judgeAtWall(3, 3, 3).sentence,
               "The cube is as far from the wall as the light: its shadow would lie at infinity.");
-    EXPECT_EQ(judgeAtWall(4, 5, 3).sentence, "The light is nearer to the wall than the cube: it casts no shadow there.");
+    EXPECT_EQ(judgeAtWall(4, 5, 3).sentence,
+              "The light is nearer to the wall than the cube: it casts no shadow there.");
     EXPECT_EQ(judgeAtWall(2, 4, 3).sentence,
               "Only the part of the cube nearer to the wall than the light casts a shadow there.");
     EXPECT_EQ(judgeAtWall(-1, 2, 3).sentence, "Only the part of the cube in front of the wall casts a shadow there.");
