@@ -7,7 +7,7 @@ build=$root/build
 run_packages=(g++ cmake ninja-build libglfw3-dev libimgui-dev libglm-dev libstb-dev libpng-dev libcli11-dev
   nlohmann-json3-dev libgl-dev libegl-dev libegl1 libgl1-mesa-dri fonts-dejavu-core)
 optional_packages=(libosmesa6)  # newer distributions no longer have it; EGL serves without
-test_packages=(git libgtest-dev xvfb xauth xdotool imagemagick clang-format clang-tidy)
+test_packages=(git libgtest-dev libboost-dev xvfb xauth xdotool imagemagick clang-format clang-tidy)
 
 fail() {
   echo "error: $*" >&2
