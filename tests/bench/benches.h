@@ -1,5 +1,6 @@
 // What mvgl measures against others. Each function runs its comparisons and returns a row for each.
 #pragma once
+#include <string>
 #include <vector>
 
 #include "bench/ratio.h"
@@ -20,5 +21,10 @@ namespace mv::bench {
 // A picture of cube-cull by a process of its own, against a bare program: at most 1.3 times the time and 1.15 times the
 // peak memory.
 [[nodiscard]] std::vector<Row> processBench(int rounds);
+
+// The errors of mv/math's functions and their times beside GLM's: prints the page, or with a folder ("docs") writes it
+// there as library.md, with its curve library.svg and the numbers library-errors.csv and library-times.csv. Takes
+// minutes: 100,000 samples a function. Error: gnuplot is missing.
+void accuracyBench(const std::string& folder);
 
 }  // namespace mv::bench

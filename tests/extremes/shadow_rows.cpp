@@ -82,12 +82,15 @@ Row casters(const std::string& id, const std::string& where, const std::string& 
         naive += isDrawn(textbook<double>(from, ground) * vec4(caster, 1)) ? 1 : 0;
         ours += judgeCaster("point", std::span(&caster, 1), from, ground).casts ? 1 : 0;
     }
+    for (const vec4& from : std::span(lights).first(3)) {
+        ours += accepted([&] { shadowProjection(from, ground); });
+    }
     return Row{.id = "X14",
                .input = "5 lights in the floor, within 1e-6 of it, and below it",
-               .measured = "lights that throw a shadow onto the floor",
+               .measured = "lights that throw a shadow onto the floor, or are not refused",
                .naive = "the textbook's matrix: collapsed onto the light, or mirrored",
                .naiveError = naive,
-               .ours = "judgeCaster: none, and a sentence why",
+               .ours = "judgeCaster: none, and a sentence why; shadowProjection refuses the first three",
                .ourError = ours,
                .tolerance = 0,
                .reason = "it is a verdict"};

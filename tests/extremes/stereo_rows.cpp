@@ -12,7 +12,8 @@ namespace {
 
 Row parallax(const std::string& id, double convergence) {
     const double half = std::tan(radians(30.0)), apart = 0.06;
-    const vec3 corner[] = {vec3(half * 4 / 3, half, -1) * convergence};
+    const vec3 corner = vec3(half * 4 / 3, half, -1) * convergence;
+    const vec3 points[] = {corner, 1.5 * corner};
     const mat4 lens = perspective(60, 4.0 / 3, 0.1, 100);
     const auto turned = [&](double x) { return lens * lookAt({x, 0, 0}, {0, 0, -convergence}, {0, 1, 0}); };
     const auto offAxis = [&](double x) {
@@ -22,12 +23,13 @@ Row parallax(const std::string& id, double convergence) {
         return frustum(window) * translate(-x, 0, 0);
     };
     const auto rows = [&](const mat4& left, const mat4& right) {
-        const auto seen = parallaxOf(corner, left, right, 640, 480, 0.1);
+        const auto seen = parallaxOf(points, left, right, 640, 480, 0.1);
         return seen ? seen->vertical : infinite;
     };
     return {.id = id,
-            .input = "eyes 6 cm apart that meet " + id.substr(4) + " away, a point in the corner of 640x480 pixels",
-            .measured = "rows between its two pictures",
+            .input = "eyes 6 cm apart that meet " + id.substr(4) +
+                     " away, points there and behind in the corner of 640x480 pixels",
+            .measured = "rows between the two pictures of a point",
             .naive = "eyes turned in by lookAt",
             .naiveError = rows(turned(-apart / 2), turned(apart / 2)),
             .ours = "parallel eyes, off-axis frustum",
