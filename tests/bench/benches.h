@@ -1,5 +1,6 @@
 // What mvgl measures against others. Each function runs its comparisons and returns a row for each.
 #pragma once
+#include <string>
 #include <vector>
 
 #include "bench/ratio.h"
@@ -24,5 +25,9 @@ namespace mv::bench {
 // Rays: sphere and triangle against the textbook's forms (at most 1.8 and 1.15 times the time), the ray caster on two
 // threads against one (at least 1.8 times as fast), and against Embree, where that is installed (at most 10 times the time).
 [[nodiscard]] std::vector<Row> raysBench(int rounds);
+// The errors of mv/math's functions and their times beside GLM's: prints the page, or with a folder ("docs") writes it
+// there as library.md, with its curve library.svg and the numbers library-errors.csv and library-times.csv. Takes
+// minutes: 100,000 samples a function. Error: gnuplot is missing.
+void accuracyBench(const std::string& folder);
 
 }  // namespace mv::bench
