@@ -14,8 +14,11 @@
 
 int main(int count, char** arguments) {
     using namespace mv::bench;
-    const std::vector<std::pair<std::string, std::function<std::vector<Row>(int)>>> benches{
-        {"png", pngBench}, {"math", mathBench}, {"frame", frameBench}, {"process", processBench}};
+    const std::vector<std::pair<std::string, std::function<std::vector<Row>(int)>>> benches{{"png", pngBench},
+                                                                                            {"math", mathBench},
+                                                                                            {"frame", frameBench},
+                                                                                            {"shadows", shadowsBench},
+                                                                                            {"process", processBench}};
     std::vector<std::string> wanted;
     int rounds = 15;
     for (int i = 1; i < count; ++i) {
@@ -27,7 +30,7 @@ int main(int count, char** arguments) {
         bool known = false;
         for (const auto& bench : benches) known |= bench.first == word;
         if (!known) {
-            std::cerr << "error: " << word << ": must be png, math, frame, process or --rounds N\n";
+            std::cerr << "error: " << word << ": must be png, math, frame, shadows, process or --rounds N\n";
             return 2;
         }
         wanted.push_back(word);

@@ -49,6 +49,20 @@ Scene cubeOnPlane(double aspect) {
     return scene;
 }
 
+Scene sphereAndCube(double aspect) {
+    requirePositive("scene", "aspect", aspect);
+    Scene scene;
+    scene.objects = {
+        ground("floor", 20, 20, mat4(1), {0.5, 0.5, 1}),
+        solid("sphere", sphere(1, 32, 24), translate(2, 3, 4), {1, 0.5, 0.5}),
+        solid("cube", box({-1, -1, -1}, {1, 1, 1}), translate(3, 1, 0), {0.5, 1, 0.5}),
+    };
+    scene.lights = {{.position = vec4(2.5, 4.8, 4.3, 1)}};
+    scene.viewFromWorld = lookAt({6, 5, 7}, {0, 0, 0}, {0, 1, 0});
+    scene.clipFromView = perspective(60, aspect, 1, 2000);
+    return scene;
+}
+
 Scene stillLife(double aspect) {
     // Foot, collar and head, in units of which the pawn is 1.5 high
     const std::vector<vec2> pawn{{0, 0},       {0.42, 0},    {0.44, 0.05},  {0.43, 0.14},  {0.36, 0.20}, {0.34, 0.26},
