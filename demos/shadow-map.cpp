@@ -1,12 +1,12 @@
 // shadow-map: depths as the light sees them, and what is farther than those is in shadow.
 //
 // Claims (each is a test in tests/claims/shadow-map.cpp):
-// - [cast-by-rays] The shadows are those that rays find, up to a few texels of the map at their edges.
+// - [cast-by-rays] With a fine map the shadows are those that rays find, to a pixel at their edges.
 // - [error-is-one-over-resolution] Without a filter the misjudged part of the picture falls as 1/resolution.
-// - [acne-without-bias] With no bias at all a lit floor in the map shades itself in stripes; slope-bias 1 ends that.
-// - [light-leaks-with-bias] A large bias moves the shadow away from the foot of what casts it.
+// - [acne-without-bias] With no bias what is in the map shades itself, in stripes; slope-bias 1 ends that on what is flat.
+// - [light-leaks-with-bias] A large bias lets light in where a shadow begins, at the foot of what casts it.
 // - [floor-left-out-needs-no-bias] Where the floor is not in the map, nothing can shade it falsely: no bias is needed.
-// - [back-faces-need-no-bias-in-the-light] With back faces in the map, what faces the light has no acne.
+// - [back-faces-need-no-bias] With back faces in the map nothing that faces the light shades itself.
 // - [map-is-kept] While the light and what casts rest, the map is not drawn again, and the picture is the same.
 // - [frustum-holds-the-map] The white lines are the edges of what the map holds; fitted, they are tight round what casts.
 #include <algorithm>
@@ -105,7 +105,8 @@ struct ShadowMap final : Demo {
     LightOverlay overlay;
     ShadowCheck shadowCheck;
     Scene scene;
-    mat4 untouchedView{1};
+    mat4 viewAsBuilt{1};
+    std::vector<vec3> casters;
     std::vector<Mesh> meshes;
     std::optional<std::pair<Which, double>> built;  // the scene, and its aspect
 
@@ -124,8 +125,6 @@ struct ShadowMap final : Demo {
         program = Program("shadow-map");
         depthProgram = Program("shadow-map", "depth");
         overlay.init();
-        built.reset();
-        drawn.reset();
     }
 
     void check() const override {
@@ -136,14 +135,16 @@ struct ShadowMap final : Demo {
     vec3 targetAt() const { return {targetX, targetY, targetZ}; }
     vec4 light() const { return rays == Rays::spot ? vec4(lightAt(), 1) : vec4(lightAt() - targetAt(), 0); }
 
-    mat4 turned(const mat4& viewFromWorld) const {
-        return translate(0, 0, -distance) * viewFromWorld * rotateX(spinX) * rotateY(spinY);
+    // Puts the scene, as built, under this light, and turns it.
+    void pose(Scene& asBuilt, const mat4& view) const {
+        asBuilt.lights = {{.position = light()}};
+        asBuilt.viewFromWorld = translate(0, 0, -distance) * view * rotateX(spinX) * rotateY(spinY);
     }
 
     LightView lightView() const {
         if (fit == Fit::fitted) {
             try {
-                return fitLightView(light(), casterPoints(scene));
+                return fitLightView(light(), casters);
             } catch (const Error&) {
                 throw Error("--light-y", "a fitted frustum needs the light clear of what casts", lightY.text());
             }
@@ -168,12 +169,13 @@ struct ShadowMap final : Demo {
             scene = build(which, frame.aspect());
             if (!built || built->first != which) meshes = uploadMeshes(scene);
             built = {which, frame.aspect()};
-            untouchedView = scene.viewFromWorld;
+            viewAsBuilt = scene.viewFromWorld;
+            casters = casterPoints(scene);
         }
-        scene.viewFromWorld = turned(untouchedView);
-        scene.lights = {{.position = light()}};
+        pose(scene, viewAsBuilt);
         const LightView view = lightView();
         frame.show("viewFromWorld", scene.viewFromWorld);
+        frame.show("clipFromView", scene.clipFromView);
         frame.show("lightFromWorld", view.viewFromWorld);
         frame.show("mapFromWorld", view.mapFromWorld());
 
@@ -206,6 +208,7 @@ struct ShadowMap final : Demo {
         glEnable(GL_DEPTH_TEST);
         glDepthFunc(GL_LESS);
         // Half of the faces would do: those towards the light, or those away from it
+        glDisable(GL_CULL_FACE);
         if (faces != Faces::both) glEnable(GL_CULL_FACE);
         glCullFace(faces == Faces::front ? GL_BACK : GL_FRONT);
         // Push each triangle back by slopeBias times the depth it gains over a texel, and twice that in depth steps
@@ -218,17 +221,14 @@ struct ShadowMap final : Demo {
             meshes[i].draw();
         }
         glDisable(GL_POLYGON_OFFSET_FILL);
-        glDisable(GL_CULL_FACE);
     }
 
     void drawScene(const LightView& view, bool measuring) {
-        if (measuring)
-            glClearColor(-1, -1, -1, -1);
-        else
-            glClearColor(0, 0, 0, 1);
+        glClearColor(measuring ? -1 : 0, 0, 0, 1);  // -1 in red: nothing to compare
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         glEnable(GL_DEPTH_TEST);
         glDepthFunc(GL_LESS);
+        glDisable(GL_CULL_FACE);
         program.use();
         map.bind(0, filter == Filter::none ? DepthLookup::compareNearest : DepthLookup::compareLinear);
         program.set("map", 0);
@@ -256,8 +256,7 @@ struct ShadowMap final : Demo {
 
     Reference reference(const Frame& frame, const std::function<void(double)>& progress) const override {
         Scene posed = build(which, frame.aspect());
-        posed.viewFromWorld = turned(posed.viewFromWorld);
-        posed.lights = {{.position = light()}};
+        pose(posed, posed.viewFromWorld);
         return litReference(posed, frame, {.pixelSide = 8}, progress);
     }
 

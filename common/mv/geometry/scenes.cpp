@@ -27,9 +27,8 @@ MeshData standingBox(double sizeX, double sizeY, double sizeZ) {
 }
 
 // A projection of `fovy` degrees that is as wide as a picture of 4:3 at least: a narrower one gains above and below.
-mat4 projectionFor(double aspect, double fovy, double near, double far) {
+mat4 projectionFor(double aspect, double fovy, double near, double far, double leastAspect = 4.0 / 3) {
     requirePositive("scene", "aspect", aspect);
-    constexpr double leastAspect = 4.0 / 3;
     const double across = std::tan(radians(fovy) / 2) * leastAspect;
     const double shown = aspect < leastAspect ? 2 * degrees(std::atan(across / aspect)) : fovy;
     return perspective(shown, aspect, near, far);
@@ -50,7 +49,6 @@ Scene cubeOnPlane(double aspect) {
 }
 
 Scene sphereAndCube(double aspect) {
-    requirePositive("scene", "aspect", aspect);
     Scene scene;
     scene.objects = {
         ground("floor", 20, 20, mat4(1), {0.5, 0.5, 1}),
@@ -59,7 +57,7 @@ Scene sphereAndCube(double aspect) {
     };
     scene.lights = {{.position = vec4(2.5, 4.8, 4.3, 1)}};
     scene.viewFromWorld = lookAt({6, 5, 7}, {0, 0, 0}, {0, 1, 0});
-    scene.clipFromView = perspective(60, aspect, 1, 2000);
+    scene.clipFromView = projectionFor(aspect, 60, 1, 2000, 1);
     return scene;
 }
 

@@ -13,7 +13,7 @@ namespace mv {
 Scene cubeOnPlane(double aspect);
 
 // The scene of WebGLFundamentals' lessons on shadows: a pink sphere of radius 1 that hangs over a floor, and a green cube
-// on the floor, under a point light just above the sphere. Objects: floor, sphere, cube.
+// on the floor, under a point light just above the sphere. Composed for 1:1, with sky. Objects: floor, sphere, cube.
 Scene sphereAndCube(double aspect);
 
 // A pawn, a sphere, a box and a ring that leans on the wall, under a point light: shadows on a floor, on a wall, over an
