@@ -179,6 +179,11 @@ struct ShadowMap final : Demo {
         frame.show("lightFromWorld", view.viewFromWorld);
         frame.show("mapFromWorld", view.mapFromWorld());
 
+        glEnable(GL_DEPTH_TEST);
+        glDepthFunc(GL_LESS);
+        glEnable(GL_CULL_FACE);
+        glCullFace(GL_BACK);
+
         // First pass: the map. It shows the scene from the light, and does not change while that rests.
         const int size = 64 << resolution;
         const Content content(view.clipFromWorld(), which, size, faces, receiver, slopeBias);
@@ -193,24 +198,22 @@ struct ShadowMap final : Demo {
         drawScene(view, frame.measuring());
         frame.count("texels a lookup", looksAlong() * looksAlong() * (filter == Filter::none ? 1 : 4));
         if (frame.measuring()) return;
+        if (frame.readouts()) {
+            const FalseShadows wrong = shadowCheck.compare(scene, frame, [&] { drawScene(view, true); });
+            falselyDark = wrong.dark;
+            falselyLit = wrong.lit;
+            asked = double(wrong.pixels);
+        }
         if (showFrustum) overlay.drawFrustum(scene.clipFromWorld(), view);
         if (showMap) overlay.drawMap(frame, map, view);
-        if (!frame.readouts()) return;
-        const FalseShadows wrong = shadowCheck.compare(scene, frame, [&] { drawScene(view, true); });
-        falselyDark = wrong.dark;
-        falselyLit = wrong.lit;
-        asked = double(wrong.pixels);
     }
 
     void drawMap(const mat4& mapClipFromWorld) {
         map.bindForDrawing();
         glClear(GL_DEPTH_BUFFER_BIT);
-        glEnable(GL_DEPTH_TEST);
-        glDepthFunc(GL_LESS);
         // Half of the faces would do: those towards the light, or those away from it
-        glDisable(GL_CULL_FACE);
-        if (faces != Faces::both) glEnable(GL_CULL_FACE);
-        glCullFace(faces == Faces::front ? GL_BACK : GL_FRONT);
+        if (faces == Faces::back) glCullFace(GL_FRONT);
+        if (faces == Faces::both) glDisable(GL_CULL_FACE);
         // Push each triangle back by slopeBias times the depth it gains over a texel, and twice that in depth steps
         glEnable(GL_POLYGON_OFFSET_FILL);
         glPolygonOffset(float(slopeBias), float(2 * slopeBias));
@@ -221,17 +224,16 @@ struct ShadowMap final : Demo {
             meshes[i].draw();
         }
         glDisable(GL_POLYGON_OFFSET_FILL);
+        if (faces == Faces::back) glCullFace(GL_BACK);
+        if (faces == Faces::both) glEnable(GL_CULL_FACE);
     }
 
     void drawScene(const LightView& view, bool measuring) {
         glClearColor(measuring ? -1 : 0, 0, 0, 1);  // -1 in red: nothing to compare
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-        glEnable(GL_DEPTH_TEST);
-        glDepthFunc(GL_LESS);
-        glDisable(GL_CULL_FACE);
         program.use();
-        map.bind(0, filter == Filter::none ? DepthLookup::compareNearest : DepthLookup::compareLinear);
-        program.set("map", 0);
+        map.bind(1, filter == Filter::none ? DepthLookup::compareNearest : DepthLookup::compareLinear);
+        program.set("map", 1);
         program.set("taps", looksAlong());
         program.set("bias", bias);
         program.set("light", light());
@@ -248,7 +250,6 @@ struct ShadowMap final : Demo {
             program.set("clipFromObject", scene.clipFromWorld() * object.worldFromObject);
             program.set("mapFromObject", view.mapFromWorld() * object.worldFromObject);
             program.set("worldFromObject", object.worldFromObject);
-            program.set("worldFromNormal", normalMatrix(object.worldFromObject));
             program.set("color", object.color);
             meshes[i].draw();
         }

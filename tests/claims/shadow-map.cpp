@@ -160,6 +160,13 @@ TEST(ShadowMap, acne_without_bias) {
     EXPECT_LT(less.darkPart(), bare.darkPart());
     EXPECT_EQ(judge(run.set("slope-bias", 1), cube).dark, 0);
     EXPECT_LT(run.readout("falsely-dark"), 0.2);  // steps of the shadow's edge
+    // From a light low over the floor to one straight above it, whose steepness differs a hundredfold (table E, X17)
+    for (const vec3& light : {vec3(-9.5, 1, 0), vec3(-6, 1.5, 2), vec3(-3, 3, 3), vec3(0, 5, 0)}) {
+        const Place place{cube.scene, cube.make, light, cube.target};
+        strike(run, place);
+        EXPECT_EQ(judge(run, place, 0).dark, 0) << light.y;
+    }
+    strike(run, cube);
     // A wider filter reaches farther down the slope, and needs a bias of its width: n + 1 for n x n looks of 2 x 2.
     EXPECT_LT(judge(run.set("filter", "pcf5"), cube).drawnWhereLit, 0.9);
     EXPECT_GT(judge(run.set("slope-bias", 6), cube).drawnWhereLit, 0.99);
