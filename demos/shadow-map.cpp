@@ -4,7 +4,7 @@
 // - [cast-by-rays] With a fine map the shadows are those that rays find, to a pixel at their edges.
 // - [error-is-one-over-resolution] Without a filter the misjudged part of the picture falls as 1/resolution.
 // - [acne-without-bias] With no bias what is in the map shades itself, in stripes; slope-bias 1 ends that on what is flat.
-// - [light-leaks-with-bias] A large bias lets light in where a shadow begins, at the foot of what casts it.
+// - [light-leaks-with-bias] With back faces in the map a bias lets light in at the foot of what casts.
 // - [floor-left-out-needs-no-bias] Where the floor is not in the map, nothing can shade it falsely: no bias is needed.
 // - [back-faces-need-no-bias] With back faces in the map nothing that faces the light shades itself.
 // - [map-is-kept] While the light and what casts rest, the map is not drawn again, and the picture is the same.
@@ -306,6 +306,13 @@ const bool added = addDemo<ShadowMap>({
                            {{"receiver", "off"}, {"map-faces", "back"}}),
                       line("1 tap, frustum fitted", "none", "2", {{"frustum", "fitted"}})},
             .axis = ErrorAxis::fraction,
+            .says = "What is misjudged lies within a texel of a shadow's edge, so it halves when the resolution "
+                    "doubles, while "
+                    "beyond 1024 the time grows with the texels: fitting the frustum buys more than refining the map, "
+                    "and "
+                    "keeping the map makes its resolution nearly free. Leaving the receiver out costs no accuracy, and "
+                    "back "
+                    "faces without any bias are as right as front faces with one.",
         },
 });
 
