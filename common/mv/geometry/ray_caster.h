@@ -34,34 +34,41 @@ struct LitOptions {
 struct LitPicture {
     int width = 0, height = 0;
     // The part of the light that reaches the surface, 0..1, seen in the pixel; 0 where the surface faces away from the
-    // light, and where nothing is seen. Averaged over those of the pixel's points that see `object`.
+    // light, and where nothing is seen. Averaged over those of the pixel's points that see `object`; where none of them
+    // does, that of its middle. What does not receive is never in shadow.
     std::vector<double> lit;
     // The object seen in the middle of the pixel, as an index in Scene::objects; -1: none.
     std::vector<int> object;
     // Whether the triangle seen there has its front towards the (middle of the) light: where it has not, a shadow does
     // not matter.
     std::vector<bool> faces;
-    long rays = 0;
+    long rays = 0;  // that were cast: towards the scene, and towards the light from what faces it
 };
 
 class RayCaster {
   public:
-    // Copies the triangles of all objects into world space, in double. Errors: validate() of each mesh (triangles only),
-    // a matrix that is not finite, no light where one is asked for.
+    // Copies the triangles of all objects into world space, in double. Refused: what validate() refuses, a mesh of lines
+    // or points, a worldFromObject that is not finite, affine and invertible, a coordinate beyond 1e70.
     explicit RayCaster(const Scene& scene);
     ~RayCaster();
     RayCaster(RayCaster&&) noexcept;
     RayCaster& operator=(RayCaster&&) noexcept;
 
-    // The first triangle along the ray, of any object, from either side.
+    // The first triangle along the ray, of any object, from either side. Refused: NaN, infinity, direction 0.
     std::optional<SceneHit> nearest(const Ray& ray) const;
     // Whether an object that casts stands between the surface point of `hit` and the point or direction `light`
-    // (homogeneous, world space). The triangle that was hit does not shade itself.
+    // (homogeneous, world space). The triangle that was hit does not shade itself, and its neighbours do only where
+    // they rise above it by more than the rounding of its coordinates: the ray starts that much above the triangle, on
+    // the light's side of it (gamma(8) of pbrt's error bounds, no fixed epsilon).
+    // Refused: a hit that is not of this scene, a light that is not finite or (0, 0, 0, w).
     bool inShadow(const SceneHit& hit, const vec4& light) const;
 
     // The lit fraction of every pixel of a width x height picture through scene.clipFromWorld(): a ray through
     // (i + 1/2, j + 1/2), then one to each point of the light. Rows are shared out over threads; the result does not
-    // depend on their number. Errors: a size or a count of points below 1, a light that is not there.
+    // depend on their number. Only what lies in the view volume is seen, as in GL, and triangles from either side.
+    // An exception of options.progress ends the work and is passed on.
+    // Refused: a size or a side outside 1..16384, 1..1024; a light that is not there or not finite; a clipFromWorld
+    // that is not finite or has no inverse.
     LitPicture lit(int width, int height, const LitOptions& options = {}) const;
 
   private:

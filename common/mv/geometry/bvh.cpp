@@ -1,0 +1,255 @@
+#include "mv/geometry/bvh.h"
+
+#include <algorithm>
+#include <array>
+#include <glm/common.hpp>
+#include <numeric>
+#include <utility>
+
+namespace mv {
+namespace {
+
+constexpr std::uint32_t largestLeaf = 4;
+constexpr int bins = 16;
+// From this depth on the triangles are halved, which ends within 32 more: so the tree is never deeper than the stack.
+constexpr int deepestGuess = 32;
+constexpr std::size_t stackSize = 64;
+
+struct Bounds {
+    vec3 lo{HUGE_VAL}, hi{-HUGE_VAL};
+    void add(const vec3& point) {
+        lo = glm::min(lo, point);
+        hi = glm::max(hi, point);
+    }
+    void add(const Bounds& other) {
+        lo = glm::min(lo, other.lo);
+        hi = glm::max(hi, other.hi);
+    }
+    double halfArea() const {
+        const vec3 size = hi - lo;
+        return size.x * size.y + size.y * size.z + size.z * size.x;
+    }
+};
+
+Bounds boundsOf(const SceneTriangle& triangle) {
+    Bounds bounds;
+    bounds.add(triangle.a);
+    bounds.add(triangle.b);
+    bounds.add(triangle.c);
+    return bounds;
+}
+
+bool comesBefore(const SceneTriangle& one, const SceneTriangle& other) {
+    return std::pair(one.object, one.triangle) < std::pair(other.object, other.triangle);
+}
+
+}  // namespace
+
+// Sorts triangle numbers, with their bounds beside them, into a tree.
+class Bvh::Build {
+  public:
+    Build(const std::vector<SceneTriangle>& triangles, std::vector<Node>& nodes)
+        : nodes_(nodes), order(triangles.size()) {
+        std::iota(order.begin(), order.end(), 0U);
+        bounds_.reserve(triangles.size());
+        for (const SceneTriangle& triangle : triangles) bounds_.push_back(boundsOf(triangle));
+        if (!order.empty()) add(0, static_cast<std::uint32_t>(order.size()), 0);
+    }
+
+  private:
+    using Iterator = std::vector<std::uint32_t>::iterator;
+
+    vec3 middle(std::uint32_t triangle) const { return 0.5 * bounds_[triangle].lo + 0.5 * bounds_[triangle].hi; }
+
+    void add(std::uint32_t first, std::uint32_t last, int depth) {
+        Bounds all, middles;
+        for (std::uint32_t i = first; i < last; ++i) {
+            all.add(bounds_[order[i]]);
+            middles.add(middle(order[i]));
+        }
+        const std::size_t self = nodes_.size();
+        nodes_.push_back({all.lo, all.hi, first, last - first});
+        if (last - first <= largestLeaf) return;
+        const auto begin = order.begin() + first, end = order.begin() + last;
+        Iterator split = depth < deepestGuess ? cheapestSplit(begin, end, middles) : begin;
+        if (split == begin || split == end) split = medianSplit(begin, end, middles);
+
+        nodes_[self].count = 0;
+        const auto second = static_cast<std::uint32_t>(split - order.begin());
+        add(first, second, depth + 1);
+        nodes_[self].first = static_cast<std::uint32_t>(nodes_.size());
+        add(second, last, depth + 1);
+    }
+
+    // Where count times area, summed over both sides, is least: about how many triangles a ray has to be tested with.
+    Iterator cheapestSplit(Iterator begin, Iterator end, const Bounds& middles) const {
+        double least = HUGE_VAL;
+        int leastAxis = -1, leastBin = 0;
+        for (int axis = 0; axis < 3; ++axis) {
+            if (!(middles.hi[axis] > middles.lo[axis])) continue;
+            std::array<Bounds, bins> bounds;
+            std::array<int, bins> counts{};
+            for (auto i = begin; i != end; ++i) {
+                const auto bin = static_cast<std::size_t>(binOf(*i, axis, middles));
+                bounds[bin].add(bounds_[*i]);
+                ++counts[bin];
+            }
+            std::array<double, bins> upTo{};
+            Bounds side;
+            int count = 0;
+            for (std::size_t bin = 0; bin < bins; ++bin) {
+                side.add(bounds[bin]);
+                count += counts[bin];
+                upTo[bin] = count == 0 ? 0 : count * side.halfArea();
+            }
+            side = Bounds();
+            count = 0;
+            for (std::size_t bin = bins - 1; bin > 0; --bin) {
+                side.add(bounds[bin]);
+                count += counts[bin];
+                const double cost = upTo[bin - 1] + (count == 0 ? 0 : count * side.halfArea());
+                if (cost >= least) continue;
+                least = cost;
+                leastAxis = axis;
+                leastBin = static_cast<int>(bin);
+            }
+        }
+        if (leastAxis < 0) return begin;
+        return std::partition(begin, end,
+                              [&](std::uint32_t triangle) { return binOf(triangle, leastAxis, middles) < leastBin; });
+    }
+
+    Iterator medianSplit(Iterator begin, Iterator end, const Bounds& middles) const {
+        const vec3 size = middles.hi - middles.lo;
+        const int axis = size.x >= size.y ? (size.x >= size.z ? 0 : 2) : (size.y >= size.z ? 1 : 2);
+        const auto half = begin + (end - begin) / 2;
+        std::nth_element(begin, half, end, [&](std::uint32_t one, std::uint32_t other) {
+            return std::pair(middle(one)[axis], one) < std::pair(middle(other)[axis], other);
+        });
+        return half;
+    }
+
+    int binOf(std::uint32_t triangle, int axis, const Bounds& middles) const {
+        const double part = (middle(triangle)[axis] - middles.lo[axis]) / (middles.hi[axis] - middles.lo[axis]);
+        return std::min(bins - 1, static_cast<int>(bins * part));
+    }
+
+    std::vector<Node>& nodes_;
+    std::vector<Bounds> bounds_;
+
+  public:
+    std::vector<std::uint32_t> order;
+};
+
+Bvh::Bvh(std::vector<SceneTriangle> triangles) {
+    const Build build(triangles, nodes_);
+    triangles_.reserve(triangles.size());
+    for (const std::uint32_t i : build.order) triangles_.push_back(triangles[i]);
+    if (nodes_.empty()) return;
+    const vec3 size = glm::max(glm::abs(nodes_.front().lo), glm::abs(nodes_.front().hi));
+    extent_ = std::max({size.x, size.y, size.z});
+}
+
+namespace {
+
+// A ray made ready for boxes: each slab is entered at (near side - entry) * inverse and left at (far side - exit) *
+// inverse. Entry and exit are the origin, moved apart by what rounding can shift the corners of a triangle seen along
+// the ray; so no box is passed by of which a triangle would be hit.
+struct BoxTest {
+    vec3 entry, exit, inverse;
+
+    BoxTest(const Ray& ray, double extent) {
+        const vec3 size = glm::abs(ray.origin);
+        const double room = 16 * std::numeric_limits<double>::epsilon() * (extent + std::max({size.x, size.y, size.z}));
+        for (int axis = 0; axis < 3; ++axis) {
+            const double sign = std::signbit(ray.direction[axis]) ? -1 : 1;
+            inverse[axis] = 1 / ray.direction[axis];
+            entry[axis] = ray.origin[axis] + sign * room;
+            exit[axis] = ray.origin[axis] - sign * room;
+        }
+    }
+
+    // Where the box is entered, at least 0; infinity where it is missed or lies beyond `end`. 0 * infinity, a ray in
+    // the plane of a side, is NaN, which no comparison takes: that slab then bounds nothing.
+    double operator()(const vec3& lo, const vec3& hi, double end) const {
+        double near = 0, far = end;
+        slab(lo.x, hi.x, entry.x, exit.x, inverse.x, near, far);
+        slab(lo.y, hi.y, entry.y, exit.y, inverse.y, near, far);
+        slab(lo.z, hi.z, entry.z, exit.z, inverse.z, near, far);
+        return near <= far ? near : HUGE_VAL;
+    }
+
+    static void slab(double lo, double hi, double entry, double exit, double inverse, double& near, double& far) {
+        const bool forwards = inverse > 0;
+        const double first = ((forwards ? lo : hi) - entry) * inverse;
+        const double last = ((forwards ? hi : lo) - exit) * inverse;
+        near = first > near ? first : near;
+        far = last < far ? last : far;
+    }
+};
+
+}  // namespace
+
+// Calls visitTriangle with each triangle whose boxes the ray meets before `end`, the nearer box first, until it returns
+// true. It may lower `end`.
+template <typename Visit>
+void Bvh::visit(const Ray& ray, double& end, const Visit& visitTriangle) const {
+    if (nodes_.empty()) return;
+    struct Entry {
+        std::uint32_t node;
+        double near;
+    };
+    const BoxTest boxTest(ray, extent_);
+    std::array<Entry, stackSize> stack;
+    std::size_t height = 0;
+    const double near = boxTest(nodes_[0].lo, nodes_[0].hi, end);
+    if (near < HUGE_VAL) stack[height++] = {0, near};
+    while (height > 0) {
+        const Entry entry = stack[--height];
+        if (entry.near > end) continue;
+        const Node& node = nodes_[entry.node];
+        if (node.count > 0) {
+            for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+                if (visitTriangle(triangles_[i])) return;
+            }
+            continue;
+        }
+        const Node &first = nodes_[entry.node + 1], &second = nodes_[node.first];
+        Entry closer{entry.node + 1, boxTest(first.lo, first.hi, end)};
+        Entry farther{node.first, boxTest(second.lo, second.hi, end)};
+        if (farther.near < closer.near) std::swap(closer, farther);
+        if (farther.near < HUGE_VAL) stack[height++] = farther;
+        if (closer.near < HUGE_VAL) stack[height++] = closer;
+    }
+}
+
+std::optional<BvhHit> Bvh::nearest(const Ray& ray, double end) const {
+    const TriangleTest<double> test(ray);
+    BvhHit best;
+    visit(ray, end, [&](const SceneTriangle& triangle) {
+        const auto hit = test(triangle.a, triangle.b, triangle.c);
+        if (!hit || hit->t > end) return false;
+        if (best.triangle != nullptr && hit->t == end && !comesBefore(triangle, *best.triangle)) return false;
+        if (best.triangle == nullptr && hit->t == end) return false;
+        end = hit->t;
+        best = {*hit, &triangle};
+        return false;
+    });
+    if (best.triangle == nullptr) return {};
+    return best;
+}
+
+const SceneTriangle* Bvh::any(const Ray& ray, double end, int exceptObject, int exceptTriangle) const {
+    const TriangleTest<double> test(ray);
+    const SceneTriangle* found = nullptr;
+    visit(ray, end, [&](const SceneTriangle& triangle) {
+        const auto hit = test(triangle.a, triangle.b, triangle.c);
+        if (!hit || hit->t >= end) return false;
+        if (triangle.object == exceptObject && triangle.triangle == exceptTriangle) return false;
+        found = &triangle;
+        return true;
+    });
+    return found;
+}
+
+}  // namespace mv

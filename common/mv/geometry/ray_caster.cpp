@@ -1,0 +1,293 @@
+#include "mv/geometry/ray_caster.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <limits>
+#include <string>
+#include <thread>
+
+#include "mv/error.h"
+#include "mv/geometry/bvh.h"
+#include "mv/geometry/check.h"
+#include "mv/math/require.h"
+#include "mv/math/robust.h"
+
+namespace mv {
+namespace {
+
+// Room for the products of four coordinates.
+constexpr double largestCoordinate = 1e70;
+
+std::string nameOf(const SceneObject& object) { return "object '" + object.name + "'"; }
+
+void requireObject(const SceneObject& object) {
+    requireFinite(nameOf(object), "worldFromObject", object.worldFromObject);
+    const mat4& m = object.worldFromObject;
+    if (vec4(m[0].w, m[1].w, m[2].w, m[3].w) != vec4(0, 0, 0, 1)) {
+        throw Error(nameOf(object), "the last row of worldFromObject must be 0 0 0 1",
+                    vectorText(vec4(m[0].w, m[1].w, m[2].w, m[3].w)));
+    }
+    if (glm::determinant(mat3(m)) == 0) throw Error(nameOf(object), "worldFromObject must have an inverse");
+    if (object.mesh.primitive == Primitive::lines || object.mesh.primitive == Primitive::points) {
+        throw Error(nameOf(object), "must be made of triangles");
+    }
+}
+
+// A triangle of the scene, and the normal of its front.
+struct Surface {
+    SceneTriangle corners;
+    vec3 normal;  // unit length; 0 for a triangle without area
+};
+
+std::vector<Surface> surfacesOf(const SceneObject& object, int number) {
+    requireObject(object);
+    std::vector<vec3> world;
+    world.reserve(object.mesh.positions.size());
+    for (const fvec3& position : object.mesh.positions) {
+        world.emplace_back(object.worldFromObject * vec4(position, 1));
+        const vec3 size = glm::abs(world.back());
+        if (std::max({size.x, size.y, size.z}) <= largestCoordinate) continue;
+        throw Error(nameOf(object), "coordinates must lie within " + numberText(largestCoordinate),
+                    vectorText(world.back()));
+    }
+    // A mirror turns the winding round; outwards stays outwards.
+    const double side = glm::determinant(mat3(object.worldFromObject)) < 0 ? -1 : 1;
+    std::vector<Surface> surfaces;
+    int triangle = 0;
+    for (const auto& [i, j, k] : trianglesOf(object.mesh)) {
+        const SceneTriangle corners{world[i], world[j], world[k], number, triangle++};
+        const vec3 normal = accurateCross(corners.b - corners.a, corners.c - corners.a);
+        surfaces.push_back({corners, normal == vec3(0) ? vec3(0) : side * unit(normal)});
+    }
+    return surfaces;
+}
+
+Bvh treeOf(const std::vector<std::vector<Surface>>& surfaces, const std::vector<bool>& chosen) {
+    std::vector<SceneTriangle> triangles;
+    for (std::size_t object = 0; object < surfaces.size(); ++object) {
+        if (!chosen[object]) continue;
+        for (const Surface& surface : surfaces[object]) {
+            if (surface.normal != vec3(0)) triangles.push_back(surface.corners);
+        }
+    }
+    return Bvh(std::move(triangles));
+}
+
+// The way from a surface point to a light: towards it, and how far, in lengths of `direction`.
+struct WayToLight {
+    vec3 direction{0, 0, 0};
+    double end = 1;
+};
+
+WayToLight wayToLight(const vec3& point, const vec4& light) {
+    if (light.w == 0) return {vec3(light), std::numeric_limits<double>::infinity()};
+    return {vec3(light) / light.w - point, 1};
+}
+
+// The part of a line of sight between the near and the far plane.
+struct Sight {
+    Ray ray;
+    double end = std::numeric_limits<double>::infinity();
+};
+
+Sight sightThrough(const mat4& worldFromClip, double x, double y) {
+    vec4 near = worldFromClip * vec4(x, y, -1, 1), far = worldFromClip * vec4(x, y, 1, 1);
+    if (near.w < 0) near = -near, far = -far;
+    // far/far.w - near/near.w times both w, so that a far plane at infinity (far.w = 0) is no special case.
+    const double both = near.w * far.w;
+    return {{vec3(near) / near.w, vec3(far) * near.w - vec3(near) * far.w},
+            both > 0 ? 1 / both : std::numeric_limits<double>::infinity()};
+}
+
+void requireSide(const char* name, int value, int most) { requireRange("lit", name, value, 1, most); }
+
+}  // namespace
+
+struct RayCaster::State {
+    std::vector<std::vector<Surface>> surfaces;
+    std::vector<bool> receives;
+    std::vector<SceneLight> lights;
+    mat4 clipFromWorld;
+    Bvh all, casters;
+
+    std::optional<SceneHit> nearest(const Ray& ray, double end) const;
+    bool blocked(const SceneHit& hit, const WayToLight& way) const;
+    void requireHit(const SceneHit& hit) const;
+};
+
+std::optional<SceneHit> RayCaster::State::nearest(const Ray& ray, double end) const {
+    const auto found = all.nearest(ray, end);
+    if (!found) return {};
+    const SceneTriangle& corners = *found->triangle;
+    // By the corners' weights, not by t: the point is then as near the triangle as its coordinates, however far the
+    // ray came.
+    const vec3 point = found->hit.a * corners.a + found->hit.b * corners.b + found->hit.c * corners.c;
+    const auto object = static_cast<std::size_t>(corners.object), triangle = static_cast<std::size_t>(corners.triangle);
+    return SceneHit{found->hit.t, corners.object, corners.triangle, point, surfaces[object][triangle].normal};
+}
+
+bool RayCaster::State::blocked(const SceneHit& hit, const WayToLight& way) const {
+    const SceneTriangle& corners =
+        surfaces[static_cast<std::size_t>(hit.object)][static_cast<std::size_t>(hit.triangle)].corners;
+    // The point lies off the triangle by at most 8 roundings of its corners' coordinates; above that, the ray is clear.
+    const vec3 size = glm::max(glm::abs(corners.a), glm::max(glm::abs(corners.b), glm::abs(corners.c)));
+    const vec3 normal = glm::dot(hit.normal, way.direction) < 0 ? -hit.normal : hit.normal;
+    const double offset = 8 * std::numeric_limits<double>::epsilon() * glm::dot(glm::abs(normal), size);
+    return casters.any({hit.point + offset * normal, way.direction}, way.end, hit.object, hit.triangle) != nullptr;
+}
+
+void RayCaster::State::requireHit(const SceneHit& hit) const {
+    const bool known = hit.object >= 0 && hit.object < static_cast<int>(surfaces.size()) && hit.triangle >= 0 &&
+                       hit.triangle < static_cast<int>(surfaces[static_cast<std::size_t>(hit.object)].size());
+    if (known) return;
+    throw Error("inShadow", "the hit must be of this scene",
+                "object " + std::to_string(hit.object) + ", triangle " + std::to_string(hit.triangle));
+}
+
+RayCaster::RayCaster(const Scene& scene) {
+    std::vector<std::vector<Surface>> surfaces;
+    std::vector<bool> all, casts, receives;
+    for (const SceneObject& object : scene.objects) {
+        surfaces.push_back(surfacesOf(object, static_cast<int>(surfaces.size())));
+        all.push_back(true);
+        casts.push_back(object.casts);
+        receives.push_back(object.receives);
+    }
+    Bvh allTree = treeOf(surfaces, all), castersTree = treeOf(surfaces, casts);
+    state_ = std::make_unique<State>(State{std::move(surfaces), std::move(receives), scene.lights,
+                                           scene.clipFromWorld(), std::move(allTree), std::move(castersTree)});
+}
+
+RayCaster::~RayCaster() = default;
+RayCaster::RayCaster(RayCaster&&) noexcept = default;
+RayCaster& RayCaster::operator=(RayCaster&&) noexcept = default;
+
+std::optional<SceneHit> RayCaster::nearest(const Ray& ray) const {
+    requireFinite("nearest", "the origin", ray.origin);
+    requireFinite("nearest", "the direction", ray.direction);
+    if (ray.direction == vec3(0)) throw Error("nearest", "the direction must not be 0");
+    return state_->nearest(ray, std::numeric_limits<double>::infinity());
+}
+
+bool RayCaster::inShadow(const SceneHit& hit, const vec4& light) const {
+    state_->requireHit(hit);
+    requireFinite("inShadow", "light", light);
+    if (light == vec4(0)) throw Error("inShadow", "light must be a point or a direction", vectorText(light));
+    return state_->blocked(hit, wayToLight(hit.point, light));
+}
+
+namespace {
+
+// The centres of side x side cells of the light, homogeneous.
+std::vector<vec4> pointsOf(const SceneLight& light, int side) {
+    std::vector<vec4> points;
+    for (int row = 0; row < side; ++row) {
+        for (int column = 0; column < side; ++column) {
+            const double s = (2 * column + 1.0) / side - 1, t = (2 * row + 1.0) / side - 1;
+            points.push_back(light.position + light.position.w * vec4(s * light.halfU + t * light.halfV, 0));
+        }
+    }
+    return points;
+}
+
+}  // namespace
+
+LitPicture RayCaster::lit(int width, int height, const LitOptions& options) const {
+    requireSide("width", width, 16384);
+    requireSide("height", height, 16384);
+    requireSide("lightSide", options.lightSide, 1024);
+    requireSide("pixelSide", options.pixelSide, 1024);
+    const State& state = *state_;
+    if (options.light < 0 || options.light >= static_cast<int>(state.lights.size())) {
+        throw Error("lit", "the scene must have the light that is asked for", std::to_string(options.light));
+    }
+    const SceneLight& light = state.lights[static_cast<std::size_t>(options.light)];
+    const std::vector<vec4> lightPoints = pointsOf(light, options.lightSide);
+    for (const vec4& point : lightPoints) requireFinite("lit", "each point of the light", point);
+    const mat4 worldFromClip = glm::inverse(state.clipFromWorld);
+    if (!isFinite(worldFromClip)) throw Error("lit", "clipFromWorld must be finite and have an inverse");
+
+    LitPicture picture{width, height, {}, {}, {}, 0};
+    const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    picture.lit.assign(pixels, 0);
+    picture.object.assign(pixels, -1);
+    std::vector<char> faces(pixels, 0);  // neighbouring bits of a vector<bool> are not two threads' to write
+    std::atomic<long> rays = 0;
+
+    const auto litPart = [&](const SceneHit& hit, long& cast) {
+        int reached = 0;
+        for (const vec4& point : lightPoints) {
+            const WayToLight way = wayToLight(hit.point, point);
+            if (!(glm::dot(hit.normal, way.direction) > 0)) continue;
+            if (!state.receives[static_cast<std::size_t>(hit.object)]) {
+                ++reached;
+                continue;
+            }
+            ++cast;
+            if (!state.blocked(hit, way)) ++reached;
+        }
+        return static_cast<double>(reached) / static_cast<double>(lightPoints.size());
+    };
+    const auto castRow = [&](int row) {
+        long cast = 0;
+        const auto seenAt = [&](double x, double y) {
+            ++cast;
+            const Sight sight = sightThrough(worldFromClip, 2 * x / width - 1, 1 - 2 * y / height);
+            return state.nearest(sight.ray, sight.end);
+        };
+        for (int column = 0; column < width; ++column) {
+            const auto middle = seenAt(column + 0.5, row + 0.5);
+            if (!middle) continue;
+            const auto pixel =
+                static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);
+            picture.object[pixel] = middle->object;
+            const WayToLight way = wayToLight(middle->point, light.position);
+            faces[pixel] = glm::dot(middle->normal, way.direction) > 0;
+            double sum = 0;
+            int points = 0;
+            const int side = options.pixelSide;
+            for (int i = 0; i < side * side; ++i) {
+                const bool isMiddle = 2 * (i % side) + 1 == side && 2 * (i / side) + 1 == side;
+                const auto seen =
+                    isMiddle ? middle : seenAt(column + (i % side + 0.5) / side, row + (i / side + 0.5) / side);
+                if (!seen || seen->object != middle->object) continue;
+                sum += litPart(*seen, cast);
+                ++points;
+            }
+            picture.lit[pixel] = points > 0 ? sum / points : litPart(*middle, cast);
+        }
+        rays += cast;
+    };
+
+    // Each thread takes the next row that nobody has; this one tells how far all are.
+    std::atomic<int> nextRow = 0, rowsDone = 0;
+    const auto castRows = [&](const Progress& progress) {
+        for (int row = nextRow++; row < height; row = nextRow++) {
+            castRow(row);
+            ++rowsDone;
+            if (progress) progress(static_cast<double>(rowsDone) / height);
+        }
+    };
+    const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    const int threads = std::min(options.threads == 0 ? cores : options.threads, height);
+    {
+        std::vector<std::jthread> helpers;
+        for (int i = 1; i < threads; ++i) helpers.emplace_back(castRows, Progress());
+        try {
+            castRows(options.progress);
+        } catch (...) {
+            nextRow = height;
+            throw;
+        }
+    }
+    if (options.progress) options.progress(1);
+    picture.faces.assign(faces.begin(), faces.end());
+    picture.rays = rays;
+    return picture;
+}
+
+}  // namespace mv
