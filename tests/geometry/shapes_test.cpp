@@ -14,15 +14,31 @@ using namespace mv::test;
 
 namespace {
 
+// Profiles for lathe()
+const std::vector<vec2> cylinder{{0, 0}, {1, 0}, {1, 2}, {0, 2}};
+const std::vector<vec2> doubleCone{{0, -1}, {1, 0}, {0, 1}};
+const std::vector<vec2> bowl{{0, 0}, {1, 0.2}, {1.5, 1}, {1.4, 1}, {0.9, 0.3}, {0, 0.1}};
+
 struct NamedMesh {
     std::string name;
     MeshData mesh;
 };
 
 std::vector<NamedMesh> solids() {
-    return {{"colorCube", colorCube()},           {"box", box({-1, 2, 3}, {4, 2.5, 10})},
-            {"smallest sphere", sphere(1, 3, 2)}, {"sphere", sphere(2.5, 32, 16)},
-            {"tiny sphere", sphere(1e-37, 8, 5)}, {"uneven sphere", sphere(1e6, 7, 201)}};
+    return {{"colorCube", colorCube()},
+            {"box", box({-1, 2, 3}, {4, 2.5, 10})},
+            {"smallest sphere", sphere(1, 3, 2)},
+            {"sphere", sphere(2.5, 32, 16)},
+            {"tiny sphere", sphere(1e-37, 8, 5)},
+            {"uneven sphere", sphere(1e6, 7, 201)},
+            {"torus", torus(2, 0.5, 24, 12)},
+            {"smallest torus", torus(1, 0.3, 3, 3)},
+            {"tiny torus", torus(3e-37, 1e-37, 9, 7)},
+            {"thin torus", torus(1e6, 1, 64, 5)},
+            {"cylinder", lathe(cylinder, 16)},
+            {"double cone", lathe(doubleCone, 3)},
+            {"smooth cone", lathe(doubleCone, 5, 180)},
+            {"bowl", lathe(bowl, 24)}};
 }
 
 std::vector<NamedMesh> shapes() {
@@ -253,6 +269,93 @@ TEST(Sphere, RefusalsSayWhatWouldHaveBeenRight) {
     EXPECT_EQ(refusal([] { sphere(1, 2, 8); }), "sphere: slices must be 3 to 4096, 2");
     EXPECT_EQ(refusal([] { sphere(1, 8, 1); }), "sphere: stacks must be 2 to 4096, 1");
     EXPECT_EQ(refusal([] { sphere(1, 8, 5000); }), "sphere: stacks must be 2 to 4096, 5000");
+}
+
+TEST(Torus, HasItsCountsAndItsSeamsAreExact) {
+    const MeshData t = torus(2, 0.5, 12, 6);
+    ASSERT_EQ(t.positions.size(), 13u * 7);
+    EXPECT_EQ(triangleCount(t), 2u * 12 * 6);
+    for (std::size_t row = 0; row < 7; ++row) EXPECT_TRUE(sameBits(t.positions[13 * row], t.positions[13 * row + 12]));
+    for (std::size_t i = 0; i < 13; ++i) EXPECT_TRUE(sameBits(t.positions[i], t.positions[6 * 13 + i]));
+    for (std::size_t i = 0; i < t.positions.size(); ++i) {
+        const vec3 p(t.positions[i]);
+        const vec3 middle = 2.0 * glm::normalize(vec3(p.x, 0, p.z));
+        EXPECT_NEAR(glm::length(p - middle), 0.5, 1e-6);  // floats of size 2.5: 2e-7 in each coordinate
+        EXPECT_LT(glm::length((p - middle) / 0.5 - vec3(t.normals[i])), 2e-6);
+    }
+    // From the outermost line upwards: a quarter round the tube is the top, half is the hole.
+    EXPECT_LT(glm::length(vec3(torus(2, 0.5, 4, 4).positions[5 * 1]) - vec3(2, 0.5, 0)), 5e-7);
+    EXPECT_LT(glm::length(vec3(torus(2, 0.5, 4, 4).positions[5 * 2]) - vec3(1.5, 0, 0)), 5e-7);
+}
+
+TEST(Torus, ApproachesPappusVolume) {
+    const double whole = 2 * pi * pi * 2 * 0.5 * 0.5;
+    double previous = HUGE_VAL;
+    for (const int n : {8, 16, 32, 64}) {
+        const double missing = 1 - signedVolume(torus(2, 0.5, 2 * n, n)) / whole;
+        EXPECT_GT(missing, 0);
+        EXPECT_LT(missing, previous / 3.5);  // the error falls by 4 when n doubles
+        previous = missing;
+    }
+}
+
+TEST(Torus, RefusalsSayWhatWouldHaveBeenRight) {
+    EXPECT_EQ(refusal([] { torus(1, 0, 8, 8); }), "torus: minor must be 1e-37 to 1e+38, 0");
+    EXPECT_EQ(refusal([] { torus(1, 2, 8, 8); }), "torus: major must be 2 to 1e+38, 1");
+    EXPECT_NE(refusal([] { torus(1, 1, 8, 8); }), "nothing was refused");
+    EXPECT_NE(refusal([] { torus(1e9, 1, 8, 8); }), "nothing was refused");
+    EXPECT_EQ(refusal([] { torus(notANumber, 1, 8, 8); }), "torus: major must be 1 to 1e+38, nan");
+    EXPECT_EQ(refusal([] { torus(2, 1, 8, 2); }), "torus: stacks must be 3 to 4096, 2");
+}
+
+TEST(Lathe, TurnsAProfileIntoASolidOfGuldinsVolume) {
+    // Chords instead of arcs: an n-gon has n/2 sin(2 pi/n) of the circle's pi.
+    const int n = 16;
+    const double part = n / 2.0 * std::sin(2 * pi / n) / pi;
+    EXPECT_NEAR(signedVolume(lathe(cylinder, n)), part * 2 * pi, 1e-6);  // floats of size 2
+    EXPECT_NEAR(signedVolume(lathe(doubleCone, n)), part * 2 * pi / 3, 1e-6);
+    // A sphere's profile gives the sphere.
+    std::vector<vec2> half;
+    for (int i = 0; i <= 12; ++i) half.emplace_back(i % 12 == 0 ? 0 : std::sin(pi * i / 12), -std::cos(pi * i / 12));
+    EXPECT_NEAR(signedVolume(lathe(half, 24)), signedVolume(sphere(1, 24, 12)), 1e-6);
+}
+
+TEST(Lathe, IsSmoothExceptAtEdges) {
+    // A cylinder's turns are 90 degrees: every row of the profile's inner points is double, the poles are level.
+    const MeshData edged = lathe(cylinder, 8);
+    ASSERT_EQ(edged.positions.size(), 8u + 2 * 9 + 2 * 9 + 8);
+    int sides = 0;
+    for (const fvec3& normal : edged.normals) {
+        EXPECT_TRUE(normal.y == 0 || std::abs(normal.y) == 1) << normal.y;
+        sides += normal.y == 0 ? 1 : 0;
+    }
+    EXPECT_EQ(sides, 2 * 9);
+    // With a crease of 90 degrees there is no edge left, and the normals of the corners point half way between.
+    const MeshData smooth = lathe(cylinder, 8, 90);
+    ASSERT_EQ(smooth.positions.size(), 8u + 9 + 9 + 8);
+    EXPECT_NEAR(smooth.normals[8].y, -std::sqrt(0.5), 1e-6);
+    // v runs by length: 1, 2 and 1.
+    EXPECT_EQ(smooth.texCoords[8].y, 0.25f);
+    EXPECT_EQ(smooth.texCoords[8 + 9].y, 0.75f);
+    // The tip of a cone is sharp: its normals lean outwards. At 180 degrees it is rounded off.
+    EXPECT_NEAR(lathe(doubleCone, 8).normals.back().y, std::sqrt(0.5), 1e-6);
+    EXPECT_EQ(lathe(doubleCone, 8, 180).normals.back().y, 1);
+}
+
+TEST(Lathe, RefusalsSayWhatWouldHaveBeenRight) {
+    const auto turned = [](std::vector<vec2> profile) { return refusal([&] { lathe(profile, 8); }); };
+    EXPECT_EQ(turned({{0, 0}, {0, 1}}), "lathe: the profile must have at least 3 points, 2");
+    EXPECT_EQ(turned({{0.5, 0}, {1, 1}, {0, 2}}),
+              "lathe: point 0 of the profile, an end, must lie on the axis, (0.5, 0)");
+    EXPECT_EQ(turned({{0, 0}, {0, 1}, {0, 2}}),
+              "lathe: the radius of point 1 of the profile must be 1e-37 to 1e+38, 0");
+    EXPECT_EQ(turned({{0, 0}, {1, 1}, {1, 1 + 1e-9}, {0, 2}}),
+              "lathe: point 2 of the profile must differ from the one before, as floats, (1, 1.000000001)");
+    EXPECT_EQ(turned({{0, 2}, {1, 1}, {0, 0}}), "lathe: the profile must have the outside on its right");
+    EXPECT_EQ(turned({{0, 0}, {1, notANumber}, {0, 2}}), "lathe: point 1 of the profile must be finite, (1, nan)");
+    EXPECT_EQ(turned({{0, 0}, {1, 2e38}, {0, 2}}), "lathe: point 1 of the profile must lie within 1e+38, (1, 2e+38)");
+    EXPECT_EQ(refusal([] { lathe(cylinder, 2); }), "lathe: slices must be 3 to 4096, 2");
+    EXPECT_EQ(refusal([] { lathe(cylinder, 8, 181); }), "lathe: crease must be 0 to 180 degrees, 181");
 }
 
 TEST(Grid, HasItsCountsAndSizes) {

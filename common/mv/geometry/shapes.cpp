@@ -2,10 +2,12 @@
 
 #include <array>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <string>
 
 #include "mv/error.h"
 #include "mv/math/require.h"
+#include "mv/math/robust.h"
 
 namespace mv {
 namespace {
@@ -49,6 +51,27 @@ void requireSize(std::string_view subject, std::string_view name, double value, 
 vec2 onCircle(int i, int n) {
     const double angle = 2 * pi * (i == n ? 0 : i) / n;
     return {std::cos(angle), std::sin(angle)};
+}
+
+// A row of vertices around the y axis: slices + 1 of them, the first again at the end of the seam, or, on the axis, one
+// in the middle of each slice.
+struct Row {
+    std::uint32_t first = 0;
+    bool pole = false;
+};
+
+// Two triangles a cell between two rows, one where a pole has taken the other's edge away.
+void joinRows(MeshData& mesh, const Row& lower, const Row& upper, int slices) {
+    for (int i = 0; i < slices; ++i) {
+        const std::uint32_t south = lower.first + static_cast<std::uint32_t>(i);
+        const std::uint32_t north = upper.first + static_cast<std::uint32_t>(i);
+        if (!lower.pole) mesh.indices.insert(mesh.indices.end(), {south, south + 1, north});
+        if (lower.pole) {
+            mesh.indices.insert(mesh.indices.end(), {south, north + 1, north});
+        } else if (!upper.pole) {
+            mesh.indices.insert(mesh.indices.end(), {south + 1, north + 1, north});
+        }
+    }
 }
 
 }  // namespace
@@ -174,21 +197,115 @@ MeshData sphere(double radius, int slices, int stacks) {
         }
     }
 
-    // Two triangles a cell, one where a pole has taken the other's edge away.
-    const auto rowStart = [slices](int row) {
-        return static_cast<std::uint32_t>(row == 0 ? 0 : slices + (row - 1) * (slices + 1));
+    const auto rowAt = [slices, stacks](int row) {
+        const int first = row == 0 ? 0 : slices + (row - 1) * (slices + 1);
+        return Row{static_cast<std::uint32_t>(first), row == 0 || row == stacks};
     };
-    for (int row = 0; row < stacks; ++row) {
-        for (int i = 0; i < slices; ++i) {
-            const std::uint32_t south = rowStart(row) + static_cast<std::uint32_t>(i);
-            const std::uint32_t north = rowStart(row + 1) + static_cast<std::uint32_t>(i);
-            if (row > 0) mesh.indices.insert(mesh.indices.end(), {south, south + 1, north});
-            if (row == 0) {
-                mesh.indices.insert(mesh.indices.end(), {south, north + 1, north});
-            } else if (row + 1 < stacks) {
-                mesh.indices.insert(mesh.indices.end(), {south + 1, north + 1, north});
-            }
+    for (int row = 0; row < stacks; ++row) joinRows(mesh, rowAt(row), rowAt(row + 1), slices);
+    return mesh;
+}
+
+MeshData torus(double major, double minor, int slices, int stacks) {
+    requireSize("torus", "minor", minor, 1e-37);
+    requireSize("torus", "major", major, minor);
+    // Beside a large ring a thin tube is rounded away, and beside a thick tube a small hole.
+    if (!(static_cast<float>(major - minor) > 0 && static_cast<float>(major + minor) > static_cast<float>(major))) {
+        throw Error("torus", "minor must be below major, and both it and the hole large enough to be told as floats",
+                    "major " + numberText(major) + ", minor " + numberText(minor));
+    }
+    requireRange("torus", "slices", slices, 3, mostDivisions);
+    requireRange("torus", "stacks", stacks, 3, mostDivisions);
+    MeshData mesh;
+    for (int row = 0; row <= stacks; ++row) {
+        const vec2 around = onCircle(row, stacks);
+        for (int i = 0; i <= slices; ++i) {
+            const vec2 direction = onCircle(i, slices);
+            const double radius = major + minor * around.x;
+            mesh.positions.emplace_back(vec3(radius * direction.x, minor * around.y, -radius * direction.y));
+            mesh.normals.emplace_back(vec3(around.x * direction.x, around.y, -around.x * direction.y));
+            mesh.texCoords.emplace_back(vec2(static_cast<double>(i) / slices, static_cast<double>(row) / stacks));
         }
+    }
+    const auto rowAt = [slices](int row) { return Row{static_cast<std::uint32_t>(row * (slices + 1)), false}; };
+    for (int row = 0; row < stacks; ++row) joinRows(mesh, rowAt(row), rowAt(row + 1), slices);
+    return mesh;
+}
+
+namespace {
+
+void requireProfile(std::span<const vec2> profile) {
+    if (profile.size() < 3) {
+        throw Error("lathe", "the profile must have at least 3 points", std::to_string(profile.size()));
+    }
+    double doubleArea = 0;
+    for (std::size_t i = 0; i < profile.size(); ++i) {
+        const vec2 point = profile[i];
+        const bool end = i == 0 || i + 1 == profile.size();
+        const std::string name = "point " + std::to_string(i) + " of the profile";
+        requireFinite("lathe", name, point);
+        if (end && point.x != 0) throw Error("lathe", name + ", an end, must lie on the axis", vectorText(point));
+        if (!end) requireSize("lathe", "the radius of " + name, point.x, 1e-37);
+        if (std::abs(point.y) > largestSize) throw Error("lathe", name + " must lie within 1e+38", vectorText(point));
+        if (i == 0) continue;
+        if (fvec2(point) == fvec2(profile[i - 1])) {
+            throw Error("lathe", name + " must differ from the one before, as floats", vectorText(point));
+        }
+        doubleArea += (profile[i - 1] + point).x / largestSize * ((point - profile[i - 1]).y / largestSize);
+    }
+    if (!(doubleArea > 0)) throw Error("lathe", "the profile must have the outside on its right");
+}
+
+// Across a piece of the profile, to its right, of unit length.
+vec2 rightOf(const vec2& from, const vec2& to) {
+    const vec3 along = unit(vec3(to - from, 0));
+    return {along.y, -along.x};
+}
+
+// The normals of a profile point, for the piece below it and the one above; the same where it is smooth.
+std::array<vec2, 2> profileNormals(const vec2& below, const vec2& above, double crease) {
+    const double turn = degrees(std::atan2(std::abs(below.x * above.y - below.y * above.x), glm::dot(below, above)));
+    if (turn > crease) return {below, above};
+    const vec2 smooth(unit(vec3(below + above, 0)));
+    return {smooth, smooth};
+}
+
+}  // namespace
+
+MeshData lathe(std::span<const vec2> profile, int slices, double crease) {
+    requireProfile(profile);
+    requireRange("lathe", "slices", slices, 3, mostDivisions);
+    if (!(crease >= 0 && crease <= 180)) throw Error("lathe", "crease must be 0 to 180 degrees", numberText(crease));
+    MeshData mesh;
+    const auto addRow = [&](const vec2& point, const vec2& normal, double v) {
+        const Row row{static_cast<std::uint32_t>(mesh.positions.size()), point.x == 0};
+        for (int i = 0; i < (row.pole ? slices : slices + 1); ++i) {
+            // A pole's vertex, and its normal where it is not smooth, belong to the middle of a slice.
+            const vec2 direction = row.pole ? onCircle(2 * i + 1, 2 * slices) : onCircle(i, slices);
+            const vec2 flat = point.x * direction;
+            mesh.positions.emplace_back(row.pole ? vec3(0, point.y, 0) : vec3(flat.x, point.y, -flat.y));
+            mesh.normals.emplace_back(vec3(normal.x * direction.x, normal.y, -normal.x * direction.y));
+            mesh.texCoords.emplace_back(vec2((row.pole ? i + 0.5 : i) / slices, v));
+        }
+        return row;
+    };
+
+    std::vector<double> lengths{0};  // of the profile, up to each point
+    for (std::size_t i = 1; i < profile.size(); ++i) {
+        lengths.push_back(lengths.back() +
+                          std::hypot(profile[i].x - profile[i - 1].x, profile[i].y - profile[i - 1].y));
+    }
+    // Piece by piece upwards. At an end the profile goes on as its own mirror image, on the other side of the axis.
+    vec2 below = rightOf(profile[0], profile[1]);
+    Row lower = addRow(profile[0], profileNormals({-below.x, below.y}, below, crease)[1], 0);
+    for (std::size_t i = 1; i < profile.size(); ++i) {
+        const bool end = i + 1 == profile.size();
+        const vec2 above = end ? vec2(-below.x, below.y) : rightOf(profile[i], profile[i + 1]);
+        const auto normals = profileNormals(below, above, crease);
+        const double v = lengths[i] / lengths.back();
+        const Row upper = addRow(profile[i], normals[0], v);
+        joinRows(mesh, lower, upper, slices);
+        if (!end) lower = normals[0] == normals[1] ? upper : addRow(profile[i], normals[1], v);
+        below = above;
     }
     return mesh;
 }

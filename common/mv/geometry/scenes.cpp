@@ -1,0 +1,107 @@
+#include "mv/geometry/scenes.h"
+
+#include <cmath>
+#include <string>
+
+#include "mv/geometry/shapes.h"
+#include "mv/math/projection.h"
+#include "mv/math/require.h"
+#include "mv/math/transform.h"
+
+namespace mv {
+namespace {
+
+// A floor or a wall: nothing is behind it, so it casts no shadow that could be seen.
+SceneObject ground(const std::string& name, double sizeX, double sizeZ, const mat4& worldFromObject,
+                   const vec3& color) {
+    return {name, grid(1, 1, sizeX, sizeZ), worldFromObject, color, false, true};
+}
+
+SceneObject solid(const std::string& name, MeshData mesh, const mat4& worldFromObject, const vec3& color) {
+    return {name, std::move(mesh), worldFromObject, color, true, true};
+}
+
+// A box that stands on y = 0.
+MeshData standingBox(double sizeX, double sizeY, double sizeZ) {
+    return box({-sizeX / 2, 0, -sizeZ / 2}, {sizeX / 2, sizeY, sizeZ / 2});
+}
+
+// A projection of `fovy` degrees that is as wide as a picture of 4:3 at least: a narrower one gains above and below.
+mat4 projectionFor(double aspect, double fovy, double near, double far) {
+    requirePositive("scene", "aspect", aspect);
+    constexpr double leastAspect = 4.0 / 3;
+    const double across = std::tan(radians(fovy) / 2) * leastAspect;
+    const double shown = aspect < leastAspect ? 2 * degrees(std::atan(across / aspect)) : fovy;
+    return perspective(shown, aspect, near, far);
+}
+
+}  // namespace
+
+Scene cubeOnPlane(double aspect) {
+    Scene scene;
+    scene.objects = {
+        ground("floor", 20, 20, mat4(1), {0.80, 0.78, 0.72}),
+        solid("cube", standingBox(1, 1, 1), rotateY(30), {0.85, 0.35, 0.25}),
+    };
+    scene.lights = {{.position = vec4(-2.2, 3.6, 1.4, 1)}};
+    scene.viewFromWorld = lookAt({0.4, 3.7, 4.8}, {0.4, 0.25, 0}, {0, 1, 0});
+    scene.clipFromView = projectionFor(aspect, 40, 0.5, 20);
+    return scene;
+}
+
+Scene stillLife(double aspect) {
+    // Foot, collar and head, in units of which the pawn is 1.5 high
+    const std::vector<vec2> pawn{{0, 0},       {0.42, 0},    {0.44, 0.05},  {0.43, 0.14},  {0.36, 0.20}, {0.34, 0.26},
+                                 {0.25, 0.36}, {0.19, 0.50}, {0.155, 0.70}, {0.145, 0.88}, {0.27, 0.93}, {0.285, 0.97},
+                                 {0.25, 1.01}, {0.16, 1.04}, {0.21, 1.10},  {0.247, 1.18}, {0.25, 1.25}, {0.235, 1.33},
+                                 {0.19, 1.41}, {0.12, 1.47}, {0.06, 1.493}, {0, 1.5}};
+    // A ring that stands on the floor and leans on the wall, touching both
+    constexpr double wallZ = -1.6, ringRadius = 0.62, tubeRadius = 0.17, lean = 18;
+    const double ringHeight = ringRadius * std::cos(radians(lean)) + tubeRadius;
+    const double ringZ = wallZ + ringRadius * std::sin(radians(lean)) + tubeRadius;
+
+    Scene scene;
+    scene.objects = {
+        ground("floor", 9, 7, translate(0, 0, wallZ + 3.5), {0.72, 0.66, 0.58}),
+        ground("wall", 9, 5, translate(0, 2.5, wallZ) * rotateX(90), {0.82, 0.82, 0.78}),
+        solid("pawn", lathe(pawn, 64), translate(-1.0, 0, 0.15), {0.93, 0.87, 0.74}),
+        solid("ring", torus(ringRadius, tubeRadius, 96, 48), translate(0.10, ringHeight, ringZ) * rotateX(90 - lean),
+              {0.85, 0.55, 0.20}),
+        solid("sphere", sphere(0.42, 96, 48), translate(0.58, 0.42, 0.25), {0.30, 0.52, 0.78}),
+        solid("box", standingBox(0.8, 1.05, 0.6), translate(1.45, 0, -0.55) * rotateY(-28), {0.45, 0.62, 0.42}),
+    };
+    scene.lights = {{.position = vec4(-3.4, 4.2, 2.6, 1)}};
+    scene.viewFromWorld = lookAt({0.35, 2.5, 5.6}, {0.35, 0.62, -0.4}, {0, 1, 0});
+    scene.clipFromView = projectionFor(aspect, 30, 1, 20);
+    return scene;
+}
+
+Scene table(double aspect) {
+    constexpr double topY = 0.72, thickness = 0.04, halfX = 0.75, halfZ = 0.42, legSide = 0.06;
+    const vec3 wood{0.72, 0.50, 0.30};
+    const std::vector<vec2> vase{{0, 0},        {0.05, 0},     {0.055, 0.01}, {0.07, 0.05},  {0.085, 0.10},
+                                 {0.085, 0.14}, {0.07, 0.19},  {0.045, 0.23}, {0.035, 0.26}, {0.04, 0.29},
+                                 {0.055, 0.31}, {0.049, 0.31}, {0.03, 0.28},  {0.028, 0.26}, {0.038, 0.225},
+                                 {0.06, 0.18},  {0, 0.17}};
+    Scene scene;
+    scene.objects = {
+        ground("floor", 20, 20, mat4(1), {0.78, 0.78, 0.80}),
+        solid("top", box({-halfX, topY - thickness, -halfZ}, {halfX, topY, halfZ}), mat4(1), wood),
+    };
+    for (int i = 0; i < 4; ++i) {
+        const double x = (i % 2 == 0 ? -1 : 1) * (halfX - 0.08), z = (i < 2 ? 1 : -1) * (halfZ - 0.08);
+        scene.objects.push_back(solid("leg " + std::to_string(i + 1), standingBox(legSide, topY - thickness, legSide),
+                                      translate(x, 0, z), wood));
+    }
+    scene.objects.push_back(solid("vase", lathe(vase, 64), translate(-0.35, topY, -0.05), {0.35, 0.55, 0.70}));
+    scene.objects.push_back(
+        solid("apple", sphere(0.06, 64, 32), translate(0.05, topY + 0.06, 0.15), {0.80, 0.25, 0.20}));
+    scene.objects.push_back(
+        solid("book", standingBox(0.26, 0.045, 0.19), translate(0.40, topY, 0) * rotateY(20), {0.30, 0.45, 0.35}));
+    scene.lights = {{.position = vec4(-1.5, 2.3, 1.3, 1), .halfU = {0.2, 0, 0}, .halfV = {0, 0, 0.2}}};
+    scene.viewFromWorld = lookAt({0.7, 2.2, 3.2}, {0.27, 0.40, 0}, {0, 1, 0});
+    scene.clipFromView = projectionFor(aspect, 32, 0.5, 20);
+    return scene;
+}
+
+}  // namespace mv

@@ -1,0 +1,23 @@
+// Small scenes for shadows, each with its light and its camera: so that demos, studies and tests look at the same thing.
+//
+// Lengths are metres where that makes sense, y is up, and the floor is y = 0. What casts is closed; floor and wall only
+// receive. The camera suits a picture of this aspect, width/height: everything is in view at any, and composed for 4:3.
+// Refused: an aspect that is not above 0 and finite.
+#pragma once
+#include "mv/geometry/scene.h"
+
+namespace mv {
+
+// A cube of side 1 on a floor that fills most of the picture, under a point light: the plainest shadow there is.
+// Objects: floor, cube.
+Scene cubeOnPlane(double aspect);
+
+// A pawn, a sphere, a box and a ring that leans on the wall, under a point light: shadows on a floor, on a wall, over an
+// edge, through a hole, of a body on itself. Objects: floor, wall, pawn, ring, sphere, box.
+Scene stillLife(double aspect);
+
+// A table on four legs with a vase, an apple and a book, under a square lamp of 40 cm: the shadow of a leg is
+// sharp at its foot and grows softer from there. Objects: floor, top, leg 1 to leg 4, vase, apple, book.
+Scene table(double aspect);
+
+}  // namespace mv
