@@ -27,7 +27,9 @@ std::map<std::string, ShaderFile>& shaderFiles() {
 
 // What GLSL calls the version, and what ES wants said once: the precision of numbers in fragment shaders.
 std::string versionLines() {
-    if (isEs()) return "#version 300 es\nprecision highp float;\nprecision highp int;\n";
+    if (isEs()) {
+        return "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2DShadow;\n";
+    }
     return "#version " + std::to_string(allowedVersion()) + "0 core\n";
 }
 
