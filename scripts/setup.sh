@@ -5,7 +5,7 @@ build=$root/build
 
 # Each with its reason in the README's table of dependencies.
 run_packages=(g++ cmake ninja-build libglfw3-dev libimgui-dev libglm-dev libstb-dev libpng-dev libcli11-dev
-  nlohmann-json3-dev libgl-dev libegl-dev libegl1 libgl1-mesa-dri fonts-dejavu-core)
+  nlohmann-json3-dev libgl-dev libegl-dev libegl1 libgl1-mesa-dri fonts-dejavu-core gnuplot-nox)
 optional_packages=(libosmesa6)  # newer distributions no longer have it; EGL serves without
 test_packages=(git libgtest-dev xvfb xauth xdotool imagemagick clang-format clang-tidy)
 

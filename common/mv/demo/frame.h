@@ -20,6 +20,7 @@ struct FrameNotes {
 struct FrameMode {
     bool readouts = false;
     bool measuring = false;
+    bool ownError = false;
     std::function<void()> bindTarget = {};
 };
 
@@ -42,6 +43,8 @@ class Frame {
     // Whether a study asks for its quantity instead of a picture. The target then has one float a pixel (R32F): clear it
     // to -1, where nothing is compared, and write the quantity (the lit fraction, say) in red where it is.
     bool measuring() const { return mode_.measuring; }
+    // Whether a reference is to find its own error too, which costs more than it does itself.
+    bool ownError() const { return mode_.ownError; }
     // Draws go into the picture again, all of it, after a demo has drawn into a target of its own.
     void bindTarget() const { mode_.bindTarget(); }
 

@@ -58,7 +58,7 @@ Reference litReference(const Scene& scene, const Frame& frame, const LitReferenc
         reference.averages =
             meanLit(caster, frame, options, options.lightSide, pixelSide, progress, reference.work).lit;
     }
-    if (options.doubled) {
+    if (options.doubled && frame.ownError()) {
         double ignored = 0;
         const bool byPixel = pixelSide > 1;
         const std::vector<double> finer =

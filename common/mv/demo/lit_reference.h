@@ -11,7 +11,7 @@ struct LitReferenceOptions {
     int lightSide = 1;           // an area light is asked at lightSide x lightSide points
     // Above 1: Reference::averages is the mean of pixelSide x pixelSide points of each pixel, whose edges are soft.
     int pixelSide = 1;
-    // Casts again with lightSide (or, for point lights, pixelSide) doubled for Reference::ownError.
+    // Casts again with lightSide (or, for point lights, pixelSide) doubled for Reference::ownError, where frame.ownError().
     bool doubled = false;
 };
 

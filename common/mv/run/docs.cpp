@@ -1,6 +1,7 @@
 #include "mv/run/docs.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <iterator>
@@ -9,6 +10,7 @@
 #include "mv/image/file.h"
 #include "mv/image/png.h"
 #include "mv/run/render.h"
+#include "mv/run/study.h"
 
 namespace mv {
 namespace {
@@ -138,6 +140,19 @@ Picture pictureStrip() {
     return strip;
 }
 
+// The pages and plots of the studies whose runs are committed. Read from the tree, not from what is built in: a study
+// that was just measured gets its page without a build between.
+static void writeStudyDocs(const std::string& root) {
+    for (const DemoInfo& info : catalogue()) {
+        const std::string stem = root + "/docs/errors-and-times/" + info.name;
+        if (!std::filesystem::exists(stem + ".json")) continue;
+        const StudyRun run = readStudy(fileText(stem + ".json"));
+        writeFileAtomically(stem + ".md", std::string_view(studyPage(run, info)));
+        writeFileAtomically(stem + ".svg", std::string_view(studySvg(run)));
+        std::cout << stem << ".md, .svg\n";
+    }
+}
+
 void writeDocs(const std::string& root) {
     writeFileAtomically(root + "/docs/demos.md", std::string_view(cataloguePage()));
     std::cout << root << "/docs/demos.md\n";
@@ -146,6 +161,7 @@ void writeDocs(const std::string& root) {
         writeFileAtomically(path, std::string_view(lessonPage(fileText(path), info)));
         std::cout << path << "\n";
     }
+    writeStudyDocs(root);
     writePng(root + "/docs/strip.png", pictureStrip());
     std::cout << root << "/docs/strip.png\n";
 }

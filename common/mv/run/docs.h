@@ -14,7 +14,8 @@ std::string cataloguePage();
 // Error: the markers are missing.
 std::string lessonPage(const std::string& page, const DemoInfo& info);
 
-// Writes docs/demos.md, the tables of demos/*.md and docs/strip.png into a source tree.
+// Writes docs/demos.md, the tables of demos/*.md, the pages and plots of docs/errors-and-times and docs/strip.png into a
+// source tree.
 void writeDocs(const std::string& root);
 
 // All demos in their poses at frame 1, in one row, for the README.

@@ -69,7 +69,10 @@ std::string reportText(Stage& stage, int index, const FrameTimes& times) {
     }
     text += "counters  " + std::to_string(stage.frameCounters().draws) + " draws, " +
             std::to_string(stage.frameCounters().triangles) + " triangles and " +
-            std::to_string(stage.frameCounters().vertices) + " vertices submitted\n";
+            std::to_string(stage.frameCounters().vertices) + " vertices submitted, " +
+            std::to_string(stage.frameCounters().passes) + " passes";
+    for (const auto& [name, amount] : stage.notes().counts) text += ", " + formatted("%.10g", amount) + " " + name;
+    text += "\n";
     text += "buffers   color" + std::string(stage.info().needs.depth ? ", depth" : "") +
             (stage.info().needs.stencil ? ", stencil" : "") + ", " + std::to_string(stage.info().needs.samples) +
             " samples\n";
@@ -100,7 +103,9 @@ std::string reportJson(Stage& stage, int index, const FrameTimes& times) {
     }
     json["counters"] = {{"draws", stage.frameCounters().draws},
                         {"triangles", stage.frameCounters().triangles},
-                        {"vertices", stage.frameCounters().vertices}};
+                        {"vertices", stage.frameCounters().vertices},
+                        {"passes", stage.frameCounters().passes}};
+    for (const auto& [name, amount] : stage.notes().counts) json["counters"][name] = amount;
     json["buffers"] = {{"depth", stage.info().needs.depth},
                        {"stencil", stage.info().needs.stencil},
                        {"samples", stage.info().needs.samples}};

@@ -247,8 +247,8 @@ StudyRun runStudy(Stage& stage, const Study& study, const StudyOptions& options)
         applyKnobs(demo, before);
         applyKnobs(demo, scene.settings);
         FrameNotes notes;
-        const Reference reference =
-            demo.reference(Frame(study.frame, study.width, study.height, notes), [&](double part) {
+        const Reference reference = demo.reference(
+            Frame(study.frame, study.width, study.height, notes, {.ownError = options.timed}), [&](double part) {
                 tell(at("reference " + scene.name + " " + std::to_string(std::lround(100 * part)) + " %"));
             });
         if (!study.ofValues && reference.values.size() != static_cast<std::size_t>(study.width * study.height)) {

@@ -10,7 +10,7 @@ namespace mv {
 
 struct StudyOptions {
     int rounds = 7;     // timed runs of each row, interleaved; an untimed one goes before each
-    bool timed = true;  // false: errors and counts only, as a test wants them
+    bool timed = true;  // false: errors and counts only, without the reference's own error, as a test wants
     // A line of progress for people, now and then.
     std::function<void(const std::string& line)> progress = {};
 };

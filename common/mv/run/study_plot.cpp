@@ -100,30 +100,48 @@ std::string quoted(const std::string& text) {
 
 std::string legend(const StudyRun& run, const std::string& scene, const std::string& method) {
     std::string text = method;
-    if (const auto slope = errorSlope(run, scene, method)) text += formatted(", error ~ p^{%.2f}", *slope);
+    if (const auto slope = errorSlope(run, scene, method)) text += formatted(" (slope %.2f)", *slope);
     return text;
 }
 
+// Of the errors that are not 0, and where 0 is drawn; of the times.
 struct PlotRange {
-    double low, high, zero;  // of the errors that are not 0; where 0 is drawn
+    double low, high, zero;
+    double fastest, slowest;
 };
 
-PlotRange errorRange(const StudyRun& run, const std::string& scene) {
-    double low = 0, high = 0;
+PlotRange plotRange(const StudyRun& run, const std::string& scene) {
+    double low = 0, high = 0, fastest = 0, slowest = 0;
     for (const StudyRow& row : run.rows) {
+        if (row.scene != scene || !row.ok() || row.rounds == 0) continue;
+        fastest = fastest == 0 ? row.msMedian : std::min(fastest, row.msMedian);
+        slowest = std::max(slowest, row.msMedian);
         const double error = run.shownError(row);
-        if (row.scene != scene || !row.ok() || error <= 0) continue;
+        if (error <= 0) continue;
         low = low == 0 ? error : std::min(low, error);
         high = std::max(high, error);
     }
     if (low == 0) low = high = 1;
+    if (fastest == 0) fastest = slowest = 1;
     const double decade = std::pow(10, std::floor(std::log10(low)));
-    return {decade, std::pow(10, std::ceil(std::log10(high) + 1e-9)), decade / 6};
+    return {decade, 2 * high, decade / 6, fastest / 1.5, slowest * 1.5};
+}
+
+// 1, 2 and 5 of every decade: a range of times may lie between two powers of ten.
+std::string timeTics(const PlotRange& range) {
+    std::string tics;
+    for (double decade = std::pow(10, std::floor(std::log10(range.fastest))); decade <= range.slowest; decade *= 10) {
+        for (const double step : {1.0, 2.0, 5.0}) {
+            const std::string text = formatted("%g", step * decade);
+            tics += (tics.empty() ? "'" : ", '") + text + "' " + text;
+        }
+    }
+    return "set ytics (" + tics + ")\n";
 }
 
 // One scene's plot. Zero has no place on a logarithmic axis; it gets a column of its own at the left.
 std::string plotScript(const StudyRun& run, const std::string& scene) {
-    const PlotRange range = errorRange(run, scene);
+    const PlotRange range = plotRange(run, scene);
     const auto shownX = [&](const StudyRow& row) {
         const double error = run.shownError(row);
         return error > 0 ? error : range.zero;
@@ -154,6 +172,7 @@ std::string plotScript(const StudyRun& run, const std::string& scene) {
         }
         ++color;
     }
+    if (plots.empty()) throw Error("plot", "must have a row with an error and a time", scene);
     addBlock("with points pt 6 ps 1.9 lw 1.5 lc rgb 'black'", "Pareto-best", isBest);
     std::string script = data;
     script += "set title " + quoted(run.demo + (scene.empty() ? "" : ": " + scene)) + "\n";
@@ -161,7 +180,9 @@ std::string plotScript(const StudyRun& run, const std::string& scene) {
         "set xlabel " +
         quoted((run.axis == ErrorAxis::rms ? "root mean square error, " : "part that is wrong, ") + run.quantity) +
         "\n";
-    script += "set xrange [" + formatted("%g", range.zero / 2.2) + ":" + formatted("%g", range.high) + "]\n";
+    script += "set xrange [" + formatted("%g", range.zero / 1.5) + ":" + formatted("%g", range.high) + "]\n";
+    script += "set yrange [" + formatted("%g", range.fastest) + ":" + formatted("%g", range.slowest) + "]\n" +
+              timeTics(range);
     script += "set xtics add ('0' " + formatted("%g", range.zero) + ")\n";
     script += "set arrow 1 from " + formatted("%g", range.zero * 2.4) + ", graph 0 to " +
               formatted("%g", range.zero * 2.4) + ", graph 1 nohead dt 3 lc rgb '#999999'\n";
@@ -225,13 +246,14 @@ std::string studySvg(const StudyRun& run) {
     const std::vector<std::string> scenes = scenesOf(run);
     const Scratch scratch;
     const int height = 520 * static_cast<int>(scenes.size()) + 60;
-    std::string script = "set terminal svg size 980," + std::to_string(height) +
-                         " dynamic font 'DejaVu Sans,11' background rgb 'white'\n"
-                         "set output '" +
-                         scratch.path +
-                         "/plot.svg'\n"
-                         "set logscale xy\nset grid lc rgb '#dddddd'\nset key outside right top Left reverse\n"
-                         "set format x '10^{%T}'\nset format y '%g'\n";
+    std::string script =
+        "set terminal svg size 980," + std::to_string(height) +
+        " dynamic font 'DejaVu Sans,11' background rgb 'white'\n"
+        "set output '" +
+        scratch.path +
+        "/plot.svg'\n"
+        "set logscale xy\nset grid lc rgb '#dddddd'\nset key outside right top Left reverse noenhanced\n"
+        "set format x '10^{%T}'\nset format y '%g'\n";
     script += run.rows.empty() || run.width > 0 ? "set ylabel 'milliseconds a frame'\n" : "set ylabel 'milliseconds'\n";
     const double foot = 60.0 / height;
     script += "set multiplot layout " + std::to_string(scenes.size()) + ",1 margins 0.09,0.68," +

@@ -1,0 +1,126 @@
+// docs/errors-and-times/<demo>.md: the page of a committed study.
+#include <algorithm>
+#include <cstdio>
+
+#include "mv/error.h"
+#include "mv/run/study.h"
+
+namespace mv {
+namespace {
+
+std::string formatted(const char* format, double value) {
+    char text[64];
+    std::snprintf(text, sizeof text, format, value);
+    return text;
+}
+
+std::string cell(const std::string& text) {
+    std::string escaped;
+    for (const char c : text) escaped += c == '|' ? std::string("\\|") : std::string(1, c);
+    return escaped;
+}
+
+std::string errorText(double value) { return value == 0 ? "0" : formatted("%.3g", value); }
+
+std::string errorTable(const StudyRun& run) {
+    std::string text =
+        "| scene | method | p | rms | max | wrong % | beside the edges % | ms | MAD | best |\n"
+        "|---|---|---:|---:|---:|---:|---:|---:|---:|---|\n";
+    for (const StudyRow& row : run.rows) {
+        text += "| " + cell(row.scene) + " | " + cell(row.method) + " | " + cell(row.parameter) + " | ";
+        if (!row.ok()) {
+            text += "failed: " + cell(row.status) + " | | | | | | |\n";
+            continue;
+        }
+        text += errorText(row.all.rms) + " | " + errorText(row.all.max) + " | " + errorText(100 * row.all.fraction) +
+                " | " + errorText(100 * row.inside.fraction) + " | " + formatted("%.3g", row.msMedian) + " | " +
+                formatted("%.2g", row.msMad) + " | " + (row.best ? "best" : "") + " |\n";
+    }
+    return text;
+}
+
+std::string countTable(const StudyRun& run) {
+    std::vector<std::string> names;
+    for (const StudyRow& row : run.rows) {
+        for (const auto& [name, amount] : row.counts) {
+            if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+        }
+    }
+    if (names.empty()) return "";
+    std::string head = "| scene | method | p |", line = "|---|---|---:|", text;
+    for (const std::string& name : names) {
+        head += " " + name + " |";
+        line += "---:|";
+    }
+    for (const StudyRow& row : run.rows) {
+        if (!row.ok()) continue;
+        text += "| " + cell(row.scene) + " | " + cell(row.method) + " | " + cell(row.parameter) + " |";
+        for (const std::string& name : names) {
+            const auto found = std::find_if(row.counts.begin(), row.counts.end(),
+                                            [&](const auto& count) { return count.first == name; });
+            text += " " + (found == row.counts.end() ? "" : formatted("%.10g", found->second)) + " |";
+        }
+        text += "\n";
+    }
+    return "\n## Work of a frame\n\n" + head + "\n" + line + "\n" + text;
+}
+
+std::string slopeList(const StudyRun& run) {
+    std::string text;
+    std::vector<std::pair<std::string, std::string>> seen;
+    for (const StudyRow& row : run.rows) {
+        const std::pair<std::string, std::string> line{row.scene, row.method};
+        if (std::find(seen.begin(), seen.end(), line) != seen.end()) continue;
+        seen.push_back(line);
+        const auto error = errorSlope(run, row.scene, row.method), time = timeSlope(run, row.scene, row.method);
+        if (!error && !time) continue;
+        text += "- " + (row.scene.empty() ? "" : row.scene + ", ") + row.method + ":";
+        if (error) text += " error ~ p^" + formatted("%.2f", *error);
+        if (time) text += std::string(error ? "," : "") + " time ~ p^" + formatted("%.2f", *time);
+        text += "\n";
+    }
+    return text.empty() ? "" : "\n## Slopes\n\nBy least squares over the logarithms:\n\n" + text;
+}
+
+std::string setUp(const StudyRun& run) {
+    std::string text = "- Compared: " + run.quantity + ".";
+    if (run.width > 0) {
+        text += " Picture " + std::to_string(run.width) + "x" + std::to_string(run.height) + ", frame " +
+                std::to_string(run.frame) + ".";
+    }
+    text += " Wrong is what is farther than " + numberText(run.wrongBeyond) +
+            " from the reference.\n- Reference: " + run.reference + ".";
+    for (const auto& [scene, error] : run.referenceErrors) {
+        text += std::string(" Its own error")
+                    .append(scene.empty() ? "" : " in \"" + scene + "\"")
+                    .append(", by doubling its samples in each direction: ")
+                    .append(errorText(error))
+                    .append(".");
+    }
+    int rounds = 0;
+    for (const StudyRow& row : run.rows) rounds = std::max(rounds, row.rounds);
+    text += "\n- Times: median and median absolute deviation of " + std::to_string(rounds) +
+            " interleaved runs, the first dropped, each finished by `glFinish`; " + run.host + ", " + run.renderer +
+            ", " + run.processor + ", " + std::to_string(run.threads) + " threads.\n";
+    return text;
+}
+
+}  // namespace
+
+std::string studyPage(const StudyRun& run, const DemoInfo& info) {
+    if (!info.study) throw Error(info.name, "must declare the study that its page shows");
+    return "# Error and time: " + run.demo + "\n\nMade by `./run --docs .` from [" + run.demo + ".json](" + run.demo +
+           ".json); do not edit. The demo: [" + run.demo + "](../../demos/" + run.demo +
+           ".md).\n\n![Error against run time](" + run.demo + ".svg)\n\n" + info.study->says +
+           "\n\n## How it was measured\n\n" + setUp(run) +
+           "\nErrors and counts are the same on every machine with the same OpenGL driver, and a test measures them\n"
+           "again; milliseconds, their deviation and so what is best belong to the machine named above. Measure "
+           "yours:\n\n"
+           "```\n./run " +
+           run.demo +
+           " --study out\n```\n\n## Errors and times\n\np is the value of the knob that moves along the "
+           "line; *best*: no other row of its scene is both nearer to the\nreference and faster.\n\n" +
+           errorTable(run) + slopeList(run) + countTable(run);
+}
+
+}  // namespace mv

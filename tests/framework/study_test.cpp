@@ -1,0 +1,276 @@
+#include "mv/run/study.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mv/gl/gl.h"
+#include "support/demo_run.h"
+
+using namespace mv;
+using namespace mv::test;
+
+namespace {
+
+constexpr double edgeAt = 0.3;  // of the picture's width; on no boundary of 2^k cells
+
+const char* const quadShader =
+    "void main() { gl_Position = vec4(2.0 * vec2(gl_VertexID & 1, gl_VertexID >> 1) - 1.0, 0.0, 1.0); }\n";
+const char* const stepShader = R"(
+uniform float cells, edge, width, broken;
+uniform bool measuring;
+out vec4 color;
+void main() {
+    float x = (floor(gl_FragCoord.x / width * cells) + 0.5) / cells;
+    float lit = (x > edge) == (broken < 0.5) ? 1.0 : 0.0;
+    color = measuring ? vec4(lit) : vec4(vec3(lit), 1.0);
+}
+)";
+
+// Light to the right of a line, shadow to the left, known only to the middles of `cells` cells.
+struct Step final : Demo {
+    Whole cells{this, "cells", 8, {1, 4096}, "cells across"};
+    Toggle broken{this, "broken", false, "light and shadow exchanged"};
+    Toggle refused{this, "refused", false, "a setting that makes no picture"};
+    Toggle nowhere{this, "nowhere", false, "nothing is measured"};
+    Program program;
+    VertexArray empty;
+    void init() override {
+        program = Program::fromText("step", quadShader, stepShader);
+        empty = makeVertexArray();
+    }
+    void check() const override {
+        if (refused) throw Error("--refused", "must be off");
+    }
+    void draw(const Frame& frame) override {
+        const float clear = frame.measuring() ? -1 : 0;
+        glClearColor(clear, clear, clear, 1);
+        glClear(GL_COLOR_BUFFER_BIT);
+        if (nowhere) return;
+        program.use();
+        program.set("cells", double(cells));
+        program.set("edge", edgeAt);
+        program.set("width", double(frame.width()));
+        program.set("broken", broken ? 1.0 : 0.0);
+        program.set("measuring", frame.measuring());
+        glBindVertexArray(empty.id());
+        glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+        frame.count("cells", cells);
+    }
+    Reference reference(const Frame& frame, const std::function<void(double)>& progress) const override {
+        Reference right;
+        for (int y = 0; y < frame.height(); ++y) {
+            for (int x = 0; x < frame.width(); ++x) right.values.push_back((x + 0.5) / frame.width() > edgeAt ? 1 : 0);
+        }
+        right.regions.assign(right.values.size(), 0);
+        progress(1);
+        if (frame.ownError()) right.ownError = 0;
+        return right;
+    }
+};
+
+Study stepStudy() {
+    Study study;
+    study.quantity = "lit or not";
+    study.reference = "the line itself";
+    study.scenes = {{"line", {}}};
+    study.lines = {{"cells", {}, "cells", {"4", "16", "64", "256", "1024"}},
+                   {"broken", {{"broken", "on"}}, "cells", {"1024"}},
+                   {"refused", {{"refused", "on"}}},
+                   {"nowhere", {{"nowhere", "on"}}}};
+    study.axis = ErrorAxis::fraction;
+    study.width = 1000;
+    study.height = 4;
+    return study;
+}
+
+// The integral of e^x over 0..1 by n trapezia; the error falls as n^-2.
+struct Trapezia final : Demo {
+    Whole n{this, "n", 4, {1, 100000}, "trapezia"};
+    void init() override {}
+    void draw(const Frame&) override {}
+    std::vector<double> values() const override {
+        double sum = (1 + std::exp(1.0)) / 2;
+        for (int i = 1; i < n; ++i) sum += std::exp(double(i) / n);
+        return {sum / n};
+    }
+    Reference reference(const Frame&, const std::function<void(double)>&) const override {
+        return {.values = {std::exp(1.0) - 1}};
+    }
+};
+
+Study trapeziaStudy() {
+    Study study;
+    study.quantity = "integral";
+    study.reference = "in closed form";
+    study.scenes = {{"", {}}};
+    study.lines = {{"trapezia", {}, "n", {"4", "16", "64", "256"}}};
+    study.ofValues = true;
+    return study;
+}
+
+template <class T>
+DemoInfo infoOf(const std::string& name, Study study) {
+    DemoInfo made;
+    made.name = name;
+    made.study = std::move(study);
+    made.make = [] { return std::make_unique<T>(); };
+    return made;
+}
+
+const StudyRow& row(const StudyRun& run, const std::string& method, const std::string& parameter = "") {
+    for (const StudyRow& each : run.rows) {
+        if (each.method == method && each.parameter == parameter) return each;
+    }
+    throw Error("row", "must be there", method + " " + parameter);
+}
+
+StudyRun stepRun(StudyOptions options = {.timed = false}) {
+    static const DemoInfo made = infoOf<Step>("step", stepStudy());
+    stage().open(made, 10, 10);
+    StudyRun run = runStudy(stage(), stepStudy(), options);
+    EXPECT_EQ(stage().front().width(), 10) << "the stage has its size again";
+    EXPECT_EQ(stage().demo().knob("cells").text(), "8") << "and the knobs their values";
+    stage().close();
+    return run;
+}
+
+}  // namespace
+
+// By hand: with 4 cells the second cell's middle, .375, is light, so all of .25..1 is: .05 of the picture is wrong.
+TEST(StudyRun, errors_are_what_they_are_by_hand) {
+    const StudyRun run = stepRun();
+    const StudyRow& four = row(run, "cells", "4");
+    EXPECT_EQ(four.status, "ok");
+    EXPECT_EQ(four.all.n, 4000);
+    EXPECT_DOUBLE_EQ(four.all.fraction, 0.05);
+    EXPECT_DOUBLE_EQ(four.all.rms, std::sqrt(0.05));
+    EXPECT_EQ(four.all.max, 1);
+    // The band are the two columns at the edge, of which the left one is wrong.
+    EXPECT_EQ(four.inside.n, 4000 - 8);
+    EXPECT_DOUBLE_EQ(four.inside.fraction, 196.0 / 3992);
+    EXPECT_EQ(four.unmatched, 0);
+}
+
+// The error of a cell is at most its half and .3 lies at no fixed place in it, so the slope is -1 with much scatter.
+TEST(StudyRun, slope_is_fitted) {
+    const auto slope = errorSlope(stepRun(), "line", "cells");
+    ASSERT_TRUE(slope);
+    EXPECT_NEAR(*slope, -1, 0.25);
+    EXPECT_FALSE(errorSlope(stepRun(), "line", "broken")) << "one point has no slope";
+}
+
+TEST(StudyRun, a_broken_method_shows) {
+    const StudyRun run = stepRun();
+    EXPECT_GT(row(run, "broken", "1024").all.fraction, 0.99);
+    EXPECT_LT(row(run, "cells", "1024").all.fraction, 0.002);
+}
+
+TEST(StudyRun, failures_stay_as_rows) {
+    const StudyRun run = stepRun();
+    EXPECT_EQ(run.rows.size(), 8U);
+    EXPECT_EQ(row(run, "refused").status, "--refused: must be off");
+    EXPECT_NE(row(run, "nowhere").status.find("must have values to compare"), std::string::npos);
+    const std::string table = studyTable(run);
+    EXPECT_NE(table.find("failed: line, refused : --refused: must be off"), std::string::npos) << table;
+}
+
+TEST(StudyRun, counts_work) {
+    const StudyRow four = row(stepRun(), "cells", "4");
+    const std::vector<std::pair<std::string, double>> expected{
+        {"draws", 1}, {"triangles", 2}, {"fragments", 4000}, {"passes", 1}, {"cells", 4}};
+    EXPECT_EQ(four.counts, expected);
+}
+
+TEST(StudyRun, times_every_round_and_tells) {
+    std::vector<std::string> lines;
+    const StudyRun run =
+        stepRun({.rounds = 7, .timed = true, .progress = [&](const std::string& line) { lines.push_back(line); }});
+    EXPECT_EQ(row(run, "cells", "4").rounds, 7);
+    EXPECT_GT(row(run, "cells", "4").msMedian, 0);
+    EXPECT_GE(row(run, "cells", "4").msMad, 0);
+    EXPECT_EQ(row(run, "refused").rounds, 0);
+    EXPECT_EQ(run.referenceErrors.size(), 1U);
+    for (const std::string& line : lines) EXPECT_EQ(line.rfind("study ", 0), 0U) << line;
+}
+
+TEST(StudyRun, of_values_needs_no_picture) {
+    const DemoInfo made = infoOf<Trapezia>("trapezia", trapeziaStudy());
+    stage().open(made, 4, 4);
+    const StudyRun run = runStudy(stage(), trapeziaStudy(), {});
+    stage().close();
+    // The trapezium rule: error h^2/12 (e - 1) to first order.
+    EXPECT_NEAR(row(run, "trapezia", "64").all.rms, (std::exp(1.0) - 1) / 12 / 64 / 64, 1e-9);
+    EXPECT_NEAR(*errorSlope(run, "", "trapezia"), -2, 0.01);
+    EXPECT_GT(*timeSlope(run, "", "trapezia"), 0.3) << "more trapezia take longer";
+}
+
+TEST(StudyData, pareto_best_is_marked) {
+    StudyRun run;
+    const auto add = [&](const std::string& name, double error, double ms, const std::string& status = "ok") {
+        StudyRow each;
+        each.method = name;
+        each.all.rms = error;
+        each.msMedian = ms;
+        each.rounds = 7;
+        each.status = status;
+        run.rows.push_back(each);
+    };
+    add("exact but slow", 0, 9);
+    add("good", 0.1, 2);
+    add("as good, slower", 0.1, 3);
+    add("worse and slower", 0.2, 4);
+    add("fast", 0.5, 1);
+    add("failed", 0, 0, "no");
+    markBest(run);
+    std::string best;
+    for (const StudyRow& each : run.rows) best += each.best ? '*' : '.';
+    EXPECT_EQ(best, "**..*.");
+}
+
+TEST(StudyData, json_reads_back) {
+    const StudyRun run = stepRun();
+    const std::string text = studyJson(run);
+    EXPECT_EQ(studyJson(readStudy(text)), text);
+    EXPECT_THROW(readStudy("{}"), Error);
+    EXPECT_THROW(readStudy("no study"), Error);
+}
+
+TEST(StudyData, csv_has_a_line_a_row) {
+    const StudyRun run = stepRun();
+    const std::string csv = studyCsv(run);
+    EXPECT_EQ(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n')), run.rows.size() + 1);
+    const auto columns = [](const std::string& line) { return std::count(line.begin(), line.end(), ','); };
+    const auto end = csv.find('\n');
+    EXPECT_EQ(columns(csv.substr(0, end)), columns(csv.substr(end + 1, csv.find('\n', end + 1) - end - 1)));
+}
+
+TEST(StudyPlot, is_an_svg_with_every_method) {
+    const StudyRun run = stepRun({.rounds = 2, .timed = true});
+    const std::string svg = studySvg(run);
+    EXPECT_EQ(svg.rfind("<?xml", 0), 0U);
+    for (const char* word : {"cells", "broken", "Pareto-best", "the line itself"}) {
+        EXPECT_NE(svg.find(word), std::string::npos) << word;
+    }
+    StudyRun empty = run;
+    for (StudyRow& each : empty.rows) each.status = "failed";
+    EXPECT_THROW(studySvg(empty), Error);
+}
+
+TEST(Vary, makes_a_study_by_hand) {
+    const DemoInfo made = infoOf<Step>("step", stepStudy());
+    const auto values = [&](const std::string& vary) { return studyOf(made, {}, vary).lines.at(0).values; };
+    EXPECT_EQ(values("cells=1,2,5"), (std::vector<std::string>{"1", "2", "5"}));
+    EXPECT_EQ(values("cells=4..4096:6"), (std::vector<std::string>{"4", "16", "64", "256", "1024", "4096"}));
+    EXPECT_EQ(values("cells=1..3:9"), (std::vector<std::string>{"1", "2", "3"})) << "whole, and each once";
+    EXPECT_EQ(values("broken=on,off"), (std::vector<std::string>{"on", "off"}));
+    for (const char* wrong :
+         {"cells", "cells=", "=3", "cells=0,1", "cells=1..5:1", "cells=1..x:3", "cell=1,2", "cells=1..9999:3"}) {
+        EXPECT_THROW(studyOf(made, {}, wrong), Error) << wrong;
+    }
+    EXPECT_THROW(studyOf(infoOf<Step>("step", stepStudy()), {{"cells", "0"}}, "cells=1,2"), Error);
+    DemoInfo without = made;
+    without.study.reset();
+    EXPECT_THROW(studyOf(without, {}, ""), Error);
+}
