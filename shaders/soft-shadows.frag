@@ -10,5 +10,8 @@ out vec4 fragColor;
 
 void main() {
     float lit = 1.0 - texelFetch(darkness, ivec2(gl_FragCoord.xy), 0).r;
-    fragColor = measuring ? vec4(lit) : vec4(shade(color, point, normalize(facing), vec4(lamp, 1.0), lit), 1.0);
+    // A study compares the surfaces that look towards the lamp.
+    bool counts = dot(cross(dFdx(point), dFdy(point)), lamp - point) > 0.0;
+    fragColor = measuring ? vec4(counts ? lit : -1.0)
+                          : vec4(shade(color, point, normalize(facing), vec4(lamp, 1.0), lit), 1.0);
 }
