@@ -73,8 +73,8 @@ TEST(Scenes, ShowEveryObjectAndAShadow) {
             shadow += picture.faces[i] && picture.lit[i] == 0 ? 1 : 0;
         }
         for (std::size_t i = 0; i < seen.size(); ++i) EXPECT_GT(seen[i], 10) << name << ": " << scene.objects[i].name;
-        // As measured: 2.9 % of cubeOnPlane, 11 % of stillLife, 14 % of table.
-        EXPECT_GT(shadow, 160 * 120 / 50) << name;
+        // As measured: 2.5 % of cubeOnPlane, 11 % of stillLife, 16 % of table.
+        EXPECT_GT(shadow, 160 * 120 / 60) << name;
         EXPECT_LT(shadow, 160 * 120 / 4) << name;
     }
 }

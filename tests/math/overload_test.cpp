@@ -86,6 +86,10 @@ concept HasPerspective = requires(T t) {
     perspective(t, t, t, t);
 };
 template <typename T>
+concept HasInfinitePerspective = requires(T t) {
+    infinitePerspective(t, t, t);
+};
+template <typename T>
 concept HasOrtho = requires(T t) {
     ortho(t, t, t, t, t, t);
 };
@@ -101,6 +105,7 @@ TEST(Overloads, DoubleCallsAreMvs) {
                 HasPixel<vec3>);
     EXPECT_TRUE((HasShadow<vec4> && HasLocalShadow<vec4, vec3> && HasBounds<vec4> && Reflects<vec4>));
     EXPECT_TRUE(HasPerspective<double> && HasPerspective<int> && HasOrtho<int> && HasFrustum<int>);
+    EXPECT_TRUE(HasInfinitePerspective<double> && HasInfinitePerspective<int>);
     // By the checks: GLM's lookAt refuses nothing.
     EXPECT_ANY_THROW(lookAt(vec3(0), vec3(0), vec3(0, 1, 0)));
 }
@@ -124,6 +129,7 @@ TEST(Overloads, FloatCallsAreErrors) {
     EXPECT_FALSE(HasBounds<fvec4>);
     EXPECT_FALSE(Reflects<fvec4>);
     EXPECT_FALSE(HasPerspective<float>);
+    EXPECT_FALSE(HasInfinitePerspective<float>);
     EXPECT_FALSE(HasOrtho<float>);
     EXPECT_FALSE(HasFrustum<float>);
 }

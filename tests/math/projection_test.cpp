@@ -188,6 +188,50 @@ TEST(PerspectiveExtremes, X06RefusalsSayWhatWouldHaveBeenRight) {
     EXPECT_FALSE(std::isfinite(glm::ortho(1.0f, 1.0f, -1.0f, 1.0f, 1.0f, 2.0f)[0][0]));
 }
 
+// ---- the far plane at infinity
+
+TEST(InfinitePerspective, IsTheLimitOfPerspective) {
+    for (const double fovy : {10.0, 60.0, 150.0}) {
+        const mat4 m = infinitePerspective(fovy, 1.5, 0.25);
+        EXPECT_LE(largestDifference(m, perspective(fovy, 1.5, 0.25, 1e15)), rounding) << fovy;
+        EXPECT_LE(largestDifference(m, glm::infinitePerspective(radians(fovy), 1.5, 0.25)), m[1][1] * rounding) << fovy;
+    }
+    const mat4 m = infinitePerspective(60, 1.5, 0.25);
+    EXPECT_EQ(ndcOf(m, {0, 0, -0.25}).z, -1);
+    EXPECT_EQ(ndcOf(m, {0, 0, -0.5}).z, 0);  // half of the depths for the first 2 near
+    EXPECT_LT(ndcOf(m, {0, 0, -1e9}).z, 1);
+    EXPECT_GT(ndcOf(m, {0, 0, -1e9}).z, ndcOf(m, {0, 0, -1e8}).z);
+}
+
+// What shadow volumes need: a direction in view is at depth 1, not a rounding beyond it, where it would be clipped.
+TEST(InfinitePerspective, PutsDirectionsExactlyOnTheFarEnd) {
+    Random random(13);
+    for (int i = 0; i < 1000; ++i) {
+        const mat4 worldFromObject =
+            translate(random.point(1e4)) * rotate(random.number(0, 360), random.direction()) * scale(random.point(3));
+        const mat4 clipFromObject = infinitePerspective(random.number(1, 179), 1.5, random.number(0.001, 10)) *
+                                    lookAt(random.point(100), random.point(1), random.direction()) * worldFromObject;
+        const fmat4 rounded(clipFromObject);  // as Program::set uploads it
+        const fvec4 clip = rounded * fvec4(fvec3(random.point(5)), 0);
+        EXPECT_EQ(clip.z, clip.w) << i;
+    }
+}
+
+TEST(InfinitePerspective, RefusalsSayWhatWouldHaveBeenRight) {
+    const std::string fovy = "infinitePerspective: fovy must be greater than 0 and less than 180 degrees, ";
+    EXPECT_EQ(refusal([] { infinitePerspective(0, 1, 1); }), fovy + "0");
+    EXPECT_EQ(refusal([] { infinitePerspective(180, 1, 1); }), fovy + "180");
+    EXPECT_EQ(refusal([] { infinitePerspective(notANumber, 1, 1); }), fovy + "nan");
+    for (const double bad : {0.0, -1.0, notANumber, infinite}) {
+        EXPECT_EQ(refusal([&] { infinitePerspective(50, bad, 1); }),
+                  "infinitePerspective: aspect must be greater than 0 and finite, " + numberText(bad));
+        EXPECT_EQ(refusal([&] { infinitePerspective(50, 1, bad); }),
+                  "infinitePerspective: near must be greater than 0 and finite, " + numberText(bad));
+    }
+    EXPECT_EQ(refusal([] { infinitePerspective(50, 1, 1e308); }),
+              "infinitePerspective: the bounds must be neither so close nor so far apart that the matrix overflows");
+}
+
 // ---- planes
 
 double inside(const vec4& plane, const vec3& p) { return glm::dot(plane, vec4(p, 1)); }

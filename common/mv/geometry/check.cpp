@@ -48,19 +48,6 @@ void requireVertexCount(Primitive primitive, std::size_t count) {
     }
 }
 
-// Numbers each different position once, so that vertices at the same place get the same number.
-std::vector<std::uint32_t> weld(const std::vector<fvec3>& positions) {
-    // Compared as numbers: -0 equals 0. validate has made sure that there is no NaN, which would break the order.
-    std::map<std::array<float, 3>, std::uint32_t> numbers;
-    std::vector<std::uint32_t> welded;
-    welded.reserve(positions.size());
-    for (const fvec3& p : positions) {
-        const auto next = static_cast<std::uint32_t>(numbers.size());
-        welded.push_back(numbers.try_emplace({p.x, p.y, p.z}, next).first->second);
-    }
-    return welded;
-}
-
 }  // namespace
 
 void validate(const MeshData& mesh) {
@@ -114,9 +101,21 @@ std::size_t triangleCount(const MeshData& mesh) {
     return 0;
 }
 
+std::vector<std::uint32_t> weldByPosition(const std::vector<fvec3>& positions) {
+    // Compared as numbers: -0 equals 0. NaN, which would break the order, is for validate() to refuse.
+    std::map<std::array<float, 3>, std::uint32_t> firstAt;
+    std::vector<std::uint32_t> welded;
+    welded.reserve(positions.size());
+    for (const fvec3& p : positions) {
+        const auto here = static_cast<std::uint32_t>(welded.size());
+        welded.push_back(firstAt.try_emplace({p.x, p.y, p.z}, here).first->second);
+    }
+    return welded;
+}
+
 bool isClosed(const MeshData& mesh) {
     const auto triangles = trianglesOf(mesh);
-    const std::vector<std::uint32_t> welded = weld(mesh.positions);
+    const std::vector<std::uint32_t> welded = weldByPosition(mesh.positions);
 
     // An edge counts +1 from its lower to its higher end and -1 the other way: matched edges sum to 0.
     std::map<std::pair<std::uint32_t, std::uint32_t>, long long> balance;

@@ -22,6 +22,10 @@ std::vector<std::array<std::uint32_t, 3>> trianglesOf(const MeshData& mesh);
 // How many triangles GL draws; 0 for lines and points. Refuses what validate refuses.
 std::size_t triangleCount(const MeshData& mesh);
 
+// For each position the number of the first at exactly the same place (0 and -0 are the same): vertices that a seam or a
+// hard edge repeats get one number. Trap: positions that differ by a rounding stay apart.
+std::vector<std::uint32_t> weldByPosition(const std::vector<fvec3>& positions);
+
 // True when the triangles enclose a volume without a gap: each directed edge is matched by as many of its reverse.
 // Vertices at exactly the same position count as one (0 and -0 are the same), so a seam or a hard edge may repeat them;
 // triangles of which two corners coincide are passed over. False for lines, points, and where no triangle is left.

@@ -99,7 +99,7 @@ Scene table(double aspect) {
     scene.objects.push_back(
         solid("book", standingBox(0.26, 0.045, 0.19), translate(0.40, topY, 0) * rotateY(20), {0.30, 0.45, 0.35}));
     scene.lights = {{.position = vec4(-1.5, 2.3, 1.3, 1), .halfU = {0.2, 0, 0}, .halfV = {0, 0, 0.2}}};
-    scene.viewFromWorld = lookAt({0.7, 2.2, 3.2}, {0.27, 0.40, 0}, {0, 1, 0});
+    scene.viewFromWorld = lookAt({1.5, 2.0, 3.1}, {0.22, 0.38, 0}, {0, 1, 0});
     scene.clipFromView = projectionFor(aspect, 32, 0.5, 20);
     return scene;
 }

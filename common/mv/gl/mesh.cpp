@@ -61,22 +61,47 @@ Mesh::Mesh(const MeshData& data, const std::string& label) : primitive_(glPrimit
     labelObject(GL_BUFFER, vertices_.id(), label + " vertices");
     labelObject(GL_VERTEX_ARRAY, vertexArray_.id(), label);
     count_ = static_cast<GLsizei>(data.positions.size());
-    if (data.indices.empty()) return;
-    indices_ = makeBuffer();
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
-    glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(byteSize(data.indices)), data.indices.data(),
-                 GL_STATIC_DRAW);
-    labelObject(GL_BUFFER, indices_.id(), label + " indices");
-    count_ = static_cast<GLsizei>(data.indices.size());
+    if (!data.indices.empty()) uploadIndices(data.indices, label);
 }
 
-void Mesh::draw() const {
-    if (!vertexArray_) throw Error("Mesh", "must be made in init() before it is drawn");
+Mesh::Mesh(const ShadowVolume& volume, const std::string& label) {
+    if (volume.positions.empty()) throw Error("mesh " + label, "must have vertices");
+    vertexArray_ = makeVertexArray();
+    vertices_ = makeBuffer();
     glBindVertexArray(vertexArray_.id());
+    glBindBuffer(GL_ARRAY_BUFFER, vertices_.id());
+    std::vector<std::byte> bytes;
+    attach(Attribute::position, volume.positions, bytes);
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes.size()), bytes.data(), GL_STATIC_DRAW);
+    labelObject(GL_BUFFER, vertices_.id(), label + " vertices");
+    labelObject(GL_VERTEX_ARRAY, vertexArray_.id(), label);
+    uploadIndices(volume.indices, label);
+}
+
+// The vertex array is bound, and keeps the indices.
+void Mesh::uploadIndices(const std::vector<std::uint32_t>& indices, const std::string& label) {
+    indices_ = makeBuffer();
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(byteSize(indices)), indices.data(), GL_STATIC_DRAW);
+    labelObject(GL_BUFFER, indices_.id(), label + " indices");
+    count_ = static_cast<GLsizei>(indices.size());
+}
+
+void Mesh::draw() const { draw(0, static_cast<std::size_t>(count_)); }
+
+void Mesh::draw(std::size_t first, std::size_t count) const {
+    if (!vertexArray_) throw Error("Mesh", "must be made in init() before it is drawn");
+    if (first + count > static_cast<std::size_t>(count_)) {
+        throw Error("Mesh", "has only " + std::to_string(count_) + " vertices to draw", std::to_string(first + count));
+    }
+    if (boundVertexArray() != vertexArray_.id()) glBindVertexArray(vertexArray_.id());
     if (indices_) {
-        glDrawElements(primitive_, count_, GL_UNSIGNED_INT, nullptr);
+        // An offset in bytes into the bound index buffer, which GL takes as a pointer
+        const auto* offset =
+            reinterpret_cast<const void*>(first * sizeof(std::uint32_t));  // NOLINT(performance-no-int-to-ptr)
+        glDrawElements(primitive_, static_cast<GLsizei>(count), GL_UNSIGNED_INT, offset);
     } else {
-        glDrawArrays(primitive_, 0, count_);
+        glDrawArrays(primitive_, static_cast<GLint>(first), static_cast<GLsizei>(count));
     }
 }
 

@@ -46,13 +46,23 @@ void requireDepthRange(std::string_view subject, double near, double far) {
     refuseOverflow("frustum");
 }
 
-[[gnu::cold, gnu::noinline]] void refuseView(std::string_view subject, double fovy, double aspect, double near,
-                                             double far) {
+void requireAngles(std::string_view subject, double fovy, double aspect) {
     if (!(fovy > 0 && fovy < 180)) {
         throw Error(subject, "fovy must be greater than 0 and less than 180 degrees", numberText(fovy));
     }
     requirePositive(subject, "aspect", aspect);
+}
+
+[[gnu::cold, gnu::noinline]] void refuseView(std::string_view subject, double fovy, double aspect, double near,
+                                             double far) {
+    requireAngles(subject, fovy, aspect);
     requireDepthRange(subject, near, far);
+}
+
+[[noreturn, gnu::cold, gnu::noinline]] void refuseInfiniteView(double fovy, double aspect, double near) {
+    requireAngles("infinitePerspective", fovy, aspect);
+    requirePositive("infinitePerspective", "near", near);
+    refuseOverflow("infinitePerspective");
 }
 
 // The height of the window at distance 1 is twice this.
@@ -94,6 +104,19 @@ mat4 perspective(double fovy, double aspect, double near, double far) {
             0,         element.y, 0,          0,
             0,         0,         element.z, -1,
             0,         0,         element.w,  0};
+    // clang-format on
+}
+
+mat4 infinitePerspective(double fovy, double aspect, double near) {
+    const double f = 1.0 / std::tan(radians(fovy) / 2);
+    const vec3 element(f / aspect, f, -2 * near);
+    const bool isView = fovy > 0 && fovy < 180 && aspect > 0 && aspect < HUGE_VAL && near > 0;  // false for NaN
+    if (!isView || !isFinite(element)) refuseInfiniteView(fovy, aspect, near);
+    // clang-format off
+    return {element.x, 0,         0,          0,
+            0,         element.y, 0,          0,
+            0,         0,         -1,        -1,
+            0,         0,         element.z,  0};
     // clang-format on
 }
 

@@ -25,6 +25,14 @@ mat4 ortho(double left, double right, double bottom, double top, double near, do
 // radians.
 mat4 perspective(double fovy, double aspect, double near, double far);
 
+// The same with the far plane at infinity: nothing in front of the eye is too far away, directions (w = 0) included,
+// whose z equals their w bit for bit, in float too: depth 1, at the end of the range and not beyond it. For shadow
+// volumes, skies, and wherever `far` would be a guess. Beside a far plane it costs near/far of the depth buffer's
+// range, 1 % at far/near = 100. Refused: fovy outside (0, 180), aspect <= 0, near <= 0, NaN, infinity.
+// Equals glm::infinitePerspective, and the limit of perspective() as far grows; MV.js has none.
+// Source: Everitt and Kilgard, "Practical and Robust Stenciled Shadow Volumes" (2002).
+mat4 infinitePerspective(double fovy, double aspect, double near);
+
 // clipFromCamera of a general perspective, whose window on the plane z = -near is left..right, bottom..top: off-axis
 // for stereo, tiles and walls of screens. left > right or bottom > top mirrors. Refused: equal bounds, near <= 0, far
 // <= near, NaN, infinity, overflow. Equals glFrustum and glm::frustumRH_NO; MV.js has none.
@@ -76,6 +84,8 @@ template <std::same_as<float> T>
 mat4 ortho(T left, T right, T bottom, T top, T near, T far) = delete;
 template <std::same_as<float> T>
 mat4 perspective(T fovy, T aspect, T near, T far) = delete;
+template <std::same_as<float> T>
+mat4 infinitePerspective(T fovy, T aspect, T near) = delete;
 template <std::same_as<float> T>
 mat4 frustum(T left, T right, T bottom, T top, T near, T far) = delete;
 template <std::same_as<float> T, glm::qualifier Q>

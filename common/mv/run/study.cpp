@@ -234,6 +234,9 @@ StudyRun runStudy(Stage& stage, const Study& study, const StudyOptions& options)
     run.processor = processorName();
     run.threads = static_cast<int>(std::thread::hardware_concurrency());
     run.rows = rowsOf(study);
+    for (StudyRow& row : run.rows) {
+        if (options.wanted && !options.wanted(row)) row.status = notMeasured;
+    }
     Teller tell(options);
     const auto steps =
         std::to_string(run.rows.size() * static_cast<std::size_t>(1 + (options.timed ? options.rounds : 0)));
@@ -257,7 +260,7 @@ StudyRun runStudy(Stage& stage, const Study& study, const StudyOptions& options)
         if (reference.ownError >= 0) run.referenceErrors.emplace_back(scene.name, reference.ownError);
         const std::vector<bool> band = edgeBand(reference, study.width, study.height, study.wrongBeyond);
         for (StudyRow& row : run.rows) {
-            if (row.scene != scene.name) continue;
+            if (row.scene != scene.name || !row.ok()) continue;
             tell(at("errors of " + nameOf(row)));
             ++step;
             try {

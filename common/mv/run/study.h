@@ -11,9 +11,13 @@ namespace mv {
 struct StudyOptions {
     int rounds = 7;     // timed runs of each row, interleaved; an untimed one goes before each
     bool timed = true;  // false: errors and counts only, without the reference's own error, as a test wants
+    // Rows for which this says no are left out, with the status below; empty: all are measured.
+    std::function<bool(const StudyRow& row)> wanted = {};
     // A line of progress for people, now and then.
     std::function<void(const std::string& line)> progress = {};
 };
+
+inline constexpr const char* notMeasured = "not measured";
 
 // The study that the demo declares, or with --vary one made by hand: the knob's values in the demo's own scene.
 // Error: the demo declares none; --vary of a demo without a reference; a range the knob does not have.
@@ -22,6 +26,15 @@ Study studyOf(const DemoInfo& info, const std::vector<KnobSetting>& knobs, const
 // Runs it on the stage, which must be open with the demo; its knobs end as they were. A setting that fails is a row
 // with its reason as status. Error: the reference cannot be made.
 StudyRun runStudy(Stage& stage, const Study& study, const StudyOptions& options);
+
+// What table, plot and page have in common: scenes and methods in the order of the rows, an error with three digits ("0"
+// where it is exactly that), what a row counted, how the reference was made, and where the study was measured.
+std::vector<std::string> scenesOf(const StudyRun& run);
+std::vector<std::string> methodsOf(const StudyRun& run, const std::string& scene);
+std::string errorText(double value);
+std::string countsText(const StudyRow& row);
+std::string referenceText(const StudyRun& run);
+std::string machineText(const StudyRun& run);
 
 // The table that --study prints: a row a setting, the Pareto-best marked with *.
 std::string studyTable(const StudyRun& run);

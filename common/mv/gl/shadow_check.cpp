@@ -1,0 +1,40 @@
+#include "mv/gl/shadow_check.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mv/demo/lit_reference.h"
+
+namespace mv {
+
+FalseShadows ShadowCheck::compare(const Scene& scene, const Frame& frame, const std::function<void()>& draw) {
+    constexpr double mostSide = 96;
+    const double scale = std::min(1.0, mostSide / std::max(frame.width(), frame.height()));
+    const int width = std::max(1, int(std::lround(scale * frame.width())));
+    const int height = std::max(1, int(std::lround(scale * frame.height())));
+    if (target_.width() != width || target_.height() != height) {
+        target_ = Target(width, height, {.depth = true, .stencil = true, .color = GL_R32F}, "shadow check");
+    }
+    target_.bind();
+    draw();
+    const std::vector<float> drawn = target_.readRed();
+    frame.bindTarget();
+
+    FrameNotes notes;
+    const Reference right = litReference(scene, Frame(frame.index(), width, height, notes), {}, {});
+    FalseShadows result;
+    long dark = 0, lit = 0;
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+        if (right.regions[i] < 0 || drawn[i] < 0) continue;
+        ++result.pixels;
+        const bool isLit = drawn[i] > 0.5F, shouldBe = right.values[i] > 0.5;
+        dark += shouldBe && !isLit ? 1 : 0;
+        lit += isLit && !shouldBe ? 1 : 0;
+    }
+    if (result.pixels == 0) return result;
+    result.dark = 100.0 * double(dark) / double(result.pixels);
+    result.lit = 100.0 * double(lit) / double(result.pixels);
+    return result;
+}
+
+}  // namespace mv

@@ -1,0 +1,428 @@
+// shadow-volume: shadows counted in the stencil buffer, by the surface of the space that each solid keeps from the light.
+//
+// Claims (each is a test in tests/claims/shadow-volume.cpp):
+// - [exact] By z-fail no pixel of any scene differs from what rays show, except in the band of one pixel at edges.
+// - [eye-in-volume] With the eye in a volume z-pass is wrong nearly everywhere, z-fail and a counted start are right.
+// - [silhouette-is-enough] Drawing out every triangle gives the same shadow, with many times the triangles.
+// - [counts-are-rays] The stencil buffer holds how many surfaces stand between each pixel and the light.
+// - [three-hundred-shells] 255, 256 and 300 nested shells are exact in groups; in one count 256 of them read as lit,
+//   and a sentence says so.
+// - [light-anywhere] A light at infinity, exactly in the plane of a face, or below the casters: still no pixel wrong.
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <glm/matrix.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "mv/demo/demo.h"
+#include "mv/demo/lit_reference.h"
+#include "mv/geometry/scenes.h"
+#include "mv/geometry/shadow_volume.h"
+#include "mv/geometry/shapes.h"
+#include "mv/gl/gl.h"
+#include "mv/gl/scene_meshes.h"
+#include "mv/gl/shadow_check.h"
+#include "mv/gl/text.h"
+#include "mv/math/projection.h"
+#include "mv/math/transform.h"
+
+using namespace mv;
+
+namespace {
+
+enum class Which { cube, stillLife, nested };
+enum class Method { zPass, zPassStarted, zFail };
+enum class Show { shadow, volumes, count };
+enum class Place { outside, inVolume };
+
+// Boxes in boxes over the cube's floor: as many volumes over one another as there are boxes.
+Scene nestedShells(double aspect, int shells) {
+    Scene scene = cubeOnPlane(aspect);
+    scene.objects.pop_back();
+    for (int i = 0; i < shells; ++i) {
+        const double half = 0.2 + 0.35 * (i + 1) / shells;
+        scene.objects.push_back({"shell " + std::to_string(i + 1),
+                                 box(vec3(-half), vec3(half)),
+                                 translate(0, 0.8, 0) * rotateY(30),
+                                 {0.30, 0.52, 0.78},
+                                 true,
+                                 true});
+    }
+    return scene;
+}
+
+struct ShadowVolumes final : Demo {
+    Choice<Which> which{this, "scene", Which::stillLife, {{"cube"}, {"still-life"}, {"nested"}}, "what is shown"};
+    Whole shells{this, "shells", 12, {1, 300}, "boxes in boxes, of the nested scene"};
+    Choice<Method> method{this,
+                          "method",
+                          Method::zFail,
+                          {{"z-pass", "count what is before each pixel"},
+                           {"z-pass-started", "the same, starting with the volumes round the eye"},
+                           {"z-fail", "count what is behind each pixel"}},
+                          "how volumes are counted"};
+    Choice<Show> show{this,
+                      "show",
+                      Show::volumes,
+                      {{"shadow"}, {"volumes", "and their surfaces, as glass"}, {"count", "and the stencil buffer"}},
+                      "what is drawn"};
+    Toggle silhouetteOnly{this, "silhouette", true, "draw out the edges of the silhouette only, else every triangle's"};
+    Toggle groups{this, "groups", true, "count 127 casters at a time where more than 255 would wrap round"};
+    Choice<Place> eye{this, "eye", Place::outside, {{"outside"}, {"in-volume"}}, "where the eye is"};
+    Angle lightTurn{this, "light-turn", 0, "turn the light about the vertical"};
+    Real lightHeight{this, "light-height", 1, {0.3, 3}, "height of the light, in its first height"};
+    Toggle atInfinity{this, "at-infinity", false, "a light at infinity, in the direction of this one"};
+    Angle spinX{this, "spin-x", 0, "turn about the x axis"};
+    Angle spinY{this, "spin-y", 0, "turn about the y axis"};
+    Real distance{this, "distance", 0, {-3, 10}, "step back"};
+
+    Readout edges{this, "extruded-edges", "edges drawn out to infinity; of the silhouette, or of every triangle"};
+    Readout triangles{this, "volume-triangles", "triangles of the volumes drawn"};
+    Readout inShadow{this, "shadow-pixels", "pixels of the scene whose count is not 0"};
+    Readout stencilMost{this, "stencil-max", "largest number in the stencil buffer"};
+    Readout wrong{this, "wrong", "part of the pixels of a coarse grid whose shadow is not what rays show", "%"};
+
+    Program program, volumeProgram;
+    ShadowCheck shadowCheck;
+    Mesh wholePicture;
+    Scene scene;
+    std::vector<Mesh> meshes;
+    // A solid that casts, what it keeps from the light, and where that ends. Volumes are made again when `made` changes.
+    struct Caster {
+        std::size_t object;
+        ClosedMesh closed;
+        ShadowVolume volume = {};
+        Mesh mesh = {}, outline = {};
+    };
+    std::vector<Caster> casters;
+    std::optional<std::pair<Which, int>> built;
+    std::optional<std::pair<vec4, bool>> made;
+    std::size_t trianglesDrawn = 0;
+
+    ShadowVolumes() {
+        bindDrag(spinY, 1, spinX, 1);
+        bindWheel(distance, -0.25);
+        bindKeys(Key::left, Key::right, lightTurn, 5);
+        bindKeys(Key::down, Key::up, lightHeight, 0.1);
+    }
+
+    void init() override {
+        program = Program("shadow-volume");
+        volumeProgram = Program("shadow-volume", "volume");
+        wholePicture = Mesh(square(), "whole picture");
+        built.reset();
+    }
+
+    // The scene as the knobs have it: the projection without a far plane, which would cut the volumes off.
+    Scene sceneNow(double aspect) const {
+        Scene now = which == Which::cube        ? cubeOnPlane(aspect)
+                    : which == Which::stillLife ? stillLife(aspect)
+                                                : nestedShells(aspect, shells);
+        vec4 light = rotateY(lightTurn) * scale(1, lightHeight, 1) * now.lights[0].position;
+        if (atInfinity) light.w = 0;
+        now.lights[0].position = light;
+        now.clipFromView = infinitePerspective(degrees(2 * std::atan(1 / now.clipFromView[1][1])), aspect, 0.1);
+        const mat4 turn = rotateX(spinX) * rotateY(spinY);
+        if (eye == Place::outside) {
+            now.viewFromWorld = translate(0, 0, -distance) * now.viewFromWorld * turn;
+        } else {
+            const bool life = which == Which::stillLife;
+            const vec3 at = life ? vec3(2.6, 0.3, -1.2) : vec3(0.8, 0.15, -0.5);
+            now.viewFromWorld = turn * lookAt(at, life ? vec3(1.2, 0.3, 1.0) : vec3(0.6, 0.2, 1.5), {0, 1, 0});
+        }
+        return now;
+    }
+
+    void draw(const Frame& frame) override {
+        scene = sceneNow(frame.aspect());
+        makeVolumes();
+        frame.show("viewFromWorld", scene.viewFromWorld);
+        frame.show("clipFromView", scene.clipFromView);
+        trianglesDrawn = 0;
+        drawShadows(frame.measuring());
+        frame.count("volume triangles", double(trianglesDrawn));
+        if (frame.measuring()) return;
+        tell(frame);
+        if (frame.readouts() && !isEs()) readStencil(frame);
+        if (show == Show::volumes) drawGlass();
+        if (show == Show::count) drawCount(frame);
+        if (!frame.readouts()) return;
+        triangles = double(trianglesDrawn);
+        const FalseShadows found = shadowCheck.compare(scene, frame, [&] { drawShadows(true); });
+        wrong = found.dark + found.lit;
+        std::size_t extruded = 0;
+        for (const Caster& caster : casters) extruded += caster.volume.edges;
+        edges = double(extruded);
+    }
+
+    // While light and casters rest, their volumes are kept.
+    void makeVolumes() {
+        const std::pair wanted(Which(which), which == Which::nested ? int(shells) : 0);
+        if (built != wanted) {
+            meshes = uploadMeshes(scene);
+            casters.clear();
+            for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+                const SceneObject& object = scene.objects[i];
+                if (object.casts) casters.push_back({i, ClosedMesh(object.mesh, object.name)});
+            }
+            built = wanted;
+            made.reset();
+        }
+        const std::pair light(scene.lights[0].position, bool(silhouetteOnly));
+        if (made == light) return;
+        for (Caster& caster : casters) {
+            caster.volume = shadowVolume(caster.closed, inObject(caster, light.first),
+                                         silhouetteOnly ? Extrude::silhouette : Extrude::everyTriangle);
+            const std::string& name = scene.objects[caster.object].name;
+            caster.mesh = Mesh(caster.volume, name + " volume");
+            MeshData lines;
+            lines.primitive = Primitive::lines;
+            for (const ClosedMesh::Edge& edge : silhouette(caster.closed, inObject(caster, light.first))) {
+                for (const auto vertex : edge.vertex) lines.positions.push_back(caster.closed.positions()[vertex]);
+            }
+            caster.outline = Mesh(lines, name + " silhouette");
+        }
+        made = light;
+    }
+
+    mat4 clipFromObject(std::size_t object) const {
+        return scene.clipFromWorld() * scene.objects[object].worldFromObject;
+    }
+
+    vec4 inObject(const Caster& caster, const vec4& world) const {
+        return glm::inverse(scene.objects[caster.object].worldFromObject) * world;
+    }
+
+    // How many of some casters' volumes the eye is in.
+    int volumesRoundEye(std::size_t first, std::size_t last) const {
+        const vec4 eyeInWorld = glm::inverse(scene.viewFromWorld)[3];
+        int around = 0;
+        for (std::size_t i = first; i < last; ++i) {
+            around += volumesAround(casters[i].closed, inObject(casters[i], scene.lights[0].position),
+                                    vec3(inObject(casters[i], eyeInWorld)));
+        }
+        return around;
+    }
+
+    // A convex caster counts once at most, the pawn and the ring a few times.
+    bool mayWrap() const { return casters.size() > 255; }
+    bool inGroups() const { return mayWrap() && groups && show != Show::count; }
+
+    void drawShadows(bool measuring) {
+        // Draw the scene in full light, which also fills the depth buffer
+        if (measuring)
+            glClearColor(-1, -1, -1, -1);
+        else
+            glClearColor(0.70F, 0.77F, 0.85F, 1);
+        glClearStencil(0);
+        glStencilMask(~0U);
+        glDepthMask(GL_TRUE);
+        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+        glDisable(GL_CULL_FACE);
+        glDisable(GL_BLEND);
+        glDisable(GL_STENCIL_TEST);
+        glEnable(GL_DEPTH_TEST);
+        glDepthFunc(GL_LESS);
+        drawScene(measuring, 1);
+
+        // Count the volumes round what is seen in each pixel
+        glEnable(GL_STENCIL_TEST);
+        glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+        glDepthMask(GL_FALSE);
+        if (inGroups()) {
+            // Seven bits for the count of one group after the other, the eighth for whether one was not 0
+            constexpr std::size_t most = 127;
+            for (std::size_t first = 0; first < casters.size(); first += most) {
+                const std::size_t last = std::min(first + most, casters.size());
+                glStencilMask(0x7F);
+                countVolumes(first, last);
+                glStencilMask(0x80);
+                glStencilFunc(GL_NOTEQUAL, 0x80, 0x7F);
+                glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+                drawEverywhere(vec4(0));
+            }
+        } else {
+            countVolumes(0, casters.size());
+        }
+
+        // Draw what is in shadow again, without the light
+        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+        glStencilFunc(GL_NOTEQUAL, 0, inGroups() ? 0x80 : 0xFF);
+        glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+        glDepthFunc(GL_EQUAL);
+        drawScene(measuring, 0);
+        glDepthFunc(GL_LESS);
+    }
+
+    void countVolumes(std::size_t first, std::size_t last) {
+        // Start at 0, as cleared, or with the volumes that the way from the eye begins in
+        const int start = method == Method::zPassStarted ? volumesRoundEye(first, last) : 0;
+        if (start > 0 || first > 0) {
+            glStencilFunc(GL_ALWAYS, start, ~0U);
+            glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+            drawEverywhere(vec4(0));
+        }
+        glStencilFunc(GL_ALWAYS, 0, ~0U);
+        if (method == Method::zFail) {
+            // From the far end of the view towards what is seen: in through a back face, out through a front face
+            glStencilOpSeparate(GL_BACK, GL_KEEP, GL_INCR_WRAP, GL_KEEP);
+            glStencilOpSeparate(GL_FRONT, GL_KEEP, GL_DECR_WRAP, GL_KEEP);
+        } else {
+            // From the eye towards what is seen: in through a front face, out through a back face
+            glStencilOpSeparate(GL_FRONT, GL_KEEP, GL_KEEP, GL_INCR_WRAP);
+            glStencilOpSeparate(GL_BACK, GL_KEEP, GL_KEEP, GL_DECR_WRAP);
+        }
+        volumeProgram.use();
+        for (std::size_t i = first; i < last; ++i) {
+            // The caps lie behind what is seen, always: z-pass does without them
+            const ShadowVolume& volume = casters[i].volume;
+            drawVolume(casters[i], method == Method::zFail ? volume.indices.size() : volume.sides);
+        }
+    }
+
+    void drawVolume(const Caster& caster, std::size_t indices) {
+        volumeProgram.set("clipFromObject", clipFromObject(caster.object));
+        caster.mesh.draw(0, indices);
+        trianglesDrawn += indices / 3;
+    }
+
+    void drawScene(bool measuring, double lit) {
+        program.use();
+        program.set("light", scene.lights[0].position);
+        program.set("lit", lit);
+        program.set("measuring", measuring);
+        for (std::size_t i = 0; i < meshes.size(); ++i) {
+            const mat4& worldFromObject = scene.objects[i].worldFromObject;
+            program.set("clipFromObject", clipFromObject(i));
+            program.set("worldFromObject", worldFromObject);
+            program.set("worldFromNormal", normalMatrix(worldFromObject));
+            program.set("color", scene.objects[i].color);
+            meshes[i].draw();
+        }
+    }
+
+    // Each pixel that the stencil lets through, whatever its depth.
+    void drawEverywhere(const vec4& color) {
+        glDisable(GL_DEPTH_TEST);
+        volumeProgram.use();
+        volumeProgram.set("clipFromObject", rotateX(90) * scale(2));
+        volumeProgram.set("color", color);
+        wholePicture.draw();
+        glEnable(GL_DEPTH_TEST);
+    }
+
+    // The sides of the volumes as glass: those that a way from the eye enters by in yellow, those it leaves by in blue.
+    void drawGlass() {
+        glDisable(GL_STENCIL_TEST);
+        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
+        glEnable(GL_BLEND);
+        glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+        glEnable(GL_CULL_FACE);
+        volumeProgram.use();
+        for (const bool front : {false, true}) {
+            glCullFace(front ? GL_BACK : GL_FRONT);
+            volumeProgram.set("color", front ? vec4(1, 0.72, 0.1, 0.2) : vec4(0.2, 0.4, 1, 0.2));
+            for (const Caster& caster : casters) drawVolume(caster, caster.volume.sides);
+        }
+        volumeProgram.set("color", vec4(0.8, 0.05, 0.05, 1));
+        for (const Caster& caster : casters) {
+            // The silhouette lies in the solid's faces: a little nearer it is seen
+            volumeProgram.set("clipFromObject", translate(0, 0, -5e-5) * clipFromObject(caster.object));
+            caster.outline.draw();
+        }
+    }
+
+    // The count's binary digits as colours on the darkened picture: 1 is blue, 2 green, 4 red; 8, 16, 32 the same, darker.
+    static vec3 colorOf(int count) {
+        vec3 color(0);
+        for (int bit = 0; bit < 8; ++bit) {
+            if (count >> bit & 1) color[2 - bit % 3] += 0.4 / (1 << (bit / 3));
+        }
+        return color;
+    }
+
+    void drawCount(const Frame& frame) {
+        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
+        glEnable(GL_BLEND);
+        glStencilFunc(GL_ALWAYS, 0, ~0U);
+        glBlendFunc(GL_ZERO, GL_SRC_COLOR);
+        drawEverywhere(vec4(0.3));
+        glBlendFunc(GL_ONE, GL_ONE);
+        for (int bit = 0; bit < 8; ++bit) {
+            glStencilFunc(GL_EQUAL, 1 << bit, 1U << bit);
+            drawEverywhere(vec4(colorOf(1 << bit), 1));
+        }
+        glDisable(GL_STENCIL_TEST);
+        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+        for (int count = 1; count < 8; ++count) {
+            drawText(frame, 20 * count - 12, 8, std::to_string(count),
+                     {.color = vec4(1), .background = vec4(0.15 + 1.5 * colorOf(count), 1)});
+        }
+    }
+
+    void tell(const Frame& frame) const {
+        const int around = volumesRoundEye(0, casters.size());
+        if (method == Method::zPass && around > 0) {
+            frame.say("The eye is in " + std::to_string(around) + (around == 1 ? " volume" : " volumes") +
+                      ", and z-pass counts from 0: the shadows are wrong.");
+        }
+        if (mayWrap() && !inGroups()) {
+            frame.say(std::to_string(casters.size()) +
+                      " volumes may lie over one another; eight bits count 256 of them as 0, which reads as lit.");
+        }
+    }
+
+    void readStencil(const Frame& frame) {
+        const auto pixels = static_cast<std::size_t>(frame.width()) * static_cast<std::size_t>(frame.height());
+        std::vector<unsigned char> counts(pixels);
+        std::vector<float> depths(pixels);
+        glPixelStorei(GL_PACK_ALIGNMENT, 1);
+        glReadPixels(0, 0, frame.width(), frame.height(), GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, counts.data());
+        glReadPixels(0, 0, frame.width(), frame.height(), GL_DEPTH_COMPONENT, GL_FLOAT, depths.data());
+        int most = 0;
+        long dark = 0;
+        for (std::size_t i = 0; i < pixels; ++i) {
+            if (depths[i] == 1) continue;  // nothing is seen there
+            most = std::max(most, int(counts[i]));
+            dark += counts[i] > 0 ? 1 : 0;
+        }
+        stencilMost = most;
+        inShadow = double(dark);
+    }
+
+    Reference reference(const Frame& frame, const std::function<void(double)>& progress) const override {
+        return litReference(sceneNow(frame.aspect()), frame, {}, progress);
+    }
+};
+
+const bool added = addDemo<ShadowVolumes>({
+    .name = "shadow-volume",
+    .sentence = "Shadow volumes counted in the stencil buffer, by z-pass and z-fail.",
+    .lookFor =
+        "From the eye into a volume through a yellow side, out through a blue one: what lies between is in shadow.",
+    .chapter = "Shadows",
+    .number = 13,
+    .width = 640,
+    .height = 480,
+    .needs = {.depth = true, .stencil = true},
+    .study =
+        Study{
+            .quantity = "lit or in shadow, of the pixels that face the light",
+            .reference = "one ray through each pixel and one to the light, in double precision",
+            .scenes = {{"cube", {{"scene", "cube"}}},
+                       {"still-life", {{"scene", "still-life"}}},
+                       {"40 shells", {{"scene", "nested"}, {"shells", "40"}}},
+                       {"eye in a volume", {{"scene", "cube"}, {"eye", "in-volume"}}}},
+            .lines = {{"z-fail", {}},
+                      {"z-fail, every triangle", {{"silhouette", "off"}}},
+                      {"z-pass", {{"method", "z-pass"}}},
+                      {"z-pass, started", {{"method", "z-pass-started"}}}},
+            .axis = ErrorAxis::fraction,
+        },
+});
+
+}  // namespace

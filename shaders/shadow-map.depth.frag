@@ -1,0 +1,2 @@
+// Only the depth is kept, and that is written without us.
+void main() {}

@@ -1,0 +1,40 @@
+#include "light.glsl"
+#include "shadow-map.glsl"
+
+uniform sampler2DShadow map;
+uniform int taps;          // looks along a side: 1, 3, 5 or 7
+uniform float bias;        // in depth units of the map
+uniform vec4 light;        // world space, homogeneous
+uniform vec3 spotAxis;     // the way the spot light looks, unit length
+uniform vec2 spotCosines;  // of its outer and inner limit
+uniform vec3 eye;          // world space
+uniform vec3 color;
+uniform bool checkered;
+uniform bool measuring;    // the lit fraction as a number, instead of a picture
+
+in vec3 worldPoint;
+in vec3 worldNormal;
+in vec2 uv;
+in vec4 onMap;
+out vec4 fragColor;
+
+// Whether the triangle's front faces the light: its own normal, not the smooth one of the shading.
+bool facesLight() {
+    vec3 normal = cross(dFdx(worldPoint), dFdy(worldPoint));  // towards the eye
+    return (dot(normal, towardsLight(worldPoint, light)) > 0.0) == gl_FrontFacing;
+}
+
+void main() {
+    float lit = taps == 1 ? litOneTap(map, onMap, bias) : litPcf(map, onMap, bias, taps);
+    if (measuring) {
+        fragColor = vec4(facesLight() ? lit : -1.0);
+        return;
+    }
+    vec3 toLight = towardsLight(worldPoint, light);
+    vec3 normal = normalize(worldNormal);
+    lit *= smoothstep(spotCosines.x, spotCosines.y, dot(-toLight, spotAxis));
+    vec3 surface = checkered && mod(floor(8.0 * uv.x) + floor(8.0 * uv.y), 2.0) == 1.0 ? 0.8 * color : color;
+    vec3 halfway = normalize(toLight + normalize(eye - worldPoint));
+    float highlight = pow(max(dot(normal, halfway), 0.0), 150.0);
+    fragColor = vec4(shade(surface, worldPoint, normal, light, lit) + lit * highlight, 1);
+}
