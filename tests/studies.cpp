@@ -63,7 +63,7 @@ TEST(StudyPages, are_there_and_fresh) {
         ASSERT_TRUE(committedStudy(name)) << "built in, for the window";
         EXPECT_EQ(studyJson(*committedStudy(name)), studyJson(run));
         for (const StudyRow& row : run.rows) {
-            if (row.ok()) EXPECT_GE(row.rounds, 7) << row.method << " " << row.parameter;
+            EXPECT_TRUE(!row.ok() || row.rounds >= 7) << row.method << " " << row.parameter;
         }
     }
 }
