@@ -73,16 +73,16 @@ struct ShadowVolumes final : Demo {
     Toggle groups{this, "groups", true, "count 127 casters at a time where more than 255 would wrap round"};
     Choice<Place> eye{this, "eye", Place::outside, {{"outside"}, {"in-volume"}}, "where the eye is"};
     Angle lightTurn{this, "light-turn", 0, "turn the light about the vertical"};
-    Real lightHeight{this, "light-height", 1, {0.3, 3}, "height of the light, in its first height"};
+    Real lightHeight{this, "light-height", 1, {0.1, 3}, "height of the light, in its first height"};
     Toggle atInfinity{this, "at-infinity", false, "a light at infinity, in the direction of this one"};
     Angle spinX{this, "spin-x", 0, "turn about the x axis"};
     Angle spinY{this, "spin-y", 0, "turn about the y axis"};
     Real distance{this, "distance", 0, {-3, 10}, "step back"};
 
     Readout edges{this, "extruded-edges", "edges drawn out to infinity; of the silhouette, or of every triangle"};
-    Readout triangles{this, "volume-triangles", "triangles of the volumes drawn"};
+    Readout triangles{this, "volume-triangles", "triangles of the volumes that are counted"};
     Readout inShadow{this, "shadow-pixels", "pixels of the scene whose count is not 0"};
-    Readout stencilMost{this, "stencil-max", "largest number in the stencil buffer"};
+    Readout stencilMost{this, "stencil-max", "largest count of a pixel, where all is one count"};
     Readout wrong{this, "wrong", "part of the pixels of a coarse grid whose shadow is not what rays show", "%"};
 
     Program program, volumeProgram;
@@ -100,7 +100,7 @@ struct ShadowVolumes final : Demo {
     std::vector<Caster> casters;
     std::optional<std::pair<Which, int>> built;
     std::optional<std::pair<vec4, bool>> made;
-    std::size_t trianglesDrawn = 0;
+    std::size_t trianglesCounted = 0;
 
     ShadowVolumes() {
         bindDrag(spinY, 1, spinX, 1);
@@ -141,16 +141,16 @@ struct ShadowVolumes final : Demo {
         makeVolumes();
         frame.show("viewFromWorld", scene.viewFromWorld);
         frame.show("clipFromView", scene.clipFromView);
-        trianglesDrawn = 0;
+        trianglesCounted = 0;
         drawShadows(frame.measuring());
-        frame.count("volume triangles", double(trianglesDrawn));
+        frame.count("volume triangles", double(trianglesCounted));
         if (frame.measuring()) return;
         tell(frame);
         if (frame.readouts() && !isEs()) readStencil(frame);
         if (show == Show::volumes) drawGlass();
         if (show == Show::count) drawCount(frame);
         if (!frame.readouts()) return;
-        triangles = double(trianglesDrawn);
+        triangles = double(trianglesCounted);
         const FalseShadows found = shadowCheck.compare(scene, frame, [&] { drawShadows(true); });
         wrong = found.dark + found.lit;
         std::size_t extruded = 0;
@@ -260,7 +260,7 @@ struct ShadowVolumes final : Demo {
 
     void countVolumes(std::size_t first, std::size_t last) {
         // Start at 0, as cleared, or with the volumes that the way from the eye begins in
-        const int start = method == Method::zPassStarted ? volumesRoundEye(first, last) : 0;
+        const int start = method == Method::zPassStarted ? volumesRoundEye(first, last) & 0xFF : 0;
         if (start > 0 || first > 0) {
             glStencilFunc(GL_ALWAYS, start, ~0U);
             glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
@@ -280,14 +280,15 @@ struct ShadowVolumes final : Demo {
         for (std::size_t i = first; i < last; ++i) {
             // The caps lie behind what is seen, always: z-pass does without them
             const ShadowVolume& volume = casters[i].volume;
-            drawVolume(casters[i], method == Method::zFail ? volume.indices.size() : volume.sides);
+            const std::size_t indices = method == Method::zFail ? volume.indices.size() : volume.sides;
+            drawVolume(casters[i], indices);
+            trianglesCounted += indices / 3;
         }
     }
 
     void drawVolume(const Caster& caster, std::size_t indices) {
         volumeProgram.set("clipFromObject", clipFromObject(caster.object));
         caster.mesh.draw(0, indices);
-        trianglesDrawn += indices / 3;
     }
 
     void drawScene(bool measuring, double lit) {
@@ -390,7 +391,7 @@ struct ShadowVolumes final : Demo {
             most = std::max(most, int(counts[i]));
             dark += counts[i] > 0 ? 1 : 0;
         }
-        stencilMost = most;
+        if (!inGroups()) stencilMost = most;
         inShadow = double(dark);
     }
 
