@@ -117,8 +117,7 @@ struct StereoCube final : Demo {
 
     void drawCube(const Eye& eye, Eyes which, const vec4& color) {
         if (eyes != Eyes::both && eyes != which) return;
-        program.set("eyeFromModel", eye.eyeFromWorld * worldFromModel());
-        program.set("clipFromEye", eye.clipFromEye);
+        program.set("clipFromModel", eye.clipFromEye * eye.eyeFromWorld * worldFromModel());
         program.set("color", color);
         cube.draw();
     }

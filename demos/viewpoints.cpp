@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "mv/demo/demo.h"
+#include "mv/geometry/in_view.h"
 #include "mv/geometry/shapes.h"
 #include "mv/gl/gl.h"
 #include "mv/math/projection.h"
@@ -53,6 +54,7 @@ struct Viewpoints final : Demo {
     Readout roll{this, "roll", "view 5: how far the horizon is tilted", "deg"};
 
     Program program;
+    MeshData plainCube = colorCube();
     Mesh track, cube;
 
     Viewpoints() {
@@ -63,9 +65,8 @@ struct Viewpoints final : Demo {
     void init() override {
         program = Program("viewpoints");
         track = Mesh(ringStrip(90, 110, 100), "track");
-        MeshData plain = colorCube();
-        plain.colors.clear();  // each thing here has one colour, a uniform
-        cube = Mesh(plain, "cube");
+        plainCube.colors.clear();  // each thing here has one colour, a uniform
+        cube = Mesh(plainCube, "cube");
     }
 
     void check() const override {
@@ -100,9 +101,9 @@ struct Viewpoints final : Demo {
         // Draw, in the order in which the matrices come about; the depth test makes any order do
         program.use();
         program.set("clipFromView", clipFromView);
-        if (ofWorld) drawScenery(viewFromWorld);
+        if (ofWorld) drawScenery(clipFromView, viewFromWorld);
         drawCar(viewFromCar);
-        if (!ofWorld) drawScenery(viewFromWorld);
+        if (!ofWorld) drawScenery(clipFromView, viewFromWorld);
 
         direction = d;
         measure(inverse(viewFromWorld), vec3(40, 120, aim));
@@ -134,13 +135,15 @@ struct Viewpoints final : Demo {
         return lookAt(vec3(0, 0, 200 + height), vec3(0, 0, 0), vec3(0, 1, 0));  // looks along z: up must be another
     }
 
-    void drawScenery(const mat4& viewFromWorld) {
+    void drawScenery(const mat4& clipFromView, const mat4& viewFromWorld) {
         program.set("paint", vec4(0.4, 0.4, 0.4, 1));
         program.set("viewFromModel", viewFromWorld);
         track.draw();
         program.set("paint", vec4(1, 0, 0, 1));
         for (const auto& [x, y, size] : houses) {
-            program.set("viewFromModel", viewFromWorld * translate(x, y, size / 2) * scale(size));
+            const mat4 viewFromHouse = viewFromWorld * translate(x, y, size / 2) * scale(size);
+            if (!isInView(plainCube, clipFromView * viewFromHouse)) continue;
+            program.set("viewFromModel", viewFromHouse);
             cube.draw();
         }
     }

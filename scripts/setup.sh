@@ -5,9 +5,11 @@ build=$root/build
 
 # Each with its reason in the README's table of dependencies.
 run_packages=(g++ cmake ninja-build libglfw3-dev libimgui-dev libglm-dev libstb-dev libpng-dev libcli11-dev
-  nlohmann-json3-dev libgl-dev libegl-dev libegl1 libgl1-mesa-dri fonts-dejavu-core gnuplot-nox)
-optional_packages=(libosmesa6)  # newer distributions no longer have it; EGL serves without
-test_packages=(git libgtest-dev xvfb xauth xdotool imagemagick clang-format clang-tidy)
+  nlohmann-json3-dev libgl-dev libegl-dev libegl1 libgl1-mesa-dri fonts-dejavu-core gnuplot-nox libosmesa6)
+test_packages=(git libgtest-dev xvfb xauth xdotool imagemagick clang-format clang-tidy libembree-dev)
+# What serves in the place of a package that not every distribution has.
+declare -A instead=([libosmesa6]="EGL draws the pictures instead"
+  [libembree-dev]="mvgl-bench leaves out the rays beside it")
 
 fail() {
   echo "error: $*" >&2
@@ -26,34 +28,38 @@ as_root() {
   fi
 }
 
-# install_packages NAME...: those that are missing, by apt-get, with its progress on the terminal.
-install_packages() {
+# missing_packages NAME...: sets `missing` to those that are not installed; of those with an `instead` only what is to
+# be had, and `absent` to the others.
+missing_packages() {
   missing=()
+  absent=()
   local name
-  for name in "$@"; do installed "$name" || missing+=("$name"); done
-  for name in "${optional_packages[@]}"; do
+  for name in "$@"; do
     installed "$name" && continue
-    if apt-cache show "$name" >/dev/null 2>&1; then
+    if [ -n "${instead[$name]:-}" ] && ! apt-cache show "$name" >/dev/null 2>&1; then
+      absent+=("$name")
+    else
       missing+=("$name")
-    elif [ ${#missing[@]} = 0 ]; then
-      echo "note: this distribution has no $name; EGL draws the pictures instead" >&2
     fi
   done
-  [ ${#missing[@]} = 0 ] && return
+}
+
+tell_absent() {
+  local name
+  for name in "${absent[@]}"; do echo "note: this distribution has no $name; ${instead[$name]}" >&2; done
+}
+
+# install_packages NAME...: those that are missing, by apt-get, with its progress on the terminal.
+install_packages() {
+  missing_packages "$@"
+  [ ${#missing[@]} = 0 ] && tell_absent && return
   command -v apt-get >/dev/null || fail "packages: need apt-get (Debian 12, Ubuntu 24.04 or newer); missing: ${missing[*]}"
   echo "== installing ${missing[*]}" >&2
   as_root apt-get update -q >&2 || echo "note: apt-get update failed; trying with the lists that are there" >&2
-  # Asked again: the lists may have been empty before.
-  local wanted=()
-  for name in "${missing[@]}"; do
-    if [[ " ${optional_packages[*]} " == *" $name "* ]] && ! apt-cache show "$name" >/dev/null 2>&1; then
-      echo "note: this distribution has no $name; EGL draws the pictures instead" >&2
-    else
-      wanted+=("$name")
-    fi
-  done
-  as_root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "${wanted[@]}" >&2 ||
-    fail "packages: could not be installed: ${wanted[*]}"
+  missing_packages "$@"  # again: the lists may have been empty before
+  as_root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "${missing[@]}" >&2 ||
+    fail "packages: could not be installed: ${missing[*]}"
+  tell_absent
 }
 
 # at_least FOUND NEEDED

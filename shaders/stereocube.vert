@@ -1,5 +1,4 @@
-uniform mat4 clipFromEye;
-uniform mat4 eyeFromModel;
+uniform mat4 clipFromModel;
 in vec4 position;
 
-void main() { gl_Position = clipFromEye * eyeFromModel * position; }
+void main() { gl_Position = clipFromModel * position; }

@@ -12,6 +12,7 @@
 #include "mv/gl/program.h"
 #include "mv/image/compare.h"
 #include "mv/image/load.h"
+#include "mv/run/audit.h"
 #include "mv/run/command_line.h"
 #include "mv/run/docs.h"
 #include "mv/run/render.h"
@@ -82,6 +83,23 @@ TEST(Pages, tables_are_fresh) {
         const std::string page = fileText(source / "demos" / (info.name + ".md"));
         EXPECT_EQ(page, lessonPage(page, info)) << info.name << ": ./run --docs . makes it anew";
     }
+}
+
+// Words exactly; numbers within 1 %, which is what drivers differ by in the samples on edges.
+TEST(Pages, needs_are_fresh) {
+    const auto wordsAndNumbers = [](const std::string& page) {
+        static const std::regex number("[0-9]+");
+        std::vector<double> numbers;
+        for (std::sregex_iterator i(page.begin(), page.end(), number), end; i != end; ++i) {
+            numbers.push_back(std::stod(i->str()));
+        }
+        return std::pair(std::regex_replace(page, number, "#"), numbers);
+    };
+    const auto [words, numbers] = wordsAndNumbers(fileText(source / "docs/needs.md"));
+    const auto [newWords, newNumbers] = wordsAndNumbers(needsPage());
+    EXPECT_EQ(words, newWords) << "./run --docs . makes it anew";
+    ASSERT_EQ(numbers.size(), newNumbers.size());
+    for (std::size_t i = 0; i < numbers.size(); ++i) EXPECT_NEAR(numbers[i], newNumbers[i], 0.01 * numbers[i]);
 }
 
 TEST(Pages, strip_is_fresh) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "mv/gl/gl.h"
+#include "mv/run/audit.h"
 #include "support/demo_run.h"
 
 using namespace mv;
@@ -79,6 +80,13 @@ TEST_P(Sweep, buffers_as_declared) {
     GLint samples = -1;
     glGetIntegerv(GL_SAMPLES, &samples);
     EXPECT_EQ(samples, needs.samples);
+}
+
+// A frame at the initial settings does nothing needless that the demo does not declare.
+TEST_P(Sweep, nothing_needless) {
+    const AuditReport report = auditDemo(stage(), findDemo(GetParam()), {}, 1);
+    EXPECT_TRUE(report.clean()) << auditText(report);
+    EXPECT_GT(report.first.samplesPassed, 0);
 }
 
 // Other sizes than the original's, the smallest one and odd ones too.

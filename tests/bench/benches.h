@@ -21,4 +21,8 @@ namespace mv::bench {
 // peak memory.
 [[nodiscard]] std::vector<Row> processBench(int rounds);
 
+// Rays: sphere and triangle against the textbook's forms (at most 1.8 and 1.15 times the time), the ray caster on two
+// threads against one (at least 1.8 times as fast), and against Embree, where that is installed (at most 10 times the time).
+[[nodiscard]] std::vector<Row> raysBench(int rounds);
+
 }  // namespace mv::bench

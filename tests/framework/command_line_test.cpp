@@ -53,6 +53,10 @@ TEST(CommandLine, reads_what_is_meant) {
     const Command compare = parseCommandLine({"cube-cull", "--compare", "cull=back,front", "--shot", "a.png"});
     EXPECT_EQ(compare.compareKnob, "cull");
     EXPECT_EQ(compare.compareValues, (std::vector<std::string>{"back", "front"}));
+    EXPECT_EQ(compare.action, Action::render);
+    const Command both = parseCommandLine({"cube-cull", "--compare", "cull=back,front"});
+    EXPECT_EQ(both.action, Action::window);
+    EXPECT_EQ(both.compareKnob, "cull");
 }
 
 TEST(CommandLine, refuses_with_the_rule_and_the_nearest_name) {
@@ -79,10 +83,11 @@ TEST(CommandLine, refuses_with_the_rule_and_the_nearest_name) {
     EXPECT_TRUE(has(refusal({"cube-cull", "--frames", "1..3"}), "needs --shot"));
     EXPECT_TRUE(has(refusal({"cube-cull", "--frames", "1..3", "--shot", "a.png"}), "must have %d"));
     EXPECT_TRUE(has(refusal({"cube-cull", "--frames", "1..3", "--frame", "2"}), "must not stand beside"));
-    for (const char* compare : {"cull", "cull=", "cull=back", "=back,front", "cull=a,b,c", "depht=on,off"}) {
+    for (const char* compare : {"cull", "cull=", "cull=back", "=back,front", "cull=a,b,c", "cull=back,fornt",
+                                "z-dist=99,1", "depht=on,off"}) {
         EXPECT_NE(refusal({"cube-cull", "--shot", "a.png", "--compare", compare}), "accepted") << compare;
     }
-    EXPECT_TRUE(has(refusal({"cube-cull", "--compare", "cull=back,front"}), "needs --shot"));
+    EXPECT_TRUE(has(refusal({"cube-cull", "--compare", "cull=back,front", "--headless"}), "needs --shot"));
     EXPECT_TRUE(has(refusal({"cube-cull", "--headless=glx"}), "must be osmesa | egl | egl-device"));
     EXPECT_TRUE(has(refusal({"cube-cull", "--report=xml"}), "must be json"));
     EXPECT_TRUE(has(refusal({"--shot", "a.png"}), "must be named first"));

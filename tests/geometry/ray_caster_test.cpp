@@ -2,22 +2,20 @@
 
 #include <glm/geometric.hpp>
 #include <string>
+#include <thread>
+#include <vector>
 
 #include "../math/support.h"
 #include "mv/geometry/check.h"
 #include "mv/geometry/shapes.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
+#include "support/shadow_rays.h"
 
 using namespace mv;
 using namespace mv::test;
 
 namespace {
-
-vec3 pointIn(Random& random, double half) {
-    const double x = random.number(-half, half), y = random.number(-half, half);
-    return {x, y, random.number(-half, half)};
-}
 
 // Objects of every kind, thrown about: some of them overlap.
 Scene randomScene(std::uint64_t seed) {
@@ -27,9 +25,8 @@ Scene randomScene(std::uint64_t seed) {
         SceneObject object;
         object.name = "object " + std::to_string(i);
         object.mesh = i % 3 == 0 ? colorCube() : i % 3 == 1 ? sphere(0.5, 12, 7) : grid(3, 2, 1.5, 1);
-        const mat4 turned = rotate(random.number(0, 360), pointIn(random, 1));
-        object.worldFromObject =
-            translate(pointIn(random, 2)) * turned * scale(i % 4 == 0 ? vec3(-1, 0.3, 1) : vec3(1));
+        const mat4 turned = rotate(random.number(0, 360), random.point(1));
+        object.worldFromObject = translate(random.point(2)) * turned * scale(i % 4 == 0 ? vec3(-1, 0.3, 1) : vec3(1));
         object.casts = i % 5 != 0;
         scene.objects.push_back(object);
     }
@@ -58,7 +55,7 @@ TEST(RayCaster, FindsWhatALoopOverAllTrianglesFinds) {
         Random random(seed + 100);
         for (int i = 0; i < 3000; ++i) {
             // Some along an axis and some in the planes of the boxes' sides: there a slab test has 0/0.
-            Ray ray{pointIn(random, 4), pointIn(random, 1)};
+            Ray ray{random.point(4), random.point(1)};
             if (i % 4 == 0) ray.direction = vec3(0), ray.direction[i % 3] = i % 8 == 0 ? 1 : -1;
             if (i % 16 == 0)
                 ray.origin =
@@ -84,6 +81,362 @@ TEST(RayCaster, FindsWhatALoopOverAllTrianglesFinds) {
         }
     }
     EXPECT_GT(hits, 1000);
+}
+
+TEST(RayCaster, MissesNoCornerAndNoEdgeOfAClosedMesh) {
+    Scene scene;
+    scene.objects.push_back({.name = "sphere", .mesh = sphere(1, 24, 12)});
+    scene.objects[0].worldFromObject = translate(3, -2, 5) * rotate(40, {1, 2, 3}) * scale(0.9, 1.3, 1.1);
+    const RayCaster caster(scene);
+    const auto corners = worldCorners(scene.objects[0]);
+    Random random(20);
+    int missed = 0;
+    for (int i = 0; i < 200000; ++i) {
+        const auto first = static_cast<std::size_t>(random.number(0, static_cast<double>(corners.size()))) / 3 * 3;
+        const vec3 a = corners[first], b = corners[first + 1];
+        const vec3 aim = i % 2 == 0 ? a : a + random.number(0, 1) * (b - a);
+        const vec3 origin = vec3(3, -2, 5) + random.point(0.4);
+        missed += caster.nearest({origin, aim - origin}) ? 0 : 1;
+    }
+    EXPECT_EQ(missed, 0);
+}
+
+TEST(RayCaster, TellsPointAndNormalOfTheFront) {
+    Scene scene;
+    scene.objects.push_back({.name = "box", .mesh = box({-1, -1, -1}, {1, 1, 1}), .worldFromObject = scale(2, 1, 1)});
+    // A mirror turns the winding round, and outwards is outwards still.
+    for (const double side : {2.0, -2.0}) {
+        scene.objects[0].worldFromObject = translate(5, 0, 0) * scale(side, 1, 1);
+        const RayCaster caster(scene);
+        const auto hit = caster.nearest({{1, 0.25, 0.5}, {4, 0, 0}});
+        ASSERT_TRUE(hit);
+        EXPECT_EQ(hit->t, 0.5);
+        EXPECT_EQ(hit->point, vec3(3, 0.25, 0.5));
+        EXPECT_EQ(hit->normal, vec3(-1, 0, 0));
+        EXPECT_EQ(hit->object, 0);
+        // From inside the same face has the same normal.
+        const auto inside = caster.nearest({{4, 0.25, 0.5}, {-1, 0, 0}});
+        ASSERT_TRUE(inside);
+        EXPECT_EQ(inside->normal, vec3(-1, 0, 0));
+    }
+}
+
+// ---- in shadow or not
+
+// A floor 4 x 4 at y = 0 that does not cast, and above it what the test is about.
+Scene floorWith(const SceneObject& object) {
+    Scene scene;
+    scene.objects.push_back({.name = "floor", .mesh = grid(1, 1, 4, 4), .casts = false});
+    scene.objects.push_back(object);
+    return scene;
+}
+
+TEST(RayCaster, ShadowsEndAtTheLightAndNotAtADirection) {
+    const Scene scene = floorWith({.name = "plate", .mesh = box({-1, 1, -1}, {1, 1.1, 1})});
+    const RayCaster caster(scene);
+    const auto hit = caster.nearest({{0.2, 0.5, 0.1}, {0, -1, 0}});
+    ASSERT_TRUE(hit);
+    EXPECT_FALSE(caster.inShadow(*hit, {0, 0.9, 0, 1}));  // the light is below the plate
+    EXPECT_TRUE(caster.inShadow(*hit, {0, 2, 0, 1}));
+    EXPECT_TRUE(caster.inShadow(*hit, {0, 4, 0, 2}));  // the same point
+    EXPECT_FALSE(caster.inShadow(*hit, {0, 1.8, 0, 2}));
+    EXPECT_TRUE(caster.inShadow(*hit, {0, 1e-3, 0, 0}));  // a direction goes on for ever
+    EXPECT_FALSE(caster.inShadow(*hit, {5, 1, 0, 0}));
+    EXPECT_FALSE(caster.inShadow(*hit, {0, -1, 0, 0}));  // downwards the floor is in the way, and does not cast
+}
+
+TEST(RayCaster, NeitherShadesItselfNorLosesWhatIsNear) {
+    // Convex, so that no triangle may shade another one that faces the light. At every scale, and off the origin.
+    for (const double size : {1e-3, 1.0, 1e3, 1e6}) {
+        Scene scene;
+        scene.objects.push_back({.name = "sphere", .mesh = sphere(1, 48, 24)});
+        scene.objects[0].worldFromObject = translate(3 * size, size, -2 * size) * rotate(33, {3, 1, 2}) * scale(size);
+        const RayCaster caster(scene);
+        Random random(22);
+        int facing = 0, shaded = 0, shadedWithout = 0;
+        for (int i = 0; i < 50000; ++i) {
+            const vec3 middle(3 * size, size, -2 * size);
+            const vec3 origin = middle + 5 * size * random.direction();
+            const auto hit = caster.nearest({origin, middle + 0.9 * size * random.direction() - origin});
+            const vec3 light = random.direction();
+            if (!hit || glm::dot(hit->normal, light) <= 0) continue;
+            ++facing;
+            shaded += caster.inShadow(*hit, vec4(light, 0)) ? 1 : 0;
+            // What happens without any of it, the ray from the very point.
+            shadedWithout += caster.nearest({hit->point, light}) ? 1 : 0;
+        }
+        EXPECT_GT(facing, 10000) << size;
+        EXPECT_EQ(shaded, 0) << size;
+        EXPECT_GT(shadedWithout, 1000) << size;
+
+        // A plate that hovers a millionth of a millionth of its size above a floor shades it nevertheless.
+        Scene near = floorWith({.name = "plate", .mesh = box({-1, 0, -1}, {1, 0.1, 1})});
+        near.objects[0].worldFromObject = scale(size);
+        near.objects[1].worldFromObject = translate(0, 1e-12 * size, 0) * scale(size);
+        const RayCaster nearCaster(near);
+        const auto hit = nearCaster.nearest({{0.3 * size, -size, 0.2 * size}, {0, 1, 0}});
+        ASSERT_TRUE(hit);
+        ASSERT_EQ(hit->object, 0);
+        EXPECT_TRUE(nearCaster.inShadow(*hit, {1, 2, 3, 0})) << size;
+    }
+}
+
+// ---- pictures
+
+// A camera at (1, 4, 3), and a light.
+Scene lookedAt(Scene scene, const SceneLight& light) {
+    scene.lights.push_back(light);
+    scene.viewFromWorld = lookAt({1, 4, 3}, {0, 0.3, 0}, {0, 1, 0});
+    scene.clipFromView = perspective(50, 1.25, 0.5, 20);
+    return scene;
+}
+
+TEST(LitPicture, EqualsAnAnalyticShadowOfASquare) {
+    const mat4 worldFromSquare = translate(0.2, 0.8, -0.1) * rotate(25, {1, 0.5, 0.2});
+    const Scene scene = lookedAt(floorWith({.name = "square", .mesh = square(), .worldFromObject = worldFromSquare}),
+                                 {.position = {-1, 3, 1, 1}});
+    const int width = 200, height = 160;
+    const LitPicture picture = RayCaster(scene).lit(width, height);
+    const ShadowScene analytic{scene.clipFromWorld(), worldFromSquare, {-1, 3, 1}, 2, false};
+    int shadow = 0, different = 0;
+    for (int row = 0; row < height; ++row) {
+        for (int column = 0; column < width; ++column) {
+            const auto pixel = static_cast<std::size_t>(row * width + column);
+            const Seen seen = castRay(analytic, {(2 * column + 1.0) / width - 1, 1 - (2 * row + 1.0) / height});
+            const int object = seen == Seen::background ? -1 : seen == Seen::square ? 1 : 0;
+            different += picture.object[pixel] != object ? 1 : 0;
+            if (object != 0) continue;
+            EXPECT_TRUE(picture.faces[pixel]);
+            different += picture.lit[pixel] != (seen == Seen::shadow ? 0 : 1) ? 1 : 0;
+            shadow += seen == Seen::shadow ? 1 : 0;
+        }
+    }
+    EXPECT_GT(shadow, 500);
+    EXPECT_EQ(different, 0);  // no pixel of these is within a rounding of an edge
+}
+
+// The area in the shadow of a sphere: the cone of the rays that touch it, cut by the floor, is an ellipse.
+double shadowArea(const vec3& light, const vec3& center, double radius) {
+    const vec3 axis = center - light;
+    const double sine = radius / glm::length(axis), tilt = axis.y / glm::length(axis);  // cosine against the vertical
+    return pi * light.y * light.y * sine * sine * std::sqrt(1 - sine * sine) / std::pow(tilt * tilt - sine * sine, 1.5);
+}
+
+// Summed over the floor, what an area light lacks is the mean of the shadows of its points: no sampling comes into it.
+TEST(LitPicture, LacksThePenumbraThatTheoryGivesASphere) {
+    const vec3 center(0.1, 1, 0);
+    const double radius = 0.4;
+    Scene scene = floorWith({.name = "ball", .mesh = sphere(radius, 256, 128), .worldFromObject = translate(center)});
+    const SceneLight light{.position = {0.3, 3, -0.2, 1}, .halfU = {0.3, 0.1, 0}, .halfV = {0, 0, 0.4}};
+    scene.lights.push_back(light);
+    // Seen from below, where the ball does not hide its own shadow; a pixel is 4/200 wide.
+    scene.viewFromWorld = lookAt({0, -1, 0}, {0, 0, 0}, {0, 0, -1});
+    scene.clipFromView = ortho(-2, 2, -2, 2, 0.5, 1.5);
+    const int side = 200, lightSide = 6;
+    const LitPicture picture = RayCaster(scene).lit(side, side, {.lightSide = lightSide});
+    double lacking = 0;
+    int umbra = 0, penumbra = 0;
+    for (const double lit : picture.lit) {
+        lacking += 1 - lit;
+        umbra += lit == 0 ? 1 : 0;
+        penumbra += lit > 0 && lit < 1 ? 1 : 0;
+    }
+    double expected = 0;
+    for (int i = 0; i < lightSide * lightSide; ++i) {
+        const double s = (2 * (i % lightSide) + 1.0) / lightSide - 1, t = (2 * (i / lightSide) + 1.0) / lightSide - 1;
+        expected += shadowArea(vec3(light.position) + s * light.halfU + t * light.halfV, center, radius);
+    }
+    expected /= lightSide * lightSide;
+    const double pixelArea = 16.0 / (side * side);
+    // The mesh lies within the ball, by 1e-4 of its outline; pixels on 36 outlines count whole or not at all.
+    EXPECT_NEAR(lacking * pixelArea / expected, 1, 1e-3);
+    EXPECT_GT(umbra, 300);
+    EXPECT_GT(penumbra, 1000);
+}
+
+TEST(LitPicture, ConvergesAsTheLightIsAskedAtMorePoints) {
+    const Scene scene = lookedAt(
+        floorWith({.name = "box", .mesh = box({-0.4, 0, -0.4}, {0.4, 0.8, 0.4}), .worldFromObject = rotateY(25)}),
+        {.position = {-1, 3, 1, 1}, .halfU = {0.4, 0, 0}, .halfV = {0, 0, 0.4}});
+    const RayCaster caster(scene);
+    const auto litBy = [&](int side) { return caster.lit(60, 48, {.lightSide = side}).lit; };
+    const auto reference = litBy(96);
+    std::vector<double> errors;
+    for (const int side : {2, 4, 8, 16}) {
+        const auto lit = litBy(side);
+        double sum = 0;
+        for (std::size_t i = 0; i < lit.size(); ++i) sum += (lit[i] - reference[i]) * (lit[i] - reference[i]);
+        errors.push_back(std::sqrt(sum / static_cast<double>(lit.size())));
+        EXPECT_GT(sum, 0);
+    }
+    for (std::size_t i = 1; i < errors.size(); ++i) EXPECT_LT(errors[i], errors[i - 1] / 1.6) << i;
+    const double slope = std::log2(errors.front() / errors.back()) / 3;
+    RecordProperty("slope", std::to_string(-slope));
+    // A straight edge across a grid of cells: 1/n where it runs along the rows and all are wrong together, up to 1/n^2
+    // where the rows' errors cancel. Measured: 1.8.
+    EXPECT_GT(slope, 0.9);
+    EXPECT_LT(slope, 2.1);
+}
+
+TEST(LitPicture, AveragesThePointsOfAPixel) {
+    const Scene scene = lookedAt(floorWith({.name = "box", .mesh = box({-0.4, 0, -0.4}, {0.4, 0.8, 0.4})}),
+                                 {.position = {-1, 3, 1, 1}});
+    const RayCaster caster(scene);
+    const int width = 50, height = 40;
+    for (const int side : {2, 3}) {
+        const LitPicture coarse = caster.lit(width, height, {.pixelSide = side});
+        const LitPicture fine = caster.lit(width * side, height * side);
+        const LitPicture middles = caster.lit(width, height);
+        EXPECT_EQ(coarse.object, middles.object);
+        EXPECT_EQ(coarse.faces, middles.faces);
+        int mixed = 0;
+        for (int row = 0; row < height; ++row) {
+            for (int column = 0; column < width; ++column) {
+                const auto pixel = static_cast<std::size_t>(row * width + column);
+                double sum = 0;
+                int points = 0;
+                for (int i = 0; i < side * side; ++i) {
+                    const auto point =
+                        static_cast<std::size_t>((row * side + i / side) * width * side + column * side + i % side);
+                    if (fine.object[point] != coarse.object[pixel]) continue;
+                    sum += fine.lit[point];
+                    ++points;
+                }
+                if (points == 0 || coarse.object[pixel] < 0) continue;
+                // Both ways through the picture round differently: a point on an edge could differ. None does.
+                EXPECT_NEAR(coarse.lit[pixel], sum / points, 1e-12);
+                mixed += coarse.lit[pixel] > 0 && coarse.lit[pixel] < 1 ? 1 : 0;
+            }
+        }
+        EXPECT_GT(mixed, 10);
+    }
+}
+
+TEST(LitPicture, LeavesOutWhatFacesAwayAndWhatDoesNotReceive) {
+    Scene scene =
+        lookedAt(floorWith({.name = "ball", .mesh = sphere(0.5, 24, 12), .worldFromObject = translate(0, 1, 0)}),
+                 {.position = {-1, 3, 1, 1}});
+    const auto shadowOn = [](const Scene& s, int object) {
+        const LitPicture picture = RayCaster(s).lit(100, 80);
+        int count = 0;
+        for (std::size_t i = 0; i < picture.lit.size(); ++i) {
+            EXPECT_TRUE(picture.lit[i] == 0 || (picture.object[i] >= 0 && picture.faces[i]));
+            count += picture.object[i] == object && picture.faces[i] && picture.lit[i] == 0 ? 1 : 0;
+        }
+        return count;
+    };
+    EXPECT_GT(shadowOn(scene, 0), 100);
+    EXPECT_EQ(shadowOn(scene, 1), 0);  // convex: dark only where it faces away
+    Scene without = scene;
+    without.objects[0].receives = false;
+    EXPECT_EQ(shadowOn(without, 0), 0);
+    without = scene;
+    without.objects[1].casts = false;
+    EXPECT_EQ(shadowOn(without, 0), 0);
+}
+
+TEST(LitPicture, SeesOnlyTheViewVolumeAlsoWithoutAFarPlane) {
+    Scene scene = lookedAt(floorWith({.name = "box", .mesh = box({-0.4, 0, -0.4}, {0.4, 0.8, 0.4})}),
+                           {.position = {-1, 3, 1, 1}});
+    const LitPicture all = RayCaster(scene).lit(50, 40);
+    const auto seen = [](const LitPicture& picture, int object) {
+        return std::count(picture.object.begin(), picture.object.end(), object);
+    };
+    EXPECT_GT(seen(all, 1), 50);
+    // The box is 4.1 to 5.2 from the eye.
+    scene.clipFromView = perspective(50, 1.25, 0.5, 3.5);
+    EXPECT_EQ(seen(RayCaster(scene).lit(50, 40), 1), 0);
+    scene.clipFromView = perspective(50, 1.25, 5.5, 20);
+    EXPECT_EQ(seen(RayCaster(scene).lit(50, 40), 1), 0);
+    // The far plane at infinity: the limit of perspective() for far without end.
+    scene.clipFromView = perspective(50, 1.25, 0.5, 20);
+    scene.clipFromView[2][2] = -1;
+    scene.clipFromView[3][2] = -2 * 0.5;
+    const LitPicture endless = RayCaster(scene).lit(50, 40);
+    EXPECT_EQ(endless.object, all.object);
+    EXPECT_EQ(endless.lit, all.lit);
+}
+
+TEST(LitPicture, DoesNotDependOnTheNumberOfThreads) {
+    const Scene scene = randomScene(7);
+    const RayCaster caster(scene);
+    const LitPicture one = caster.lit(61, 47, {.light = 1, .lightSide = 2, .pixelSide = 2, .threads = 1});
+    for (const int threads : {0, 2, 3, 7, 100}) {
+        const LitPicture several = caster.lit(61, 47, {.light = 1, .lightSide = 2, .pixelSide = 2, .threads = threads});
+        EXPECT_EQ(several.lit, one.lit) << threads;
+        EXPECT_EQ(several.object, one.object) << threads;
+        EXPECT_EQ(several.faces, one.faces) << threads;
+        EXPECT_EQ(several.rays, one.rays) << threads;
+    }
+}
+
+TEST(LitPicture, TellsItsProgressInOrderAndOnTheCallersThread) {
+    const RayCaster caster(randomScene(8));
+    const auto self = std::this_thread::get_id();
+    double last = 0;
+    int calls = 0;
+    const auto progress = [&](double part) {
+        EXPECT_EQ(std::this_thread::get_id(), self);
+        EXPECT_GE(part, last);
+        EXPECT_LE(part, 1);
+        last = part;
+        ++calls;
+    };
+    caster.lit(20, 40, {.threads = 2, .progress = progress});
+    EXPECT_EQ(last, 1);
+    // Alone it tells each row's end.
+    calls = 0;
+    last = 0;
+    caster.lit(20, 40, {.threads = 1, .progress = progress});
+    EXPECT_EQ(last, 1);
+    EXPECT_GE(calls, 40);
+    // A progress that throws ends it.
+    EXPECT_EQ(
+        refusal([&] { caster.lit(20, 40, {.threads = 2, .progress = [](double) { throw Error("user", "stop"); }}); }),
+        "user: stop");
+}
+
+TEST(RayCaster, RefusalsSayWhatWouldHaveBeenRight) {
+    const Scene scene = randomScene(1);
+    const RayCaster caster(scene);
+    EXPECT_EQ(refusal([&] { caster.lit(0, 1); }), "lit: width must be 1 to 16384, 0");
+    EXPECT_EQ(refusal([&] { caster.lit(1, 20000); }), "lit: height must be 1 to 16384, 20000");
+    EXPECT_EQ(refusal([&] { caster.lit(1, 1, {.lightSide = 0}); }), "lit: lightSide must be 1 to 1024, 0");
+    EXPECT_EQ(refusal([&] { caster.lit(1, 1, {.pixelSide = -1}); }), "lit: pixelSide must be 1 to 1024, -1");
+    EXPECT_EQ(refusal([&] { caster.lit(1, 1, {.threads = -1}); }), "lit: threads must be 0 to 1024, -1");
+    EXPECT_EQ(refusal([&] { caster.lit(1, 1, {.light = 2}); }),
+              "lit: the scene must have the light that is asked for, 2");
+    EXPECT_EQ(refusal([&] { caster.nearest({{0, 0, 0}, {0, 0, 0}}); }), "nearest: the direction must not be 0");
+    EXPECT_EQ(refusal([&] {
+                  caster.nearest({{0, notANumber, 0}, {0, 0, 1}});
+              }),
+              "nearest: the origin must be finite, (0, nan, 0)");
+    EXPECT_EQ(refusal([&] {
+                  caster.inShadow({}, {0, 1, 0, 1});
+              }),
+              "inShadow: the hit must be of this scene, object -1, triangle -1");
+    EXPECT_EQ(refusal([&] {
+                  caster.inShadow({.object = 0, .triangle = 0}, {0, 0, 0, 0});
+              }),
+              "inShadow: light must be a point or a direction, (0, 0, 0, 0)");
+
+    const auto with = [&](const std::function<void(Scene&)>& change) {
+        Scene changed = scene;
+        changed.objects[0].name = "it";
+        change(changed);
+        return refusal([&] { RayCaster(changed).lit(4, 4); });
+    };
+    EXPECT_EQ(with([](Scene& s) { s.objects[0].mesh = wireCube(); }), "object 'it': must be made of triangles");
+    EXPECT_EQ(with([](Scene& s) { s.objects[0].worldFromObject = scale(1, 0, 1); }),
+              "object 'it': worldFromObject must have an inverse");
+    EXPECT_EQ(with([](Scene& s) { s.objects[0].worldFromObject[0].w = 1; }),
+              "object 'it': the last row of worldFromObject must be 0 0 0 1, (1, 0, 0, 1)");
+    EXPECT_EQ(with([](Scene& s) { s.objects[0].worldFromObject = translate(1e80, 0, 0); }),
+              "object 'it': coordinates must lie within 1e+70, (1e+80, 0.5, 0.5)");
+    EXPECT_EQ(with([](Scene& s) { s.lights[0].position = vec4(0); }),
+              "lit: the light must be a point or a direction, (0, 0, 0, 0)");
+    EXPECT_EQ(with([](Scene& s) { s.clipFromView = mat4(0); }),
+              "lit: clipFromWorld must be finite and have an inverse");
 }
 
 }  // namespace

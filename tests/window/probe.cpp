@@ -1,13 +1,19 @@
-// Two demos for the tests of the window: one with every kind of knob, that moves, and one that cannot be opened.
+// Demos for the tests of the window: one with every kind of knob, that moves, one that cannot be opened, and one with a
+// study.
 //
 // PROBE_SHADERS names a folder with probe.vert and probe.frag to read and watch, so that a test edits files of its own.
+// With PROBE_SLOW the study takes a minute.
+#include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <string>
+#include <thread>
 
 #include "mv/demo/demo.h"
 #include "mv/gl/gl.h"
 #include "mv/gl/object.h"
 #include "mv/gl/shader_source.h"
+#include "mv/run/study_data.h"
 
 using namespace mv;
 
@@ -88,6 +94,102 @@ struct Broken final : Demo {
     void init() override { throw Error("broken", "must never open; that is what it is for"); }
     void draw(const Frame&) override {}
 };
+
+enum class Function { exponential, root };
+enum class Rule { trapezia, simpson, exact };
+
+// The integral over 0 .. 1 of e^x, or of the square root of x, from n strips.
+struct Integral final : Demo {
+    Choice<Function> function{this, "function", Function::exponential, {{"exp"}, {"root"}}, "what is integrated"};
+    Choice<Rule> rule{
+        this, "rule", Rule::trapezia, {{"trapezia"}, {"simpson"}, {"exact"}}, "how; simpson needs an even n"};
+    Whole n{this, "n", 4, {1, 100000}, "strips"};
+    Real level{this, "level", 0.5, {0, 1}, "the picture's grey, which the study does not look at"};
+
+    void init() override {}
+    void draw(const Frame&) override {
+        const auto grey = static_cast<float>(double(level));
+        glClearColor(grey, grey, grey, 1);
+        glClear(GL_COLOR_BUFFER_BIT);
+    }
+    double at(double x) const { return function == Function::exponential ? std::exp(x) : std::sqrt(x); }
+    double whole() const { return function == Function::exponential ? std::exp(1.0) - 1 : 2.0 / 3; }
+    std::vector<double> values() const override {
+        if (rule == Rule::exact) return {whole()};
+        if (rule == Rule::simpson && n % 2 == 1) throw Error("--n", "must be even for simpson");
+        double sum = at(0) + at(1);
+        for (int i = 1; i < n; ++i) sum += at(double(i) / n) * (rule == Rule::simpson ? (i % 2 == 1 ? 4 : 2) : 2);
+        return {sum / n / (rule == Rule::simpson ? 3 : 2)};
+    }
+    Reference reference(const Frame&, const std::function<void(double)>& progress) const override {
+        for (int part = 0; std::getenv("PROBE_SLOW") && part < 600; ++part) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(100));
+            progress(part / 600.0);
+        }
+        return {.values = {whole()}};
+    }
+};
+
+Study integralStudy() {
+    Study study;
+    study.quantity = "the integral";
+    study.reference = "in closed form";
+    study.scenes = {{"exp", {{"function", "exp"}}}, {"root", {{"function", "root"}}}};
+    study.lines = {{"trapezia", {{"rule", "trapezia"}}, "n", {"4", "16", "64", "256"}},
+                   {"simpson", {{"rule", "simpson"}}, "n", {"4", "16", "64", "255"}},
+                   {"exact", {{"rule", "exact"}}}};
+    study.ofValues = true;
+    return study;
+}
+
+// What a machine of long ago has measured: errors as the rules have them, times as if each strip took a microsecond.
+std::string committedIntegral() {
+    const Study study = integralStudy();
+    StudyRun run;
+    run.demo = "integral";
+    run.quantity = study.quantity;
+    run.reference = study.reference;
+    run.host = run.renderer = "no driver";
+    run.processor = "a machine of long ago";
+    run.threads = 1;
+    for (const StudyScene& scene : study.scenes) {
+        for (const StudyLine& line : study.lines) {
+            for (const std::string& n : line.values.empty() ? std::vector<std::string>{""} : line.values) {
+                StudyRow row;
+                row.scene = scene.name;
+                row.method = line.method;
+                row.parameter = n;
+                row.settings = {{"function", scene.name}, {"rule", line.method}};
+                if (!n.empty()) row.settings.push_back({"n", n});
+                const double strips = n.empty() ? 10000 : std::stod(n);
+                const double power = line.method == "simpson" ? -4 : -2;
+                row.all.rms = row.all.max = n.empty() ? 0 : std::pow(strips, scene.name == "exp" ? power : -1.5) / 10;
+                row.all.n = row.inside.n = 1;
+                row.inside = row.all;
+                row.msMedian = 1e-3 * strips * (line.method == "simpson" ? 1.1 : 1);
+                row.msMad = row.msMedian / 50;
+                row.rounds = 7;
+                row.counts = {{"strips", strips}};
+                if (n == "255") row.status = "--n: must be even for simpson";
+                run.rows.push_back(row);
+            }
+        }
+    }
+    markBest(run);
+    return studyJson(run);
+}
+
+const bool integralAdded = addDemo<Integral>({
+    .name = "integral",
+    .sentence = "A demo with a study of errors and times.",
+    .lookFor = "",
+    .chapter = "Studies",
+    .number = 99,
+    .width = 400,
+    .height = 300,
+    .study = integralStudy(),
+});
+const bool studyAdded = addStudyFile("integral", committedIntegral());
 
 const bool probeAdded = addDemo<Probe>({
     .name = "probe",

@@ -461,6 +461,195 @@ idle() {
     for frames in $(sed -n 's/.*"window_frames": \([0-9]*\).*/\1/p' out); do atMost "window frames at rest" "$frames" 30; done
 }
 
+compare_() {
+    local settings="--spin-x 20 --spin-y 30" back front
+    # shellcheck disable=SC2086
+    {
+        "$cubeCull" $settings --cull back --shot back.png
+        "$cubeCull" $settings --cull front --shot front.png
+        start 'mvgl: cube-cull' "$cubeCull" $settings --compare cull=back,front --report=json
+    }
+    # Columns of the picture, below its labels, are those of one setting: sides SAVED LEFT-TO-X RIGHT-FROM-X
+    sides() {
+        back=$(differing "$1" back.png "$2x560+0+40") front=$(differing "$1" front.png "$((600 - $3))x560+$3+40")
+        equal "pixels of $1 left of the line that are not A's" 0 "$back"
+        equal "pixels of $1 right of the line that are not B's" 0 "$front"
+    }
+    differing() { # FILE FILE AREA: how many pixels
+        convert "$1" -crop "$3" +repage x.png && convert "$2" -crop "$3" +repage y.png
+        compare -metric AE x.png y.png null: 2>&1
+    }
+    xdotool key s && sleep 0.5
+    mv cube-cull-1.png halves.png && sides halves.png 299 302
+    at 303 200 && sleep 0.2 && xdotool mousedown 1 && sleep 0.1 # near the line, not on it
+    at 250 200 && sleep 0.1 && at 150 220 && sleep 0.2 && xdotool mouseup 1 && sleep 0.2
+    at 300 500 && sleep 0.2 # the line stays where it was let go
+    xdotool key s && sleep 0.5
+    mv cube-cull-1.png dragged.png && sides dragged.png 149 152
+    for _ in 1 2 3 4 5; do xdotool key bracketright && sleep 0.1; done
+    xdotool key bracketleft && sleep 0.2
+    xdotool key s && sleep 0.5
+    mv cube-cull-1.png keys.png && sides keys.png 197 200
+    sleep 0.5
+    quit
+    equal "the divider" 0.33 "$(printf %.2f "$(reported divider)")"
+    equal "settings after the line was dragged" "20 30" "$(reported spin-x) $(reported spin-y)"
+    # Dragging and pushing the line draws neither of the two again.
+    equal "demo frames" 2 "$(reported demo_frames)"
+    equal "command" "cube-cull $settings --compare cull=back,front" "$(reported command)"
+    differing back.png front.png 600x600+0+0 >count
+    equal "the difference" "$(awk '{ printf "difference: %.2f %% of pixels, at most 255 of 255", 100 * $1 / 360000 }' count)" \
+        "$(reported difference)"
+    # The other knobs are for both.
+    # shellcheck disable=SC2086
+    start 'mvgl: cube-cull' "$cubeCull" $settings --compare cull=back,front --report=json
+    at 100 300 && xdotool mousedown 1 && at 110 300 && xdotool mouseup 1 && sleep 0.3
+    xdotool key s && sleep 0.5
+    quit
+    equal "spin-y after a drag far from the line" 20 "$(reported spin-y)"
+    "$cubeCull" --spin-x 20 --spin-y 20 --cull back --shot back.png
+    "$cubeCull" --spin-x 20 --spin-y 20 --cull front --shot front.png
+    sides cube-cull-1.png 299 302
+    # At rest
+    start 'mvgl: cube-cull' "$cubeCull" --compare cull=back,front --report=json
+    sleep 4
+    quit
+    equal "demo frames at rest" 2 "$(reported demo_frames)"
+    atMost "window frames at rest" "$(reported window_frames)" 30
+}
+
+comparePanel() {
+    local probe=("$launcher" probe --frame 5 --size 400x1000 --report=json)
+    learnPlaces 'mvgl: probe' "${probe[@]}"
+    start 'mvgl: probe' "${probe[@]}"
+    clickOn "Compare with"
+    xdotool key Escape && sleep 0.3 # closes the list, and only that
+    kill -0 $pid || fail "Escape in the list of knobs closed the window"
+    clickOn "Compare with"
+    xdotool key Escape && sleep 0.3
+    quit
+    equal "what is compared after Escape" "" "$(reported compare)"
+    # The list hangs open below its box; its second line is the second knob. Then the places are those of a comparison.
+    start 'mvgl: probe' "${probe[@]}"
+    clickOn "Compare with"
+    read -r x y <<<"$(place "Compare with")"
+    at "$x" $((y + 54)) && sleep 0.3 && xdotool click 1 && sleep 0.4
+    quit
+    cp out places
+    equal "what is compared" "count with 9" "$(reported compare) with $(reported compare_with)"
+    equal "command" "probe --compare count=3,9 --frame 5 --size 400x1000" "$(reported command)"
+    # Each view, saved as it is shown; mood does not change the picture, level does.
+    probe+=(--compare level=0.25,0.75)
+    learnPlaces 'mvgl: probe' "${probe[@]}"
+    "$launcher" probe --frame 5 --size 400x1000 --level 0.25 --shot a.png
+    "$launcher" probe --frame 5 --size 400x1000 --level 0.75 --shot b.png
+    middle() { convert "$1" -format '%[pixel:p{150,500}] %[pixel:p{250,500}]' info: | sed 's/a(/(/g;s/,1)/)/g'; }
+    for view in divider A B difference; do
+        start 'mvgl: probe' "${probe[@]}"
+        clickOn "$view"
+        xdotool key ctrl+s && sleep 0.5
+        mv probe-5.png "view-$view.png"
+        quit
+    done
+    local a b
+    read -r a _ <<<"$(middle a.png)" && read -r b _ <<<"$(middle b.png)"
+    [ "$a" != "$b" ] || fail "the two settings have the same picture"
+    equal "view divider" "$a $b" "$(middle view-divider.png)"
+    equal "view A" "$a $a" "$(middle view-A.png)"
+    equal "view B" "$b $b" "$(middle view-B.png)"
+    # 128 levels apart: 96 + 159 * 128 / 255 green in full red
+    equal "view difference" "srgb(255,175,0) srgb(255,175,0)" "$(middle view-difference.png)"
+    # A key and a drag that move the compared knob move A; a setting that B cannot have is told with its name.
+    start 'mvgl: probe' "$launcher" probe --frame 5 --mood loud --compare level=0.5,1 --report=json
+    xdotool key n && sleep 0.3
+    quit
+    equal "error" "with level = 1: --level: must be less than 1 while --mood is loud" "$(reported error)"
+    equal "level after its key" 0.375 "$(reported level)"
+    start 'mvgl: probe' "${probe[@]}"
+    clickOn "Stop comparing"
+    xdotool key ctrl+s && sleep 0.5
+    quit
+    equal "command after the end" "probe --frame 5 --size 400x1000" "$(reported command)"
+    cmp probe-5.png a.png || fail "after the end the picture is not A's"
+}
+
+study() {
+    local integral=("$launcher" integral --size 400x1000 --report=json)
+    learnPlaces 'mvgl: integral' "${integral[@]}"
+    equal "where it was measured" "Committed, measured on: no driver, a machine of long ago, 1 threads." "$(reported study)"
+    equal "the row of the present settings" "trapezia 4" "$(reported here)"
+    # A longer time stands higher, a smaller error further left, an error of 0 left of all; what has failed nowhere.
+    local x4 y4 x64 y64 x0
+    read -r x4 y4 <<<"$(place "point simpson 4")" && read -r x64 y64 <<<"$(place "point simpson 64")"
+    read -r x0 _ <<<"$(place "point exact")"
+    [ "$y64" -lt "$y4" ] || fail "64 strips take longer than 4 and must stand higher: $y64 and $y4"
+    [ "$x64" -lt "$x4" ] || fail "64 strips are nearer than 4 and must stand further left: $x64 and $x4"
+    [ "$x0" -lt "$x64" ] || fail "no error at all must stand left of all: $x0 and $x64"
+    equal "a row that failed" "" "$(place "point simpson 255")"
+    start 'mvgl: integral' "${integral[@]}"
+    clickOn "point simpson 16"
+    quit
+    equal "row after a click on its point" "simpson 16" "$(reported here)"
+    equal "command after a click on a point" "integral --rule simpson --n 16 --size 400x1000" "$(reported command)"
+    # Beside the points a click sets nothing.
+    start 'mvgl: integral' "${integral[@]}"
+    at $((x64 + 3)) $((y64 - 60)) && sleep 0.2 && xdotool click 1 && sleep 0.3
+    quit
+    equal "row after a click beside the points" "trapezia 4" "$(reported here)"
+    equal "demo frames" 1 "$(reported demo_frames)"
+    atMost "window frames at rest" "$(reported window_frames)" 40
+    # It begins with the scene of its settings; settings that were not measured are at no point.
+    start 'mvgl: integral' "${integral[@]}" --function root --n 64
+    quit
+    equal "row in another scene" "trapezia 64" "$(reported here)"
+    start 'mvgl: integral' "${integral[@]}" --n 5
+    quit
+    equal "row of settings that were not measured" "" "$(reported here)"
+}
+
+measure() {
+    mkdir tmp && export TMPDIR=$PWD/tmp
+    local integral=("$launcher" integral --n 16 --size 400x1000 --report=json) child
+    made() { [ -n "$(ls tmp)" ]; }
+    gone() { [ -z "$(ls tmp)" ]; }
+    learnPlaces 'mvgl: integral' "${integral[@]}"
+    start 'mvgl: integral' "${integral[@]}"
+    clickOn "Measure here"
+    waitFor made && waitFor gone && settle
+    quit
+    reported study | grep -q "^Measured here: .* threads\.$" || fail "the plot is not the one measured here: $(reported study)"
+    equal "row of the present settings, as measured" "trapezia 16" "$(reported here)"
+    equal "standard error" "" "$(cat err)"
+    # A long one: closing the window ends it, and so do Cancel and a window that is killed.
+    export PROBE_SLOW=1
+    cp places before
+    slowOne() {
+        cp before places
+        start 'mvgl: integral' "${integral[@]}"
+        clickOn "Measure here"
+        waitFor made && sleep 1
+        child=$(pgrep -P $pid)
+        [ -n "$child" ] || fail "no program measures"
+    }
+    ended() { ! kill -0 "$child" 2>/dev/null; }
+    slowOne
+    quit
+    equal "measuring while the window was closed" true "$(reported measuring)"
+    ended || fail "the measurement outlives the window"
+    gone || fail "a closed window leaves its folder: $(ls tmp)"
+    cp out cancel
+    slowOne
+    cp cancel places && clickOn Cancel
+    waitFor ended
+    gone || fail "Cancel leaves the folder: $(ls tmp)"
+    quit
+    equal "measuring after Cancel" false "$(reported measuring)"
+    reported study | grep -q '^Committed' || fail "after Cancel the committed study must be shown: $(reported study)"
+    slowOne
+    kill -KILL $pid && wait $pid 2>/dev/null
+    waitFor ended
+}
+
 noDisplay() {
     env -u DISPLAY -u WAYLAND_DISPLAY "$cubeCull" >out 2>err
     equal "exit status" 1 $?
@@ -480,8 +669,10 @@ case $case in
     same-again) sameAgain ;;
     no-display) noDisplay ;;
     time) time_ ;;
+    compare) compare_ ;;
+    compare-panel) comparePanel ;;
     launcher) launcher_ ;;
-    opens | keys | slider | typed | choice | wheel | drag | replay | save | clipboard | error | resize | paused | reload | idle)
+    opens | keys | slider | typed | choice | wheel | drag | replay | save | clipboard | error | resize | paused | reload | idle | study | measure)
         "$case"
         ;;
     *) fail "there is no case '$case'" ;;

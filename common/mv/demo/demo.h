@@ -81,6 +81,13 @@ struct Needs {
     std::string beyondEs = {};
 };
 
+// Needless work that a demo does on purpose, because its lesson is about it.
+struct DeclaredWaste {
+    std::string kind;    // as --audit names it: "no-sample"
+    std::string what;    // part of what --audit says of it: "draw of 'cube'"
+    std::string reason;  // one clause
+};
+
 // What is known of a demo before one is made.
 struct DemoInfo {
     std::string name;               // kebab-case; the program, the page and the shaders have the same name
@@ -94,6 +101,7 @@ struct DemoInfo {
     // Knobs and values that show the demo better than its first picture does (a cube seen straight on): its small pictures
     // are drawn in this pose, and the sweep test moves one knob at a time from it.
     std::vector<std::pair<std::string, std::string>> pose = {};
+    std::vector<DeclaredWaste> waste = {};
     // What is to be measured, error against run time (--study).
     std::optional<Study> study = {};
     std::function<std::unique_ptr<Demo>()> make = {};

@@ -53,7 +53,9 @@ class Bvh::Build {
         std::iota(order.begin(), order.end(), 0U);
         bounds_.reserve(triangles.size());
         for (const SceneTriangle& triangle : triangles) bounds_.push_back(boundsOf(triangle));
-        if (!order.empty()) add(0, static_cast<std::uint32_t>(order.size()), 0);
+        if (order.empty()) return;
+        nodes_.emplace_back();
+        fill(0, 0, static_cast<std::uint32_t>(order.size()), 0);
     }
 
   private:
@@ -61,24 +63,26 @@ class Bvh::Build {
 
     vec3 middle(std::uint32_t triangle) const { return 0.5 * bounds_[triangle].lo + 0.5 * bounds_[triangle].hi; }
 
-    void add(std::uint32_t first, std::uint32_t last, int depth) {
+    // Makes `self` the node of the triangles order[first] to order[last - 1].
+    void fill(std::size_t self, std::uint32_t first, std::uint32_t last, int depth) {
         Bounds all, middles;
         for (std::uint32_t i = first; i < last; ++i) {
             all.add(bounds_[order[i]]);
             middles.add(middle(order[i]));
         }
-        const std::size_t self = nodes_.size();
-        nodes_.push_back({all.lo, all.hi, first, last - first});
+        nodes_[self] = {{all.lo.x, all.lo.y, all.lo.z, all.hi.x, all.hi.y, all.hi.z}, first, last - first};
         if (last - first <= largestLeaf) return;
         const auto begin = order.begin() + first, end = order.begin() + last;
         Iterator split = depth < deepestGuess ? cheapestSplit(begin, end, middles) : begin;
         if (split == begin || split == end) split = medianSplit(begin, end, middles);
 
-        nodes_[self].count = 0;
+        const std::size_t children = nodes_.size();
         const auto second = static_cast<std::uint32_t>(split - order.begin());
-        add(first, second, depth + 1);
-        nodes_[self].first = static_cast<std::uint32_t>(nodes_.size());
-        add(second, last, depth + 1);
+        nodes_[self].first = static_cast<std::uint32_t>(children);
+        nodes_[self].count = 0;
+        nodes_.resize(children + 2);
+        fill(children, first, second, depth + 1);
+        fill(children + 1, second, last, depth + 1);
     }
 
     // Where count times area, summed over both sides, is least: about how many triangles a ray has to be tested with.
@@ -146,8 +150,7 @@ Bvh::Bvh(std::vector<SceneTriangle> triangles) {
     triangles_.reserve(triangles.size());
     for (const std::uint32_t i : build.order) triangles_.push_back(triangles[i]);
     if (nodes_.empty()) return;
-    const vec3 size = glm::max(glm::abs(nodes_.front().lo), glm::abs(nodes_.front().hi));
-    extent_ = std::max({size.x, size.y, size.z});
+    for (const double bound : nodes_.front().bounds) extent_ = std::max(extent_, std::abs(bound));
 }
 
 namespace {
@@ -156,35 +159,34 @@ namespace {
 // inverse. Entry and exit are the origin, moved apart by what rounding can shift the corners of a triangle seen along
 // the ray; so no box is passed by of which a triangle would be hit.
 struct BoxTest {
-    vec3 entry, exit, inverse;
+    std::array<double, 3> entry, exit, inverse;
+    std::array<std::size_t, 3> nearSide, farSide;  // where a node's bounds have them
 
     BoxTest(const Ray& ray, double extent) {
         const vec3 size = glm::abs(ray.origin);
         const double room = 16 * std::numeric_limits<double>::epsilon() * (extent + std::max({size.x, size.y, size.z}));
-        for (int axis = 0; axis < 3; ++axis) {
-            const double sign = std::signbit(ray.direction[axis]) ? -1 : 1;
-            inverse[axis] = 1 / ray.direction[axis];
-            entry[axis] = ray.origin[axis] + sign * room;
-            exit[axis] = ray.origin[axis] - sign * room;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const auto i = static_cast<int>(axis);
+            const bool backwards = std::signbit(ray.direction[i]);
+            inverse[axis] = 1 / ray.direction[i];
+            entry[axis] = ray.origin[i] + (backwards ? -room : room);
+            exit[axis] = ray.origin[i] - (backwards ? -room : room);
+            nearSide[axis] = backwards ? axis + 3 : axis;
+            farSide[axis] = backwards ? axis : axis + 3;
         }
     }
 
     // Where the box is entered, at least 0; infinity where it is missed or lies beyond `end`. 0 * infinity, a ray in
     // the plane of a side, is NaN, which no comparison takes: that slab then bounds nothing.
-    double operator()(const vec3& lo, const vec3& hi, double end) const {
+    double operator()(const std::array<double, 6>& bounds, double end) const {
         double near = 0, far = end;
-        slab(lo.x, hi.x, entry.x, exit.x, inverse.x, near, far);
-        slab(lo.y, hi.y, entry.y, exit.y, inverse.y, near, far);
-        slab(lo.z, hi.z, entry.z, exit.z, inverse.z, near, far);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const double first = (bounds[nearSide[axis]] - entry[axis]) * inverse[axis];
+            const double last = (bounds[farSide[axis]] - exit[axis]) * inverse[axis];
+            near = first > near ? first : near;
+            far = last < far ? last : far;
+        }
         return near <= far ? near : HUGE_VAL;
-    }
-
-    static void slab(double lo, double hi, double entry, double exit, double inverse, double& near, double& far) {
-        const bool forwards = inverse > 0;
-        const double first = ((forwards ? lo : hi) - entry) * inverse;
-        const double last = ((forwards ? hi : lo) - exit) * inverse;
-        near = first > near ? first : near;
-        far = last < far ? last : far;
     }
 };
 
@@ -202,7 +204,7 @@ void Bvh::visit(const Ray& ray, double& end, const Visit& visitTriangle) const {
     const BoxTest boxTest(ray, extent_);
     std::array<Entry, stackSize> stack;
     std::size_t height = 0;
-    const double near = boxTest(nodes_[0].lo, nodes_[0].hi, end);
+    const double near = boxTest(nodes_[0].bounds, end);
     if (near < HUGE_VAL) stack[height++] = {0, near};
     while (height > 0) {
         const Entry entry = stack[--height];
@@ -214,9 +216,8 @@ void Bvh::visit(const Ray& ray, double& end, const Visit& visitTriangle) const {
             }
             continue;
         }
-        const Node &first = nodes_[entry.node + 1], &second = nodes_[node.first];
-        Entry closer{entry.node + 1, boxTest(first.lo, first.hi, end)};
-        Entry farther{node.first, boxTest(second.lo, second.hi, end)};
+        Entry closer{node.first, boxTest(nodes_[node.first].bounds, end)};
+        Entry farther{node.first + 1, boxTest(nodes_[node.first + 1].bounds, end)};
         if (farther.near < closer.near) std::swap(closer, farther);
         if (farther.near < HUGE_VAL) stack[height++] = farther;
         if (closer.near < HUGE_VAL) stack[height++] = closer;

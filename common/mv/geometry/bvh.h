@@ -1,5 +1,6 @@
 // Triangles in a tree of boxes, so that a ray asks few of them: what the ray caster stands on. Not part of the package.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -35,9 +36,9 @@ class Bvh {
 
   private:
     struct Node {
-        vec3 lo, hi;
-        std::uint32_t first = 0;  // of the triangles; of an inner node: its second child, the first one follows it
-        std::uint32_t count = 0;  // of the triangles; 0: an inner node
+        std::array<double, 6> bounds{};  // lo, then hi
+        std::uint32_t first = 0;         // of the triangles; of an inner node: of its two children, which lie together
+        std::uint32_t count = 0;         // of the triangles; 0: an inner node
     };
     class Build;
     template <typename Visit>

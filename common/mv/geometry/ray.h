@@ -3,11 +3,14 @@
 // Templates on the scalar, compiled for float and double: double is what the library computes in, float what a GPU
 // has, and a study can show what lies between them. A ray with NaN, infinity or direction 0 meets nothing.
 #pragma once
+#include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "mv/math/robust.h"
 #include "mv/math/types.h"
@@ -66,14 +69,12 @@ class TriangleTest {
                                              const glm::vec<3, T>& c) const;
 
   private:
-    struct Sheared {
-        T x, y, z;
-    };
-    Sheared sheared(const glm::vec<3, T>& p) const;
+    template <int Z>
+    std::optional<TriangleHit<T>> hit(const glm::vec<3, T>& a, const glm::vec<3, T>& b, const glm::vec<3, T>& c) const;
 
     glm::vec<3, T> origin_;
-    int x_, y_, z_;  // z_ is the direction's largest component
-    T shearX_, shearY_, scaleZ_;
+    int z_ = 0;  // the direction's largest component
+    T shearX_ = 0, shearY_ = 0, scaleZ_ = 0;
 };
 
 template <typename T>
@@ -82,7 +83,7 @@ std::optional<TriangleHit<T>> intersectTriangle(const RayOf<T>& ray, const glm::
     return TriangleTest<T>(ray)(a, b, c);
 }
 
-// ---- TriangleTest, inline for the sake of the ray caster
+// ---- inline, for the sake of the ray caster
 
 // p*q - r*s with the sign of the exact difference, and 0 only where that is 0.
 inline double signedDifference(double p, double q, double r, double s) { return differenceOfProducts(p, q, r, s); }
@@ -91,47 +92,77 @@ inline float signedDifference(float p, float q, float r, float s) {
     return static_cast<float>(static_cast<double>(p) * q - static_cast<double>(r) * s);
 }
 
+// Component i of v, known when compiling: x, y, z, and again x, y.
+template <int I, typename T>
+T component(const glm::vec<3, T>& v) {
+    if constexpr (I % 3 == 0) return v.x;
+    if constexpr (I % 3 == 1) return v.y;
+    if constexpr (I % 3 == 2) return v.z;
+}
+
 template <typename T>
 TriangleTest<T>::TriangleTest(const RayOf<T>& ray) : origin_(ray.origin) {
     const glm::vec<3, T>& d = ray.direction;
     const T sizeX = std::abs(d.x), sizeY = std::abs(d.y), sizeZ = std::abs(d.z);
     z_ = sizeX > sizeY ? (sizeX > sizeZ ? 0 : 2) : (sizeY > sizeZ ? 1 : 2);
-    x_ = (z_ + 1) % 3;
-    y_ = (z_ + 2) % 3;
-    const T* direction = &d.x;
-    shearX_ = direction[x_] / direction[z_];
-    shearY_ = direction[y_] / direction[z_];
-    scaleZ_ = 1 / direction[z_];
-}
-
-// The point seen along the ray: the ray is the line x = y = 0 there, and z is its t.
-template <typename T>
-typename TriangleTest<T>::Sheared TriangleTest<T>::sheared(const glm::vec<3, T>& p) const {
-    const T fromOrigin[3] = {p.x - origin_.x, p.y - origin_.y, p.z - origin_.z};
-    const T z = fromOrigin[z_];
-    return {fromOrigin[x_] - shearX_ * z, fromOrigin[y_] - shearY_ * z, scaleZ_ * z};
+    const T x = z_ == 0 ? d.y : z_ == 1 ? d.z : d.x;
+    const T y = z_ == 0 ? d.z : z_ == 1 ? d.x : d.y;
+    const T z = z_ == 0 ? d.x : z_ == 1 ? d.y : d.z;
+    shearX_ = x / z;
+    shearY_ = y / z;
+    scaleZ_ = 1 / z;
 }
 
 template <typename T>
-std::optional<TriangleHit<T>> TriangleTest<T>::operator()(const glm::vec<3, T>& cornerA, const glm::vec<3, T>& cornerB,
-                                                          const glm::vec<3, T>& cornerC) const {
-    const Sheared a = sheared(cornerA), b = sheared(cornerB), c = sheared(cornerC);
+std::optional<TriangleHit<T>> TriangleTest<T>::operator()(const glm::vec<3, T>& a, const glm::vec<3, T>& b,
+                                                          const glm::vec<3, T>& c) const {
+    return z_ == 0 ? hit<0>(a, b, c) : z_ == 1 ? hit<1>(a, b, c) : hit<2>(a, b, c);
+}
+
+template <typename T>
+template <int Z>
+std::optional<TriangleHit<T>> TriangleTest<T>::hit(const glm::vec<3, T>& cornerA, const glm::vec<3, T>& cornerB,
+                                                   const glm::vec<3, T>& cornerC) const {
+    // Sheared so that the ray becomes the line x = y = 0
+    const glm::vec<3, T> fromA = cornerA - origin_, fromB = cornerB - origin_, fromC = cornerC - origin_;
+    const T za = component<Z>(fromA), zb = component<Z>(fromB), zc = component<Z>(fromC);
+    const T xa = component<Z + 1>(fromA) - shearX_ * za, ya = component<Z + 2>(fromA) - shearY_ * za;
+    const T xb = component<Z + 1>(fromB) - shearX_ * zb, yb = component<Z + 2>(fromB) - shearY_ * zb;
+    const T xc = component<Z + 1>(fromC) - shearX_ * zc, yc = component<Z + 2>(fromC) - shearY_ * zc;
+
     // On which side of each edge the ray passes. The neighbour across the edge computes the same number with the other
-    // sign, bit for bit; that is what makes the test watertight.
-    T u = c.x * b.y - c.y * b.x;
-    T v = a.x * c.y - a.y * c.x;
-    T w = b.x * a.y - b.y * a.x;
+    // sign, bit for bit, and what is not 0 has the right sign: that makes the test watertight.
+    T u = xc * yb - yc * xb, v = xa * yc - ya * xc, w = xb * ya - yb * xa;
+    const auto passesBy = [&] { return std::min(std::min(u, v), w) < 0 && std::max(std::max(u, v), w) > 0; };
+    if (passesBy()) return {};
     if (u == 0 || v == 0 || w == 0) {
-        u = signedDifference(c.x, b.y, c.y, b.x);
-        v = signedDifference(a.x, c.y, a.y, c.x);
-        w = signedDifference(b.x, a.y, b.y, a.x);
+        u = signedDifference(xc, yb, yc, xb);
+        v = signedDifference(xa, yc, ya, xc);
+        w = signedDifference(xb, ya, yb, xa);
+        if (passesBy()) return {};
     }
-    if ((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0)) return {};
     const T sum = u + v + w;
     if (sum == 0) return {};
-    const T t = (u * a.z + v * b.z + w * c.z) / sum;
+    const T t = scaleZ_ * (u * za + v * zb + w * zc) / sum;
     if (!(t > 0 && t <= std::numeric_limits<T>::max())) return {};  // also where there was a NaN
     return TriangleHit<T>{t, u / sum, v / sum, w / sum};
+}
+
+template <typename T>
+std::optional<RayInterval<T>> intersectSphere(const RayOf<T>& ray, const glm::vec<3, T>& center, T radius) {
+    const glm::vec<3, T> f = ray.origin - center, &d = ray.direction;
+    const T a = glm::dot(d, d), b = -glm::dot(f, d), c = glm::dot(f, f) - radius * radius;
+    // |f x d| is the line's distance from the centre, times |d|; b*b - a*c is the same on paper.
+    const glm::vec<3, T> miss = glm::cross(f, d);
+    const T discriminant = a * (radius * radius) - glm::dot(miss, miss);
+    if (!(discriminant >= 0 && radius > 0 && a > 0)) return {};
+    // One root adds numbers of one sign, and the other one follows from the product of both, c/a.
+    const T q = b + std::copysign(std::sqrt(discriminant), b);
+    T near = c / q, far = q / a;
+    if (q == 0) near = far = 0;  // touches the sphere where the ray starts
+    if (near > far) std::swap(near, far);
+    if (!(far >= near && far >= 0 && far <= std::numeric_limits<T>::max())) return {};  // also where there was a NaN
+    return RayInterval<T>{near, far};
 }
 
 }  // namespace mv

@@ -201,11 +201,15 @@ LitPicture RayCaster::lit(int width, int height, const LitOptions& options) cons
     requireSide("height", height, 16384);
     requireSide("lightSide", options.lightSide, 1024);
     requireSide("pixelSide", options.pixelSide, 1024);
+    requireRange("lit", "threads", options.threads, 0, 1024);
     const State& state = *state_;
     if (options.light < 0 || options.light >= static_cast<int>(state.lights.size())) {
         throw Error("lit", "the scene must have the light that is asked for", std::to_string(options.light));
     }
     const SceneLight& light = state.lights[static_cast<std::size_t>(options.light)];
+    if (light.position == vec4(0)) {
+        throw Error("lit", "the light must be a point or a direction", vectorText(light.position));
+    }
     const std::vector<vec4> lightPoints = pointsOf(light, options.lightSide);
     for (const vec4& point : lightPoints) requireFinite("lit", "each point of the light", point);
     const mat4 worldFromClip = glm::inverse(state.clipFromWorld);

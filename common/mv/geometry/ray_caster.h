@@ -67,8 +67,8 @@ class RayCaster {
     // (i + 1/2, j + 1/2), then one to each point of the light. Rows are shared out over threads; the result does not
     // depend on their number. Only what lies in the view volume is seen, as in GL, and triangles from either side.
     // An exception of options.progress ends the work and is passed on.
-    // Refused: a size or a side outside 1..16384, 1..1024; a light that is not there or not finite; a clipFromWorld
-    // that is not finite or has no inverse.
+    // Refused: a size outside 1..16384, a side outside 1..1024, threads outside 0..1024; a light that is not there, not
+    // finite, or neither point nor direction; a clipFromWorld that is not finite or has no inverse.
     LitPicture lit(int width, int height, const LitOptions& options = {}) const;
 
   private:

@@ -1,5 +1,6 @@
 #include "mv/gl/functions.h"
 
+#include <map>
 #include <utility>
 
 #include "mv/error.h"
@@ -21,11 +22,14 @@ Driver driver;
 PFNGLOBJECTLABELPROC driverObjectLabel = nullptr;
 
 Counters counted;
+GLuint vertexArray = 0;
 bool newPass = true;  // nothing was drawn yet into the framebuffer that is bound
 long live = 0;
 int allowed = 33;
 bool es = false;
 std::vector<std::string> debugMessages;
+std::function<void()> extraLayer;
+std::map<std::pair<GLenum, GLuint>, std::string> labels;
 
 // ---- Functions that stand for a call newer than the demo declares: one refusal each, with the call's own signature.
 
@@ -104,7 +108,19 @@ void countedBindFramebuffer(GLenum target, GLuint framebuffer) {
     driver.BindFramebuffer(target, framebuffer);
 }
 
+void trackedBindVertexArray(GLuint array) {
+    vertexArray = array;
+    driver.BindVertexArray(array);
+}
+void trackedDeleteVertexArrays(GLsizei count, const GLuint* names) {
+    for (GLsizei i = 0; i < count; ++i) {
+        if (names[i] == vertexArray) vertexArray = 0;  // GL unbinds what is deleted
+    }
+    countedDelete<&Driver::DeleteVertexArrays>(count, names);
+}
+
 void layCountersOver() {
+    glBindVertexArray = trackedBindVertexArray;
     glBindFramebuffer = countedBindFramebuffer;
     glDrawArrays = countedDrawArrays;
     glDrawElements = countedDrawElements;
@@ -119,7 +135,7 @@ void layCountersOver() {
     glDeleteQueries = countedDelete<&Driver::DeleteQueries>;
     glDeleteRenderbuffers = countedDelete<&Driver::DeleteRenderbuffers>;
     glDeleteTextures = countedDelete<&Driver::DeleteTextures>;
-    glDeleteVertexArrays = countedDelete<&Driver::DeleteVertexArrays>;
+    glDeleteVertexArrays = trackedDeleteVertexArrays;
     glCreateProgram = countedCreateProgram;
     glCreateShader = countedCreateShader;
     glDeleteProgram = countedDeleteProgram;
@@ -156,6 +172,7 @@ void loadFunctions(const std::function<void*(const char*)>& address) {
 #undef X
     counted = {};
     live = 0;
+    vertexArray = 0;
     debugMessages.clear();
     allowVersion(33);
 
@@ -183,20 +200,32 @@ void allowVersion(int newest) {
 #include "mv/gl/function_list.inc"
 #undef X
     layCountersOver();
+    if (extraLayer) extraLayer();
     // ES 3.0 lacks a few functions of desktop GL; those stay null there and no demo that claims ES calls them.
     if (!glGetString || !glDrawArrays) throw Error("OpenGL", "has no functions; is a driver installed?");
 }
 int allowedVersion() { return allowed; }
+void setLayer(std::function<void()> layOver) {
+    extraLayer = std::move(layOver);
+    allowVersion(allowed);
+}
 bool isEs() { return es; }
 
 const Counters& counters() { return counted; }
 void resetCounters(const Counters& to) {
     counted = to;
-    newPass = true;
+    newPass = to.draws == 0;
 }
+GLuint boundVertexArray() { return vertexArray; }
 long liveObjects() { return live; }
 
+std::string labelOf(GLenum kind, GLuint id) {
+    const auto found = labels.find({kind, id});
+    return found == labels.end() ? "unnamed " + std::to_string(id) : "'" + found->second + "'";
+}
+
 void labelObject(GLenum kind, GLuint id, const std::string& label) {
+    labels[{kind, id}] = label;
     if (driverObjectLabel) driverObjectLabel(kind, id, static_cast<GLsizei>(label.size()), label.c_str());
 }
 

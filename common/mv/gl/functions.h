@@ -24,6 +24,8 @@ void loadFunctions(const std::function<void*(const char*)>& address);
 // name. Set to what the demo declares, so that a demo that says 3.3 runs on 3.3.
 void allowVersion(int version);
 int allowedVersion();
+// Lays something more over the table (the audit does), now and whenever the table is filled anew; empty: no more.
+void setLayer(std::function<void()> layOver);
 // Whether the current context is OpenGL ES.
 bool isEs();
 
@@ -37,11 +39,16 @@ struct Counters {
 const Counters& counters();
 void resetCounters(const Counters& to = {});
 
+// The vertex array that is bound, without asking the driver.
+GLuint boundVertexArray();
+
 // GL objects made and not yet deleted.
 long liveObjects();
 
 // Names a GL object for debuggers and debug messages, where the context has KHR_debug.
 void labelObject(GLenum kind, GLuint id, const std::string& label);
+// That name in quotes, or "unnamed" and the number.
+std::string labelOf(GLenum kind, GLuint id);
 
 // KHR_debug messages of severity medium and high since the last call, and glGetError's codes by name.
 std::vector<std::string> takeErrors();

@@ -94,7 +94,7 @@ void Mesh::draw(std::size_t first, std::size_t count) const {
     if (first + count > static_cast<std::size_t>(count_)) {
         throw Error("Mesh", "has only " + std::to_string(count_) + " vertices to draw", std::to_string(first + count));
     }
-    glBindVertexArray(vertexArray_.id());
+    if (boundVertexArray() != vertexArray_.id()) glBindVertexArray(vertexArray_.id());
     if (indices_) {
         // An offset in bytes into the bound index buffer, which GL takes as a pointer
         const auto* offset =

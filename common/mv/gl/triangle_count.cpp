@@ -60,31 +60,35 @@ std::vector<fvec4> captureClipPositions(const Mesh& mesh) {
 
 }  // namespace
 
-TriangleCount countTriangles(const Mesh& mesh) {
-    const GLenum p = mesh.primitive();
-    if (p != GL_TRIANGLES && p != GL_TRIANGLE_STRIP && p != GL_TRIANGLE_FAN) {
-        throw Error("countTriangles", "needs a mesh of triangles");
-    }
+TriangleCount sortTriangles(const std::vector<fvec4>& corners) {
     const bool culling = glIsEnabled(GL_CULL_FACE) == GL_TRUE;
     GLint face = 0, front = 0;
     glGetIntegerv(GL_CULL_FACE_MODE, &face);
     glGetIntegerv(GL_FRONT_FACE, &front);
-    const Counters before = counters();  // a count is no part of the frame it counts
-    const std::vector<fvec4> positions = captureClipPositions(mesh);
-    resetCounters(before);
     TriangleCount count;
-    for (std::size_t i = 0; i + 2 < positions.size(); i += 3) {
-        const std::array<fvec4, 3> corners{positions[i], positions[i + 1], positions[i + 2]};
+    for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
+        const std::array<fvec4, 3> triangle{corners[i], corners[i + 1], corners[i + 2]};
         ++count.submitted;
-        if (beyondOnePlane(corners)) {
+        if (beyondOnePlane(triangle)) {
             ++count.outside;
-        } else if (culledByState(signedArea(corners), culling, face, front)) {
+        } else if (culledByState(signedArea(triangle), culling, face, front)) {
             ++count.culled;
         } else {
             ++count.surviving;
         }
     }
     return count;
+}
+
+TriangleCount countTriangles(const Mesh& mesh) {
+    const GLenum p = mesh.primitive();
+    if (p != GL_TRIANGLES && p != GL_TRIANGLE_STRIP && p != GL_TRIANGLE_FAN) {
+        throw Error("countTriangles", "needs a mesh of triangles");
+    }
+    const Counters before = counters();  // a count is no part of the frame it counts
+    const std::vector<fvec4> positions = captureClipPositions(mesh);
+    resetCounters(before);
+    return sortTriangles(positions);
 }
 
 }  // namespace mv

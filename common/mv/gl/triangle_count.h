@@ -1,5 +1,7 @@
 // Where the triangles of a draw went.
 #pragma once
+#include <vector>
+
 #include "mv/gl/mesh.h"
 
 namespace mv {
@@ -10,6 +12,9 @@ struct TriangleCount {
     long culled = 0;     // not outside, and discarded by the face culling in force
     long surviving = 0;  // go on to the rasterizer
 };
+
+// Where these clip-space triangles go, three corners each, by the current GL_CULL_FACE, glCullFace and glFrontFace.
+TriangleCount sortTriangles(const std::vector<fvec4>& corners);
 
 // Draws the mesh once more with the current program and uniforms, with the rasterizer switched off, reads back where
 // gl_Position went (transform feedback) and counts on the CPU, by the current GL_CULL_FACE, glCullFace and glFrontFace.

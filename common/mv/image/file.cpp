@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <cstdlib>
 #include <optional>
 #include <string>
 #include <system_error>
@@ -156,6 +157,19 @@ std::vector<std::byte> readFile(const fs::path& path, std::size_t maximumBytes) 
     }
     bytes.resize(length);
     return bytes;
+}
+
+ScratchFolder::ScratchFolder(std::string_view name) {
+    std::string pattern = (fs::temp_directory_path() / "mvgl-").string().append(name).append("-XXXXXX");
+    if (!::mkdtemp(pattern.data())) {
+        throw Error(name, "needs a temporary folder that can be written", pattern + ": " + reasonText(errno));
+    }
+    path_ = pattern;
+}
+
+ScratchFolder::~ScratchFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
 }
 
 }  // namespace mv

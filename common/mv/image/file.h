@@ -26,4 +26,18 @@ void writeFileAtomically(const std::filesystem::path& path, std::string_view tex
 // Error if it does not exist, cannot be read, is a folder, or holds more than maximumBytes; so /dev/zero ends, too.
 [[nodiscard]] std::vector<std::byte> readFile(const std::filesystem::path& path, std::size_t maximumBytes);
 
+// An empty folder of its own in the system's temporary one, which goes with all that is in it when its owner goes.
+class ScratchFolder {
+  public:
+    // `name` is in the folder's, for people. Error: the temporary folder cannot be written to.
+    explicit ScratchFolder(std::string_view name);
+    ~ScratchFolder();
+    ScratchFolder(const ScratchFolder&) = delete;
+    ScratchFolder& operator=(const ScratchFolder&) = delete;
+    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+  private:
+    std::filesystem::path path_;
+};
+
 }  // namespace mv

@@ -64,7 +64,7 @@ void readCompare(const std::string& text, const Demo& demo, Command& command) {
     if (knob.empty() || a.empty() || b.empty() || b.find(',') != std::string::npos) {
         throw UsageError("--compare", "must be one knob and two values, as cull=back,front", "'" + text + "'");
     }
-    demo.knob(knob);
+    for (const std::string& value : {b, a}) demo.knob(knob).parse(value);
     command.compareKnob = knob;
     command.compareValues = {a, b};
 }
@@ -81,7 +81,7 @@ std::string knobHelp(const Knob& knob) {
 // The flags of the command line; each has one line here, and its value is read below.
 struct Flags {
     std::string shot, frame, frames, headless, size, compare, report, knobs, gallery, docs, study, vary;
-    bool list = false, version = false, copyable = false;
+    bool list = false, version = false, copyable = false, audit = false, all = false;
 };
 
 void declareFlags(CLI::App& app, Flags& flags, bool launcher) {
@@ -93,18 +93,20 @@ void declareFlags(CLI::App& app, Flags& flags, bool launcher) {
         ->type_name("WxH");
     app.add_flag("--headless{automatic}", flags.headless,
                  "open no window; =osmesa, =egl or =egl-device chooses the host");
-    app.add_option("--compare", flags.compare, "two settings side by side, and their difference (with --shot)")
+    app.add_option("--compare", flags.compare, "two settings of a knob in one window, or side by side with --shot")
         ->type_name("KNOB=A,B");
     app.add_option("--study", flags.study, "error against run time: study.csv, study.json, study.svg and a table")
         ->type_name("DIR");
     app.add_option("--vary", flags.vary, "a study by hand: KNOB=A..B:N or KNOB=a,b,c (with --study)")
         ->type_name("WHAT");
     app.add_flag("--report{text}", flags.report, "print readouts, counters, matrices and times; =json as JSON");
+    app.add_flag("--audit", flags.audit, "print the work of a frame, and name what of it was needless");
     app.add_flag("--knobs{text}", flags.knobs, "list the knobs; =json as JSON");
     app.add_flag("--copyable", flags.copyable, "print the command line of these settings");
     app.add_flag("--list", flags.list, "list the demos of this program");
     app.add_flag("--version", flags.version, "print the version");
     if (launcher) {
+        app.add_flag("--all", flags.all, "every demo (with --audit)");
         app.add_option("--gallery", flags.gallery, "write a picture of each demo and index.html to a folder")
             ->type_name("DIR");
         app.add_option("--docs", flags.docs, "write the generated pages into a source tree")->type_name("DIR");
@@ -170,6 +172,9 @@ Command readFlags(const Flags& flags, Command command, const Demo* demo) {
         command.action = Action::study;
         command.folder = flags.study;
         command.vary = flags.vary;
+    } else if (flags.audit) {
+        command.action = Action::audit;
+        command.all = flags.all;
     } else if (!flags.knobs.empty()) {
         command.action = Action::knobs;
     } else if (flags.copyable) {
@@ -179,14 +184,20 @@ Command readFlags(const Flags& flags, Command command, const Demo* demo) {
     }
     const bool wantsDemo = command.action == Action::knobs || command.action == Action::copyable ||
                            command.action == Action::render || command.action == Action::study ||
-                           !flags.compare.empty() || !flags.size.empty() || command.frameGiven || !flags.report.empty();
+                           (command.action == Action::audit && !command.all) || !flags.compare.empty() ||
+                           !flags.size.empty() || command.frameGiven || !flags.report.empty();
     if (!demo && wantsDemo) {
         throw UsageError("demo", "must be named first, as in: mvgl cube-cull --shot a.png (--list shows them)");
     }
+    if (flags.all && !flags.audit) throw UsageError("--all", "needs --audit");
+    if (flags.all && demo)
+        throw UsageError("--all", "must not stand beside a demo's name", "'" + command.demo->name + "'");
     if (!flags.vary.empty() && flags.study.empty()) throw UsageError("--vary", "needs --study DIR for its files");
     if (!flags.compare.empty()) {
         readCompare(flags.compare, *demo, command);
-        if (flags.shot.empty()) throw UsageError("--compare", "needs --shot FILE for its picture");
+        if (flags.shot.empty() && command.action == Action::render) {
+            throw UsageError("--compare", "needs --shot FILE for its picture, or a window");
+        }
     }
     if (command.lastFrame > command.firstFrame) {
         if (flags.shot.empty()) throw UsageError("--frames", "needs --shot FILE with %d or %04d in its name");
@@ -276,10 +287,15 @@ Command parseCommandLine(const std::vector<std::string>& arguments) {
     }
 }
 
-std::string copyableCommand(const DemoInfo& info, const Demo& demo, int frame, int width, int height) {
+std::string copyableCommand(const DemoInfo& info, const Demo& demo, int frame, int width, int height,
+                            const ComparedKnob& compared) {
     std::string text = info.name;
     for (const Knob* knob : demo.knobs()) {
+        if (knob->name() == compared.name) continue;
         if (!knob->isInitial()) text += " --" + knob->name() + " " + knob->text();
+    }
+    if (!compared.name.empty()) {
+        text += " --compare " + compared.name + "=" + demo.knob(compared.name).text() + "," + compared.other;
     }
     if (info.animated && frame != 1) text += " --frame " + std::to_string(frame);
     if (width != info.width || height != info.height) {

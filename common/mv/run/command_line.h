@@ -17,7 +17,7 @@ class UsageError : public Error {
     explicit UsageError(const Error& error) : Error(error) {}
 };
 
-enum class Action { window, render, help, list, version, knobs, copyable, gallery, docs, study };
+enum class Action { window, render, help, list, version, knobs, copyable, gallery, docs, study, audit };
 enum class ReportForm { none, text, json };
 
 struct Command {
@@ -33,6 +33,7 @@ struct Command {
     std::vector<std::string> compareValues;
     ReportForm report = ReportForm::none;
     bool json = false;   // --knobs=json
+    bool all = false;    // --audit --all
     std::string folder;  // of --gallery, --docs and --study
     std::string vary;    // of --study: KNOB=A..B:N or KNOB=a,b,c; "" for the demo's own study
     std::string text;    // what --help prints
@@ -42,8 +43,15 @@ struct Command {
 // argument names it. Error: UsageError naming the flag, the rule and, for a slip of the hand, the nearest flag.
 Command parseCommandLine(const std::vector<std::string>& arguments);
 
-// The command line that reproduces the picture: demo, the knobs that are not at their initial value, frame and size.
-std::string copyableCommand(const DemoInfo& info, const Demo& demo, int frame, int width, int height);
+// A knob whose present value is compared with another; without a name, none is.
+struct ComparedKnob {
+    std::string name = {}, other = {};
+};
+
+// The command line that reproduces the picture: demo, the knobs that are not at their initial value, what is compared,
+// frame and size.
+std::string copyableCommand(const DemoInfo& info, const Demo& demo, int frame, int width, int height,
+                            const ComparedKnob& compared = {});
 
 // `pattern` with the frame's number for its "%d" or "%04d".
 std::string frameFile(const std::string& pattern, int frame);

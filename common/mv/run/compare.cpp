@@ -2,10 +2,6 @@
 
 #include <algorithm>
 #include <cstdio>
-
-#include "mv/gl/text.h"
-#include "mv/image/compare.h"
-
 namespace mv {
 
 Picture compareSettings(Stage& stage, int index, const std::string& knob, const std::vector<std::string>& values) {
@@ -19,21 +15,14 @@ Picture compareSettings(Stage& stage, int index, const std::string& knob, const 
     }
     const Difference difference = compare(pictures[0], pictures[1]);
     pictures.push_back(differencePicture(pictures[0], pictures[1]));
-    char label[96];
-    std::snprintf(label, sizeof label, "difference: %.2f %% of pixels, at most %.0f of 255", 100 * difference.fraction,
-                  difference.maximum);
-    labels.emplace_back(label);
+    labels.push_back(differenceText(difference));
 
     const int width = pictures[0].width, height = pictures[0].height, gap = 4;
-    TextStyle style;
-    style.background = {1, 1, 1, 1};
-    // A narrow picture gets smaller words rather than words cut off.
-    for (const std::string& text : labels) {
-        while (style.height > 8 && textWidth(text, style) > width) --style.height;
-    }
+    const TextStyle style = fittedStyle(labels, width, {.background = {1, 1, 1, 1}});
     const int strip = style.height + 8;
     const Target sheet(3 * width + 2 * gap, strip + height, {}, "comparison");
     FrameNotes notes;
+    resetState();
     const Frame frame(index, sheet.width(), sheet.height(), notes);
     glClearColor(1, 1, 1, 1);
     glClear(GL_COLOR_BUFFER_BIT);
@@ -43,6 +32,20 @@ Picture compareSettings(Stage& stage, int index, const std::string& knob, const 
         drawText(frame, x, 0, labels[static_cast<std::size_t>(i)], style);
     }
     return sheet.read();
+}
+
+std::string differenceText(const Difference& difference) {
+    char text[96];
+    std::snprintf(text, sizeof text, "difference: %.2f %% of pixels, at most %.0f of 255", 100 * difference.fraction,
+                  difference.maximum);
+    return text;
+}
+
+TextStyle fittedStyle(const std::vector<std::string>& lines, int width, TextStyle style) {
+    for (const std::string& line : lines) {
+        while (style.height > 8 && textWidth(line, style) > width) --style.height;
+    }
+    return style;
 }
 
 }  // namespace mv

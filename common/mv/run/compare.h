@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "mv/gl/text.h"
+#include "mv/image/compare.h"
 #include "mv/image/picture.h"
 #include "mv/run/stage.h"
 
@@ -12,5 +14,11 @@ namespace mv {
 // each under its label. The knob keeps the second value.
 // Error: as Stage::draw.
 Picture compareSettings(Stage& stage, int index, const std::string& knob, const std::vector<std::string>& values);
+
+// "difference: 2.31 % of pixels, at most 87 of 255"
+std::string differenceText(const Difference& difference);
+
+// Words of ordinary height, or of a smaller one (down to 8 pixels) where one of the lines is wider than so many pixels.
+TextStyle fittedStyle(const std::vector<std::string>& lines, int width, TextStyle style = {});
 
 }  // namespace mv

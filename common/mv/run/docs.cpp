@@ -9,6 +9,7 @@
 
 #include "mv/image/file.h"
 #include "mv/image/png.h"
+#include "mv/run/audit.h"
 #include "mv/run/render.h"
 #include "mv/run/study.h"
 
@@ -162,6 +163,8 @@ void writeDocs(const std::string& root) {
         std::cout << path << "\n";
     }
     writeStudyDocs(root);
+    writeFileAtomically(root + "/docs/needs.md", std::string_view(needsPage()));
+    std::cout << root << "/docs/needs.md\n";
     writePng(root + "/docs/strip.png", pictureStrip());
     std::cout << root << "/docs/strip.png\n";
 }

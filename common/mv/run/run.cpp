@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "mv/run/audit.h"
 #include "mv/run/command_line.h"
 #include "mv/run/docs.h"
 #include "mv/run/render.h"
@@ -50,14 +51,21 @@ void act(const Command& command) {
         case Action::copyable: {
             const auto demo = demoWithKnobs(command);
             const DemoInfo& info = *command.demo;
+            ComparedKnob compared;
+            if (!command.compareKnob.empty()) {
+                demo->knob(command.compareKnob).parse(command.compareValues[0]);
+                compared = {command.compareKnob, command.compareValues[1]};
+            }
             return print(copyableCommand(info, *demo, command.firstFrame, command.width ? command.width : info.width,
-                                         command.height ? command.height : info.height) +
+                                         command.height ? command.height : info.height, compared) +
                          "\n");
         }
         case Action::gallery:
             return writeGallery(command.folder);
         case Action::docs:
             return writeDocs(command.folder);
+        case Action::audit:
+            return audit(command);
         case Action::study:
             return study(command);
         case Action::render:

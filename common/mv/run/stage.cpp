@@ -7,7 +7,15 @@
 namespace mv {
 namespace {
 
-// OpenGL's own initial state, so that no demo sees what the one before it left.
+std::string glText(GLenum name) {
+    const auto text = reinterpret_cast<const char*>(glGetString(name));
+    return text ? text : "unknown";
+}
+
+std::string versionText(int version) { return std::to_string(version / 10) + "." + std::to_string(version % 10); }
+
+}  // namespace
+
 void resetState() {
     for (const GLenum capability :
          {GL_BLEND, GL_CULL_FACE, GL_DEPTH_TEST, GL_POLYGON_OFFSET_FILL, GL_RASTERIZER_DISCARD, GL_SCISSOR_TEST,
@@ -45,15 +53,6 @@ void resetState() {
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, 0);
 }
-
-std::string glText(GLenum name) {
-    const auto text = reinterpret_cast<const char*>(glGetString(name));
-    return text ? text : "unknown";
-}
-
-std::string versionText(int version) { return std::to_string(version / 10) + "." + std::to_string(version % 10); }
-
-}  // namespace
 
 Stage::Stage(const Context& context, bool keepLast) : keepLast_(keepLast) {
     loadFunctions([&](const char* name) { return context.address(name); });

@@ -27,6 +27,15 @@ Study studyOf(const DemoInfo& info, const std::vector<KnobSetting>& knobs, const
 // with its reason as status. Error: the reference cannot be made.
 StudyRun runStudy(Stage& stage, const Study& study, const StudyOptions& options);
 
+// What table, plot and page have in common: scenes and methods in the order of the rows, an error with three digits ("0"
+// where it is exactly that), what a row counted, how the reference was made, and where the study was measured.
+std::vector<std::string> scenesOf(const StudyRun& run);
+std::vector<std::string> methodsOf(const StudyRun& run, const std::string& scene);
+std::string errorText(double value);
+std::string countsText(const StudyRow& row);
+std::string referenceText(const StudyRun& run);
+std::string machineText(const StudyRun& run);
+
 // The table that --study prints: a row a setting, the Pareto-best marked with *.
 std::string studyTable(const StudyRun& run);
 

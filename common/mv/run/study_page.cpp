@@ -20,8 +20,6 @@ std::string cell(const std::string& text) {
     return escaped;
 }
 
-std::string errorText(double value) { return value == 0 ? "0" : formatted("%.3g", value); }
-
 std::string errorTable(const StudyRun& run) {
     std::string text =
         "| scene | method | p | rms | max | wrong % | beside the edges % | ms | MAD | best |\n"

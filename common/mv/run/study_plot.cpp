@@ -3,7 +3,6 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
 
@@ -18,26 +17,6 @@ std::string formatted(const char* format, double value) {
     char text[64];
     std::snprintf(text, sizeof text, format, value);
     return text;
-}
-
-// Three digits, an exact zero as "0".
-std::string errorText(double value) { return value == 0 ? "0" : formatted("%.3g", value); }
-
-std::vector<std::string> scenesOf(const StudyRun& run) {
-    std::vector<std::string> scenes;
-    for (const StudyRow& row : run.rows) {
-        if (std::find(scenes.begin(), scenes.end(), row.scene) == scenes.end()) scenes.push_back(row.scene);
-    }
-    return scenes;
-}
-
-std::vector<std::string> methodsOf(const StudyRun& run, const std::string& scene) {
-    std::vector<std::string> methods;
-    for (const StudyRow& row : run.rows) {
-        if (row.scene != scene) continue;
-        if (std::find(methods.begin(), methods.end(), row.method) == methods.end()) methods.push_back(row.method);
-    }
-    return methods;
 }
 
 // Columns of text, each as wide as its widest cell; the first `left` of them flush left.
@@ -57,31 +36,6 @@ std::string aligned(const std::vector<std::vector<std::string>>& rows, std::size
         }
         while (line.ends_with(' ')) line.pop_back();
         text += line + "\n";
-    }
-    return text;
-}
-
-std::string countsText(const StudyRow& row) {
-    std::string text;
-    for (const auto& [name, amount] : row.counts) {
-        if (!text.empty()) text += ", ";
-        text += std::string(name).append(" ").append(formatted("%.10g", amount));
-    }
-    return text;
-}
-
-std::string machineText(const StudyRun& run) {
-    return run.renderer + ", " + run.processor + ", " + std::to_string(run.threads) + " threads";
-}
-
-std::string referenceText(const StudyRun& run) {
-    std::string text = run.reference;
-    for (const auto& [scene, error] : run.referenceErrors) {
-        text += std::string("; ")
-                    .append(scene.empty() ? "its" : scene + ": its")
-                    .append(" own error ")
-                    .append(errorText(error))
-                    .append(" by doubling");
     }
     return text;
 }
@@ -189,28 +143,56 @@ std::string plotScript(const StudyRun& run, const std::string& scene) {
     return script + plots + "\nunset xtics\nset xtics format '10^{%T}'\n";
 }
 
-// A folder of its own that goes with its owner.
-struct Scratch {
-    std::string path;
-    Scratch() {
-        std::string pattern = (std::filesystem::temp_directory_path() / "mvgl-plot-XXXXXX").string();
-        if (!mkdtemp(pattern.data())) throw Error("plot", "needs a temporary folder that can be written", pattern);
-        path = pattern;
-    }
-    ~Scratch() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path, ignored);
-    }
-    Scratch(const Scratch&) = delete;
-    Scratch& operator=(const Scratch&) = delete;
-};
-
 std::string fileText(const std::string& path) {
     std::ifstream stream(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
 }  // namespace
+
+std::string errorText(double value) { return value == 0 ? "0" : formatted("%.3g", value); }
+
+std::vector<std::string> scenesOf(const StudyRun& run) {
+    std::vector<std::string> scenes;
+    for (const StudyRow& row : run.rows) {
+        if (std::find(scenes.begin(), scenes.end(), row.scene) == scenes.end()) scenes.push_back(row.scene);
+    }
+    return scenes;
+}
+
+std::vector<std::string> methodsOf(const StudyRun& run, const std::string& scene) {
+    std::vector<std::string> methods;
+    for (const StudyRow& row : run.rows) {
+        if (row.scene != scene) continue;
+        if (std::find(methods.begin(), methods.end(), row.method) == methods.end()) methods.push_back(row.method);
+    }
+    return methods;
+}
+
+std::string machineText(const StudyRun& run) {
+    return run.renderer + ", " + run.processor + ", " + std::to_string(run.threads) + " threads";
+}
+
+std::string countsText(const StudyRow& row) {
+    std::string text;
+    for (const auto& [name, amount] : row.counts) {
+        if (!text.empty()) text += ", ";
+        text += std::string(name).append(" ").append(formatted("%.10g", amount));
+    }
+    return text;
+}
+
+std::string referenceText(const StudyRun& run) {
+    std::string text = run.reference;
+    for (const auto& [scene, error] : run.referenceErrors) {
+        text += std::string("; ")
+                    .append(scene.empty() ? "its" : scene + ": its")
+                    .append(" own error ")
+                    .append(errorText(error))
+                    .append(" by doubling");
+    }
+    return text;
+}
 
 std::string studyTable(const StudyRun& run) {
     std::vector<std::vector<std::string>> rows{
@@ -244,13 +226,14 @@ std::string studyTable(const StudyRun& run) {
 
 std::string studySvg(const StudyRun& run) {
     const std::vector<std::string> scenes = scenesOf(run);
-    const Scratch scratch;
+    const ScratchFolder scratch("plot");
+    const std::string folder = scratch.path().string();
     const int height = 520 * static_cast<int>(scenes.size()) + 60;
     std::string script =
         "set terminal svg size 980," + std::to_string(height) +
         " dynamic font 'DejaVu Sans,11' background rgb 'white'\n"
         "set output '" +
-        scratch.path +
+        folder +
         "/plot.svg'\n"
         "set logscale xy\nset grid lc rgb '#dddddd'\nset key outside right top Left reverse noenhanced\n"
         "set format x '10^{%T}'\nset format y '%g'\n";
@@ -265,13 +248,12 @@ std::string studySvg(const StudyRun& run) {
               formatted("%.4f", 14.0 / height) + " font ',9' noenhanced\n";
     for (const std::string& scene : scenes) script += plotScript(run, scene);
     script += "unset multiplot\nset output\n";
-    writeFileAtomically(scratch.path + "/plot.gp", std::string_view(script));
-    const std::string command = "gnuplot '" + scratch.path + "/plot.gp' 2>'" + scratch.path + "/errors' >&2";
+    writeFileAtomically(folder + "/plot.gp", std::string_view(script));
+    const std::string command = "gnuplot '" + folder + "/plot.gp' 2>'" + folder + "/errors' >&2";
     const int status = std::system(command.c_str());
-    const std::string svg = fileText(scratch.path + "/plot.svg");
+    const std::string svg = fileText(folder + "/plot.svg");
     if (status != 0 || svg.find("</svg>") == std::string::npos) {
-        throw Error("gnuplot", "must be there and draw the plot (package gnuplot-nox)",
-                    fileText(scratch.path + "/errors"));
+        throw Error("gnuplot", "must be there and draw the plot (package gnuplot-nox)", fileText(folder + "/errors"));
     }
     return svg;
 }

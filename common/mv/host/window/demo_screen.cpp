@@ -19,7 +19,9 @@
 namespace mv {
 namespace {
 
-constexpr double panelUnits = 360;  // pixels at ordinary density
+constexpr double panelUnits = 360;    // pixels at ordinary density
+constexpr double dividerReach = 8;    // pixels at ordinary density: so near to it the mouse takes the divider
+constexpr double dividerStep = 0.02;  // of the picture's width, with [ and ]
 constexpr double reloadSeconds = 0.25;
 
 constexpr ImGuiWindowFlags fixedWindow = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
@@ -27,17 +29,6 @@ constexpr ImGuiWindowFlags fixedWindow = ImGuiWindowFlags_NoDecoration | ImGuiWi
 
 double milliseconds(std::chrono::steady_clock::duration duration) {
     return std::chrono::duration<double, std::milli>(duration).count();
-}
-
-// What a demo may have switched on that would change how its picture is copied to the window. The demo sets it again.
-void prepareWindowState() {
-    glDisable(GL_SCISSOR_TEST);
-    glDisable(GL_RASTERIZER_DISCARD);
-    glDisable(GL_FRAMEBUFFER_SRGB);
-    glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
-    glDisable(GL_SAMPLE_COVERAGE);
-    for (GLenum i = 0; i < 6; ++i) glDisable(GL_CLIP_DISTANCE0 + i);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
 }  // namespace
@@ -50,6 +41,7 @@ DemoScreen::DemoScreen(Window& window, Gui& gui, Stage& stage, const Command& co
       report_(command.report),
       menu_(menu),
       knobs_(gui, places_),
+      study_(*command.demo, gui, places_),
       // A frame asked for by number stands still, so that a copied command shows the very picture it was copied from.
       playback_(info_.animated, command.firstFrame, command.frameGiven),
       drawnFrame_(command.firstFrame) {
@@ -57,6 +49,11 @@ DemoScreen::DemoScreen(Window& window, Gui& gui, Stage& stage, const Command& co
     const int width = sizeGiven ? command.width : info_.width, height = sizeGiven ? command.height : info_.height;
     stage_.open(info_, width, height);
     applyKnobs(stage_.demo(), command.knobs);
+    if (!command.compareKnob.empty()) {
+        Knob& knob = stage_.demo().knob(command.compareKnob);
+        knob.parse(command.compareValues[0]);
+        comparison_.start(knob, command.compareValues[1]);
+    }
     // A size that was asked for is meant in pixels; an original's canvas grows with the screen's density, like the panel.
     const double units = (sizeGiven ? 1 : window_.contentScale()) / window_.pixelsPerUnit();
     const double panel = panelUnits * window_.contentScale() / window_.pixelsPerUnit();
@@ -76,20 +73,36 @@ bool DemoScreen::overPicture(double x) const {
     return !gui_.popupOpen() && x * window_.pixelsPerUnit() < pictureWidth();
 }
 
+std::optional<double> DemoScreen::dividerX() const {
+    if (!comparison_.drawn() || comparison_.view() != Comparison::View::divider) return {};
+    return comparison_.divider() * comparison_.sideA().picture.width / window_.pixelsPerUnit();
+}
+
+bool DemoScreen::overDivider(double x) const {
+    const std::optional<double> divider = dividerX();
+    return divider && overPicture(x) && std::abs(x - *divider) <= dividerReach * double(gui_.scale());
+}
+
+void DemoScreen::moveDivider(double x) {
+    if (dividerX()) comparison_.moveDivider(x * window_.pixelsPerUnit() / comparison_.sideA().picture.width);
+}
+
 void DemoScreen::handle(const Event& event) {
     switch (event.kind) {
         case Event::Kind::key:
             return onKey(event);
         case Event::Kind::press:
             if (event.key != GLFW_MOUSE_BUTTON_LEFT) break;
-            dragging_ = overPicture(event.x);
+            draggingDivider_ = overDivider(event.x);
+            dragging_ = overPicture(event.x) && !draggingDivider_;
             dragX_ = event.x;
             dragY_ = event.y;
             break;
         case Event::Kind::release:
-            if (event.key == GLFW_MOUSE_BUTTON_LEFT) dragging_ = false;
+            if (event.key == GLFW_MOUSE_BUTTON_LEFT) dragging_ = draggingDivider_ = false;
             break;
         case Event::Kind::move:
+            if (draggingDivider_) moveDivider(event.x);
             if (!dragging_) break;
             stale_ |= stage_.demo().drag(event.x - dragX_, event.y - dragY_);
             dragX_ = event.x;
@@ -98,8 +111,12 @@ void DemoScreen::handle(const Event& event) {
         case Event::Kind::wheel:
             if (overPicture(event.x)) stale_ |= stage_.demo().wheel(event.notches);
             break;
+        case Event::Kind::character:  // not a key: where they are differs from keyboard to keyboard
+            if (gui_.typing() || !dividerX()) break;
+            if (event.codePoint == '[') comparison_.moveDivider(comparison_.divider() - dividerStep);
+            if (event.codePoint == ']') comparison_.moveDivider(comparison_.divider() + dividerStep);
+            break;
         case Event::Kind::keyUp:
-        case Event::Kind::character:
         case Event::Kind::other:
             break;
     }
@@ -145,7 +162,8 @@ bool DemoScreen::advance(double seconds) {
         reloadShaders();
         changed = before != shaderErrors_;
     }
-    stale_ |= playback_.advance(seconds);
+    changed |= study_.advance();
+    if (!study_.measuring()) stale_ |= playback_.advance(seconds);  // two that draw would spoil what one measures
     return changed || stale_;
 }
 
@@ -174,16 +192,13 @@ void DemoScreen::redraw() {
     // What another part of the window did wrong is not the demo's.
     for (const std::string& problem : takeErrors()) std::cerr << "window: OpenGL: " << problem << "\n";
     try {
-        stage_.demo().check();  // before the last picture's buffers go for ones of another size
+        // before the last picture's buffers go for ones of another size
+        comparison_.on() ? comparison_.check(stage_.demo()) : stage_.demo().check();
         if (stage_.front().width() != triedWidth_ || stage_.front().height() != triedHeight_) {
             hasPicture_ = false;
             stage_.resize(triedWidth_, triedHeight_);
         }
-        const auto start = std::chrono::steady_clock::now();
-        stage_.draw(playback_.frame(), panelShown_ || report_ != ReportForm::none);
-        glFinish();
-        lastMs_ = milliseconds(std::chrono::steady_clock::now() - start);
-        if (demoFrames_++ == 0) firstMs_ = lastMs_;
+        drawDemo();
         drawnFrame_ = playback_.frame();
         hasPicture_ = true;
         error_.clear();
@@ -193,14 +208,37 @@ void DemoScreen::redraw() {
     }
 }
 
-void DemoScreen::showPicture() const {
-    prepareWindowState();
+void DemoScreen::drawDemo() {
+    const bool readouts = panelShown_ || report_ != ReportForm::none;
+    const bool first = demoFrames_ == 0;
+    if (comparison_.on()) {
+        comparison_.draw(stage_, playback_.frame(), readouts);
+        lastMs_ = comparison_.sideA().milliseconds;
+        demoFrames_ += 2;
+    } else {
+        const auto start = std::chrono::steady_clock::now();
+        stage_.draw(playback_.frame(), readouts);
+        glFinish();
+        lastMs_ = milliseconds(std::chrono::steady_clock::now() - start);
+        ++demoFrames_;
+    }
+    if (first) firstMs_ = lastMs_;
+}
+
+const Target* DemoScreen::shownTarget() {
+    if (comparison_.drawn()) return &comparison_.sheet();
+    return hasPicture_ ? &stage_.front() : nullptr;
+}
+
+void DemoScreen::showPicture() {
+    const Target* shown = shownTarget();
+    resetState();  // what the demo has switched on would change how its picture is copied
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glViewport(0, 0, window_.pixelWidth(), window_.pixelHeight());
     glClearColor(0.2F, 0.2F, 0.2F, 1);
     glClear(GL_COLOR_BUFFER_BIT);
     // The upper left corner stays where it is while a picture of another size is the last good one.
-    if (hasPicture_) stage_.front().blitToWindow(0, window_.pixelHeight() - stage_.front().height());
+    if (shown) shown->blitToWindow(0, window_.pixelHeight() - shown->height());
 }
 
 void DemoScreen::draw() {
@@ -214,6 +252,7 @@ void DemoScreen::draw() {
     } else {
         showOverlay();
     }
+    showDividerHandle();
     gui_.end();
 }
 
@@ -224,7 +263,8 @@ std::vector<Message> DemoScreen::messages() const {
     for (const std::string& error : shaderErrors_) all.push_back({error, true});
     if (!error_.empty()) all.push_back({error_, true});
     if (error_.empty()) {
-        for (const std::string& note : stage_.notes().messages) all.push_back({note, false});
+        const auto notes = comparison_.on() ? comparison_.messages() : stage_.notes().messages;
+        for (const std::string& note : notes) all.push_back({note, false});
     }
     return all;
 }
@@ -260,6 +300,26 @@ void DemoScreen::showOverlay() {
     ImGui::End();
 }
 
+// A grip on the line between the two pictures; the mouse over it shows which way it goes.
+void DemoScreen::showDividerHandle() {
+    const std::optional<double> divider = dividerX();
+    if (!divider) return;
+    const float scale = gui_.scale(), radius = 11 * scale;
+    const ImVec2 middle{static_cast<float>(*divider), float(window_.height()) / 2};
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    list.AddCircleFilled(middle, radius, ImGui::GetColorU32(ImGuiCol_WindowBg));
+    list.AddCircle(middle, radius, ImGui::GetColorU32(ImGuiCol_Text), 0, 1.5F * scale);
+    for (const float side : {-1.0F, 1.0F}) {
+        const float tip = middle.x + side * 7 * scale, foot = middle.x + side * 3 * scale, half = 3.5F * scale;
+        // in the order that ImGui takes for the outside of a triangle
+        list.AddTriangleFilled({tip, middle.y}, {foot, middle.y + side * half}, {foot, middle.y - side * half},
+                               ImGui::GetColorU32(ImGuiCol_Text));
+    }
+    if (draggingDivider_ || overDivider(double(ImGui::GetMousePos().x))) {
+        ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    }
+}
+
 void DemoScreen::showPanelContent() {
     if (menu_ && button(places_, "Back to the menu")) wish_ = {Wish::Kind::menu};
     ImGui::PushFont(gui_.titleFont());
@@ -269,25 +329,36 @@ void DemoScreen::showPanelContent() {
     if (!info_.lookFor.empty()) wrapped(color::dim, "Look for: " + info_.lookFor);
 
     Demo& demo = stage_.demo();
-    if (!demo.knobs().empty() && section("Settings")) stale_ |= knobs_.show(demo);
+    if (!demo.knobs().empty() && section("Settings")) stale_ |= knobs_.show(demo, comparison_);
+    if (!demo.knobs().empty() && section("Compare")) stale_ |= showComparison(demo, comparison_, gui_, places_);
     if (playback_.animated() && section("Time")) stale_ |= showTime(playback_, places_, gui_.scale());
-    if (!demo.readouts().empty() && section("Readouts")) showReadouts(demo);
-    if (!stage_.notes().matrices.empty() && section("Matrices")) showMatrices(stage_.notes());
+    if (!demo.readouts().empty() && section("Readouts")) showReadouts(demo, comparison_);
+    if (study_.any() && section("Error and time")) stale_ |= study_.show(demo);
+    if (!stage_.notes().matrices.empty() && section("Matrices")) {
+        if (comparison_.on()) wrapped(color::dim, "of A: " + comparison_.labelA());
+        showMatrices(stage_.notes());
+    }
     if (section("Picture")) showFile();
-    if (section("Keys and mouse")) showControls(demo, info_.animated, menu_);
+    if (section("Keys and mouse")) showControls(demo, info_.animated, menu_, comparison_.on());
 }
 
 std::string DemoScreen::defaultName() const { return info_.name + "-" + std::to_string(drawnFrame_) + ".png"; }
 
 std::string DemoScreen::commandLine() const {
     const Target& target = stage_.front();
-    return copyableCommand(info_, stage_.demo(), drawnFrame_, target.width(), target.height());
+    return copyableCommand(info_, stage_.demo(), drawnFrame_, target.width(), target.height(),
+                           comparison_.on() ? comparison_.compared() : ComparedKnob{});
 }
 
 void DemoScreen::showFile() {
     char text[96];
-    std::snprintf(text, sizeof text, "%d x %d pixels, %.2f ms a frame", stage_.front().width(), stage_.front().height(),
-                  lastMs_);
+    const int width = stage_.front().width(), height = stage_.front().height();
+    if (comparison_.on()) {
+        std::snprintf(text, sizeof text, "%d x %d pixels\na frame: %.2f ms with A, %.2f ms with B", width, height,
+                      comparison_.sideA().milliseconds, comparison_.sideB().milliseconds);
+    } else {
+        std::snprintf(text, sizeof text, "%d x %d pixels, %.2f ms a frame", width, height, lastMs_);
+    }
     ImGui::TextUnformatted(text);
     tooltip("the last drawn frame until the driver was done with it, with what its readouts took to measure");
 
@@ -309,9 +380,10 @@ void DemoScreen::showFile() {
 void DemoScreen::save() {
     try {
         if (stale_) redraw();  // of the settings as they are now, not as they were in the last frame
-        if (!error_.empty() || !hasPicture_) throw Error("picture", "must be one of the present settings", error_);
+        const Target* shown = shownTarget();
+        if (!error_.empty() || !shown) throw Error("picture", "must be one of the present settings", error_);
         const auto path = freePicturePath(fileName_[0] != '\0' ? fileName_.data() : defaultName());
-        writePng(path, stage_.picture());
+        writePng(path, shown->read());
         saved_ = "Saved " + path.string();
         saveFailed_ = false;
     } catch (const std::exception& error) {
@@ -347,6 +419,17 @@ void DemoScreen::finish(long windowFrames, double seconds) {
         auto& window = json["window"];
         window = {{"demo_frames", demoFrames_}, {"window_frames", windowFrames}, {"seconds", seconds}};
         window["playing"] = playback_.playing();
+        if (study_.any()) {
+            window["study"] = study_.origin();
+            window["here"] = study_.here(stage_.demo());
+            window["measuring"] = study_.measuring();
+        }
+        if (comparison_.drawn()) {
+            window["compare"] = comparison_.compared().name;
+            window["compare_with"] = comparison_.other();
+            window["divider"] = comparison_.divider();
+            window["difference"] = comparison_.difference();
+        }
         for (const auto& [name, r] : places_) {  // "left,top,right,bottom", in window coordinates
             window["places"][name] =
                 numberText(r.x) + "," + numberText(r.y) + "," + numberText(r.z) + "," + numberText(r.w);

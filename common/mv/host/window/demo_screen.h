@@ -1,14 +1,17 @@
 // A demo in the window: its picture on the left, its panel on the right.
 #pragma once
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "mv/host/window/comparison.h"
 #include "mv/host/window/gui.h"
 #include "mv/host/window/knob_panel.h"
 #include "mv/host/window/panel_parts.h"
 #include "mv/host/window/playback.h"
 #include "mv/host/window/screen.h"
+#include "mv/host/window/study_section.h"
 #include "mv/run/command_line.h"
 #include "mv/run/stage.h"
 
@@ -22,7 +25,7 @@ class DemoScreen final : public Screen {
 
     void handle(const Event& event) override;
     bool advance(double seconds) override;
-    bool moving() const override { return playback_.playing() || stale_; }
+    bool moving() const override { return (playback_.playing() && !study_.measuring()) || stale_; }
     void draw() override;
     void finish(long windowFrames, double seconds) override;
 
@@ -30,11 +33,18 @@ class DemoScreen final : public Screen {
     // The picture takes the framebuffer's left part, of this many pixels; the panel the rest.
     int pictureWidth() const;
     bool overPicture(double x) const;
+    // In window coordinates; nothing where there is no divider.
+    std::optional<double> dividerX() const;
+    bool overDivider(double x) const;
+    void moveDivider(double x);
     void onKey(const Event& event);
     bool binds(Key key) const;
     void reloadShaders();
     void redraw();
-    void showPicture() const;
+    void drawDemo();
+    const Target* shownTarget();  // none: no setting has made a picture yet
+    void showPicture();
+    void showDividerHandle();
     void showPanel();
     void showPanelContent();
     void showOverlay();
@@ -53,14 +63,16 @@ class DemoScreen final : public Screen {
     bool menu_;
     Places places_;
     KnobPanel knobs_;
+    Comparison comparison_;
+    StudySection study_;
     Playback playback_;
 
     bool panelShown_ = true;
-    bool dragging_ = false;
+    bool dragging_ = false, draggingDivider_ = false;
     double dragX_ = 0, dragY_ = 0;
 
-    bool stale_ = true;  // the picture is not that of the present settings
-    bool hasPicture_ = false;
+    bool stale_ = true;        // the picture is not that of the present settings
+    bool hasPicture_ = false;  // the stage has one of its present size
     int triedWidth_ = 0, triedHeight_ = 0;
     int drawnFrame_;
     long demoFrames_ = 0;

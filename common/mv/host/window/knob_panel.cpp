@@ -8,6 +8,8 @@
 namespace mv {
 namespace {
 
+// What stands behind the name of the knob that is compared.
+constexpr const char *sideA = " A", *sideB = " B";
 constexpr const char* resetSign = "\u21BA";  // an arrow turning back
 
 std::string trimmed(const std::string& text) {
@@ -45,17 +47,20 @@ std::string knobTip(const Knob& knob) {
     return tip;
 }
 
-bool KnobPanel::show(Demo& demo) {
+bool KnobPanel::show(Demo& demo, Comparison& comparison) {
     float labelWidth = 0;
     for (const Knob* knob : demo.knobs()) {
-        labelWidth = std::max(labelWidth, ImGui::CalcTextSize(knob->name().c_str()).x);
+        const std::string label = knob->name() + (knob == comparison.knob() ? sideA : "");
+        labelWidth = std::max(labelWidth, ImGui::CalcTextSize(label.c_str()).x);
     }
     // A very long name goes above its widget instead of leaving the widget no room.
     labelWidth = std::min(labelWidth, ImGui::GetContentRegionAvail().x * 0.4F) + ImGui::GetStyle().ItemSpacing.x;
     bool moved = false;
     for (Knob* knob : demo.knobs()) {
+        const bool compared = knob == comparison.knob();
         ImGui::PushID(knob->name().c_str());
-        moved |= row(*knob, labelWidth);
+        moved |= row(*knob, labelWidth, compared ? sideA : "");
+        if (compared) moved |= otherRow(*knob, labelWidth, comparison);
         ImGui::PopID();
     }
     const bool initial = std::all_of(demo.knobs().begin(), demo.knobs().end(), [](Knob* k) { return k->isInitial(); });
@@ -69,17 +74,34 @@ bool KnobPanel::show(Demo& demo) {
     return moved;
 }
 
-bool KnobPanel::row(Knob& knob, float labelWidth) {
+// The widgets are the knob's own, so for the moment it holds the other value.
+bool KnobPanel::otherRow(Knob& knob, float labelWidth, Comparison& comparison) {
+    const std::string present = knob.text();
+    knob.parse(comparison.other());
+    ImGui::PushID(sideB);
+    const bool moved = row(knob, labelWidth, sideB);
+    ImGui::PopID();
+    comparison.setOther(knob.text());
+    knob.parse(present);
+    return moved;
+}
+
+bool KnobPanel::row(Knob& knob, float labelWidth, const std::string& side) {
     const ImGuiStyle& style = ImGui::GetStyle();
+    rowName_ = knob.name() + (side == sideB ? sideB : "");
     const float left = ImGui::GetCursorPosX();
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(knob.name().c_str());
+    if (side.empty()) {
+        ImGui::TextUnformatted(knob.name().c_str());
+    } else {
+        ImGui::TextColored(color::heading, "%s%s", knob.name().c_str(), side.c_str());
+    }
     tooltip(knobTip(knob));
     if (ImGui::GetItemRectSize().x <= labelWidth) ImGui::SameLine(left + labelWidth);
 
     const float resetWidth = ImGui::CalcTextSize(resetSign).x + 2 * style.FramePadding.x;
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - resetWidth - style.ItemSpacing.x);
-    const bool typing = typed_ == knob.name();
+    const bool typing = typed_ == rowName_;
     bool moved = typing ? field(knob) : knob.widget(*this);
     if (!typing) tooltip(knobTip(knob));
 
@@ -91,7 +113,7 @@ bool KnobPanel::row(Knob& knob, float labelWidth) {
             knob.reset();
             moved = true;
         }
-        notePlace(places_, "reset " + knob.name());
+        notePlace(places_, "reset " + rowName_);
         tooltip("back to " + knob.initialText());
     }
     if (typing && !refusal_.empty()) wrapped(color::error, refusal_);
@@ -122,7 +144,7 @@ bool KnobPanel::bar(const Knob& knob, double& value, double low, double high, do
     // The format is the text itself, so that the bar shows all digits there are and ImGui rounds nothing.
     ImGui::SliderScalar("##bar", ImGuiDataType_Double, &shown, &low, &high, asFormat(knob).c_str(),
                         ImGuiSliderFlags_NoInput);
-    notePlace(places_, knob.name());
+    notePlace(places_, rowName_);
     const bool byHand = ImGui::IsItemHovered() && (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) ||
                                                    (ImGui::IsItemClicked() && ImGui::GetIO().KeyCtrl));
     if (byHand) {
@@ -135,7 +157,7 @@ bool KnobPanel::bar(const Knob& knob, double& value, double low, double high, do
 }
 
 void KnobPanel::openField(const Knob& knob) {
-    typed_ = knob.name();
+    typed_ = rowName_;
     std::snprintf(text_.data(), text_.size(), "%s", knob.text().c_str());
     refusal_.clear();
     focusField_ = true;
@@ -150,7 +172,7 @@ bool KnobPanel::field(Knob& knob) {
     const bool entered = ImGui::InputText("##field", text_.data(), text_.size(),
                                           ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     if (red) ImGui::PopStyleColor();
-    notePlace(places_, knob.name());
+    notePlace(places_, rowName_);
     if (!entered) {
         if (ImGui::IsItemDeactivated()) typed_.clear();  // Escape, or a click elsewhere: as it was
         return false;
@@ -166,17 +188,17 @@ bool KnobPanel::field(Knob& knob) {
     return knob.text() != before;
 }
 
-bool KnobPanel::checkbox(const Knob& knob, bool& value) {
+bool KnobPanel::checkbox(const Knob&, bool& value) {
     const bool moved = ImGui::Checkbox("##box", &value);
-    notePlace(places_, knob.name());
+    notePlace(places_, rowName_);
     return moved;
 }
 
-bool KnobPanel::choose(const Knob& knob, int& index, const std::vector<Option>& options) {
+bool KnobPanel::choose(const Knob&, int& index, const std::vector<Option>& options) {
     const Option& present = options[static_cast<std::size_t>(index)];
     bool moved = false;
     const bool open = ImGui::BeginCombo("##choice", present.word.c_str());
-    if (!open) notePlace(places_, knob.name());
+    if (!open) notePlace(places_, rowName_);
     if (open) {
         ImGui::PushStyleColor(ImGuiCol_Header, ImGui::GetStyleColorVec4(ImGuiCol_Button));
         float wordWidth = 0;
@@ -195,7 +217,7 @@ bool KnobPanel::choose(const Knob& knob, int& index, const std::vector<Option>& 
                 index = static_cast<int>(i);
                 moved = true;
             }
-            notePlace(places_, knob.name() + " " + options[i].word);
+            notePlace(places_, rowName_ + " " + options[i].word);
             ImGui::SameLine(ImGui::GetStyle().WindowPadding.x);
             ImGui::TextUnformatted(options[i].word.c_str());
             if (!options[i].meaning.empty()) {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "mv/demo/demo.h"
+#include "mv/host/window/comparison.h"
 #include "mv/host/window/gui.h"
 #include "mv/host/window/places.h"
 
@@ -13,8 +14,9 @@ class KnobPanel final : public Panel {
   public:
     KnobPanel(Gui& gui, Places& places) : gui_(gui), places_(places) {}
 
-    // A row for each knob: name, widget, unit, and a button that sets it back. True when one was moved.
-    bool show(Demo& demo);
+    // A row for each knob: name, widget, unit, and a button that sets it back; a second row for the other value of the
+    // one that is compared. True when one was moved.
+    bool show(Demo& demo, Comparison& comparison);
 
     bool slider(const Knob& knob, double& value, double low, double high) override;
     bool slider(const Knob& knob, int& value, int low, int high) override;
@@ -26,14 +28,17 @@ class KnobPanel final : public Panel {
     void closeField() { typed_.clear(); }
 
   private:
-    bool row(Knob& knob, float labelWidth);
+    bool row(Knob& knob, float labelWidth, const std::string& side);
+    bool otherRow(Knob& knob, float labelWidth, Comparison& comparison);
     bool bar(const Knob& knob, double& value, double low, double high, double digits);
     bool field(Knob& knob);
     void openField(const Knob& knob);
 
+    // Of the row that is being made: the knob's name, with " B" for the other value of the one that is compared.
+    std::string rowName_;
     Gui& gui_;
     Places& places_;
-    // The knob whose value is being typed; "" for none.
+    // The row whose value is being typed; "" for none.
     std::string typed_;
     std::array<char, 128> text_{};
     std::string refusal_;

@@ -111,6 +111,57 @@ std::pair<std::string, std::string> controlText(const Binding& binding) {
     return {keyName(binding.key), binding.knob->name() + (binding.text.empty() ? " " + amount : " = " + binding.text)};
 }
 
+// A list of the knobs: which one to compare.
+bool chooseComparison(Demo& demo, Comparison& comparison, Gui& gui, Places& places) {
+    bool started = false;
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+    const bool open = ImGui::BeginCombo("##compare", "Compare with ...", ImGuiComboFlags_HeightLarge);
+    if (!open) {
+        notePlace(places, "Compare with");
+        tooltip("the present value of a setting with another one, in one picture");
+        return false;
+    }
+    for (Knob* knob : demo.knobs()) {
+        if (!canCompare(*knob)) continue;
+        const std::string other = valueToCompareWith(*knob);
+        if (ImGui::Selectable((knob->name() + ": " + knob->text() + " with " + other).c_str())) {
+            comparison.start(*knob, other);
+            started = true;
+        }
+        notePlace(places, "compare " + knob->name());
+    }
+    if (gui.wantsPopupClosed()) ImGui::CloseCurrentPopup();
+    ImGui::EndCombo();
+    return started;
+}
+
+// Which view of the two; true when it has ended.
+bool showCompared(Comparison& comparison, Places& places) {
+    using View = Comparison::View;
+    wrapped(color::heading, "A: " + comparison.labelA() + "\nB: " + comparison.labelB());
+    const std::array<std::pair<const char*, View>, 4> views{
+        {{"divider", View::divider}, {"A", View::a}, {"B", View::b}, {"difference", View::difference}}};
+    for (const auto& [name, view] : views) {
+        if (view != View::divider) ImGui::SameLine(0, ImGui::GetStyle().ItemSpacing.x / 2);
+        const bool chosen = view == comparison.view();
+        if (chosen) {
+            ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_SliderGrab));
+            ImGui::PushStyleColor(ImGuiCol_ButtonHovered, ImGui::GetStyleColorVec4(ImGuiCol_SliderGrab));
+            ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_WindowBg));
+        }
+        if (button(places, name)) comparison.setView(view);
+        if (chosen) ImGui::PopStyleColor(3);
+    }
+    if (comparison.view() == View::divider) wrapped(color::dim, "Drag the line in the picture, or press [ and ].");
+    if (comparison.view() == View::difference && comparison.drawn()) {
+        wrapped(comparison.difference());
+        wrapped(color::dim, "Dark: the same. Orange to yellow: it differs, yellow the most.");
+    }
+    if (!button(places, "Stop comparing", {ImGui::GetContentRegionAvail().x, 0})) return false;
+    comparison.stop();
+    return true;
+}
+
 }  // namespace
 
 bool section(const char* title) {
@@ -121,25 +172,45 @@ bool section(const char* title) {
     return open;
 }
 
-void showReadouts(const Demo& demo) {
+void showReadouts(const Demo& demo, const Comparison& comparison) {
+    const bool both = comparison.on() && !comparison.sideA().readouts.empty();
     float nameWidth = 0;
     for (const Readout* readout : demo.readouts()) {
         nameWidth = std::max(nameWidth, ImGui::CalcTextSize(readout->name().c_str()).x);
     }
-    const float left = ImGui::GetCursorPosX();
-    const float right = left + nameWidth + ImGui::CalcTextSize("   -0.123456e+00").x;
-    for (const Readout* readout : demo.readouts()) {
-        ImGui::BeginGroup();
-        ImGui::TextUnformatted(readout->name().c_str());
+    const float left = ImGui::GetCursorPosX(), number = ImGui::CalcTextSize("   -0.123456e+00").x;
+    const float rightA =
+        left + nameWidth + (both ? std::min(number, (ImGui::GetContentRegionAvail().x - nameWidth) / 2) : number);
+    const float rightB = 2 * rightA - left - nameWidth;
+    if (both) {
+        ImGui::PushStyleColor(ImGuiCol_Text, color::heading);
+        rightAligned("A", rightA);
         ImGui::SameLine();
-        rightAligned(readout->value() ? formatted("%.6g", *readout->value()) : "-", right);
-        if (!readout->unit().empty()) {
+        rightAligned("B", rightB);
+        ImGui::PopStyleColor();
+    }
+    const auto text = [](std::optional<double> value) { return value ? formatted("%.6g", *value) : std::string("-"); };
+    for (std::size_t i = 0; i < demo.readouts().size(); ++i) {
+        const Readout& readout = *demo.readouts()[i];
+        ImGui::BeginGroup();
+        ImGui::TextUnformatted(readout.name().c_str());
+        ImGui::SameLine();
+        rightAligned(text(both ? comparison.sideA().readouts[i] : readout.value()), rightA);
+        if (both) {
             ImGui::SameLine();
-            ImGui::TextDisabled("%s", readout->unit().c_str());
+            rightAligned(text(comparison.sideB().readouts[i]), rightB);
+        } else if (!readout.unit().empty()) {
+            ImGui::SameLine();
+            ImGui::TextDisabled("%s", readout.unit().c_str());
         }
         ImGui::EndGroup();
-        tooltip(readout->help() + (readout->value() ? "" : "\n-: this setting does not measure it"));
+        tooltip(readout.help() + (both && !readout.unit().empty() ? "; in " + readout.unit() : "") +
+                (readout.value() ? "" : "\n-: this setting does not measure it"));
     }
+}
+
+bool showComparison(Demo& demo, Comparison& comparison, Gui& gui, Places& places) {
+    return comparison.on() ? showCompared(comparison, places) : chooseComparison(demo, comparison, gui, places);
 }
 
 void showMatrices(const FrameNotes& notes) {
@@ -186,7 +257,7 @@ bool showTime(Playback& playback, Places& places, float scale) {
     return moved;
 }
 
-void showControls(const Demo& demo, bool animated, bool menu) {
+void showControls(const Demo& demo, bool animated, bool menu, bool comparing) {
     std::vector<std::pair<std::string, std::string>> lines;
     for (const Binding& binding : demo.bindings()) {
         if (binding.amount != 0 || !binding.text.empty()) lines.push_back(controlText(binding));
@@ -199,6 +270,7 @@ void showControls(const Demo& demo, bool animated, bool menu) {
     // A letter that the demo has for itself does the window's part together with Ctrl.
     lines.emplace_back(bound('H') ? "Ctrl+H" : "H", "hide and show this panel");
     lines.emplace_back(bound('S') ? "Ctrl+S" : "S", "save the picture");
+    if (comparing) lines.emplace_back("[ and ]", "move the line between A and B");
     if (animated) lines.emplace_back("Space", "pause and play");
     if (menu) lines.emplace_back("Backspace", "back to the menu");
     lines.emplace_back("Esc", "quit");

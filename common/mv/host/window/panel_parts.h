@@ -3,6 +3,7 @@
 #include <string>
 
 #include "mv/demo/demo.h"
+#include "mv/host/window/comparison.h"
 #include "mv/host/window/gui.h"
 #include "mv/host/window/places.h"
 #include "mv/host/window/playback.h"
@@ -12,8 +13,11 @@ namespace mv {
 // A heading that folds what stands under it; open at first.
 bool section(const char* title);
 
-// What the demo measured of this picture.
-void showReadouts(const Demo& demo);
+// What the demo measured of this picture; while two settings are compared, of both.
+void showReadouts(const Demo& demo, const Comparison& comparison);
+
+// What to compare, and how the two are shown. True when the picture is to be drawn anew.
+bool showComparison(Demo& demo, Comparison& comparison, Gui& gui, Places& places);
 
 // Live tables of the matrices, laid out as on paper.
 void showMatrices(const FrameNotes& notes);
@@ -22,7 +26,7 @@ void showMatrices(const FrameNotes& notes);
 bool showTime(Playback& playback, Places& places, float scale);
 
 // What keys, drag and wheel do: the demo's own, then the window's.
-void showControls(const Demo& demo, bool animated, bool menu);
+void showControls(const Demo& demo, bool animated, bool menu, bool comparing);
 
 // Messages in a box at the bottom: errors red, notes amber. The height they take, 0 where there are none.
 struct Message {

@@ -1,0 +1,145 @@
+#include "mv/run/audit.h"
+
+#include <algorithm>
+#include <iostream>
+#include <iterator>
+
+#include "mv/run/render.h"
+
+namespace mv {
+namespace {
+
+void sortFindings(AuditReport& report, const DemoInfo& info, std::vector<Finding> findings) {
+    std::vector<bool> needed(info.waste.size(), false);
+    for (Finding& finding : findings) {
+        const auto excuse = std::find_if(info.waste.begin(), info.waste.end(), [&](const DeclaredWaste& waste) {
+            return waste.kind == finding.kind && finding.what.find(waste.what) != std::string::npos;
+        });
+        if (excuse == info.waste.end()) {
+            report.findings.push_back(std::move(finding));
+        } else {
+            needed[static_cast<std::size_t>(excuse - info.waste.begin())] = true;
+            report.excused.emplace_back(std::move(finding), excuse->reason);
+        }
+    }
+    for (std::size_t i = 0; i < needed.size(); ++i) {
+        const DeclaredWaste& waste = info.waste[i];
+        if (std::find(std::begin(waste::all), std::end(waste::all), waste.kind) == std::end(waste::all)) {
+            throw Error(info.name, "must declare waste of a kind that --audit finds", "'" + waste.kind + "'");
+        }
+        if (!needed[i]) report.staleExcuses.push_back(waste.kind + ", " + waste.what);
+    }
+}
+
+std::string line(const std::string& name, const FrameWork& work) {
+    const auto number = [](long value) { return std::to_string(value); };
+    return name + number(work.draws) + " draws in " + number(work.passes) + " passes; triangles " +
+           number(work.triangles.submitted) + " submitted, " + number(work.triangles.outside) + " outside, " +
+           number(work.triangles.culled) + " culled, " + number(work.triangles.surviving) + " surviving; " +
+           number(work.samplesPassed) + " samples passed; " + number(work.bytesUploaded) + " bytes uploaded; " +
+           number(work.stateChanges) + " state changes\n";
+}
+
+std::string findingText(const Finding& finding) {
+    return finding.kind + ": " + finding.what +
+           (finding.times > 1 ? ", " + std::to_string(finding.times) + " times" : "");
+}
+
+}  // namespace
+
+AuditReport auditDemo(Stage& stage, const DemoInfo& info, const std::vector<KnobSetting>& knobs, int index) {
+    AuditReport report;
+    report.demo = info.name;
+    std::vector<Finding> findings;
+    startAudit();
+    try {
+        stage.open(info, info.width, info.height);
+        applyKnobs(stage.demo(), knobs);
+        for (const bool repeats : {false, true}) {
+            // Inside of the frame the stage's own binding of its target is the first: it is the frame's beginning.
+            stage.front().bind();
+            beginAuditedFrame(repeats);
+            stage.draw(index);
+            (repeats ? report.steady : report.first) = endAuditedFrame();
+        }
+        findings = stopAudit();
+    } catch (...) {
+        stopAudit();
+        throw;
+    }
+    stage.close();
+    sortFindings(report, info, std::move(findings));
+    return report;
+}
+
+std::string auditText(const AuditReport& report) {
+    std::string text = line("first frame   ", report.first) + line("next, the same ", report.steady);
+    for (const Finding& finding : report.findings) text += "needless  " + findingText(finding) + "\n";
+    for (const auto& [finding, reason] : report.excused) {
+        text += "declared  " + findingText(finding) + " (" + reason + ")\n";
+    }
+    for (const std::string& excuse : report.staleExcuses) {
+        text += "needless  declared waste that is not there: " + excuse + "\n";
+    }
+    if (report.clean())
+        text += "nothing needless" + std::string(report.excused.empty() ? "" : " that is not declared") + "\n";
+    return text;
+}
+
+void audit(const Command& command) {
+    HeadlessStage headless(command.host);
+    int dirty = 0;
+    for (const DemoInfo& info : catalogue()) {
+        if (!command.all && &info != command.demo) continue;
+        const AuditReport report = auditDemo(headless.stage, info, command.knobs, command.firstFrame);
+        if (!report.clean()) ++dirty;
+        std::cout << info.name << "\n" << auditText(report) << std::flush;
+    }
+    if (!std::cout) throw Error("standard output", "could not be written");
+    if (dirty > 0) throw Error("audit", "must find nothing needless; demos with findings:", std::to_string(dirty));
+}
+
+std::string needsPage() {
+    std::string text =
+        "# What each demo needs, and what its frame costs\n\nMade by `./run --docs .`; do not edit. Work of the first "
+        "frame at the initial settings, and of the same frame\nonce more (after the arrow, where it differs): what was "
+        "made once and kept is not made again. `./run DEMO --audit`\nshows it for any settings, and names what is "
+        "needless.\n\n"
+        "| demo | buffers | OpenGL | draws | passes | triangles | culled | outside | samples passed | bytes uploaded "
+        "|\n"
+        "|---|---|---|---:|---:|---:|---:|---:|---:|---:|\n";
+    HeadlessStage headless;
+    for (const DemoInfo& info : catalogue()) {
+        const AuditReport report = auditDemo(headless.stage, info, {}, 1);
+        const auto both = [&](const auto& number) {
+            const long first = number(report.first), steady = number(report.steady);
+            return std::to_string(first) + (first == steady ? "" : " → " + std::to_string(steady)) + " | ";
+        };
+        std::string buffers = "color";
+        if (info.needs.depth) buffers += ", depth";
+        if (info.needs.stencil) buffers += ", stencil";
+        if (info.needs.samples) buffers += ", " + std::to_string(info.needs.samples) + " samples";
+        text += "| [" + info.name + "](../demos/" + info.name + ".md) | " + buffers + " | " +
+                std::to_string(info.needs.gl / 10) + "." + std::to_string(info.needs.gl % 10) +
+                (info.needs.beyondEs.empty() ? ", ES 3.0" : "") + " | ";
+        text += both([](const FrameWork& work) { return work.draws; });
+        text += both([](const FrameWork& work) { return work.passes; });
+        text += both([](const FrameWork& work) { return work.triangles.submitted; });
+        text += both([](const FrameWork& work) { return work.triangles.culled; });
+        text += both([](const FrameWork& work) { return work.triangles.outside; });
+        text += both([](const FrameWork& work) { return work.samplesPassed; });
+        std::string last = both([](const FrameWork& work) { return work.bytesUploaded; });
+        while (last.ends_with(' ')) last.pop_back();
+        text += last + "\n";
+    }
+    std::string declared;
+    for (const DemoInfo& info : catalogue()) {
+        for (const DeclaredWaste& waste : info.waste) {
+            declared += "- " + info.name + ", " + waste.kind + " (" + waste.what + "): " + waste.reason + "\n";
+        }
+    }
+    if (!declared.empty()) text += "\nNeedless work that a demo declares, and why:\n\n" + declared;
+    return text;
+}
+
+}  // namespace mv

@@ -1,0 +1,36 @@
+// --audit: the work of a frame, and what of it was needless.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "mv/gl/audit.h"
+#include "mv/run/command_line.h"
+#include "mv/run/stage.h"
+
+namespace mv {
+
+struct AuditReport {
+    std::string demo;
+    FrameWork first;   // the first frame after the demo is opened
+    FrameWork steady;  // the same frame once more: what stays to be done while nothing changes
+    std::vector<Finding> findings;
+    // Findings that the demo declares, with its reasons.
+    std::vector<std::pair<Finding, std::string>> excused;
+    // Declared exceptions that excuse nothing (any more).
+    std::vector<std::string> staleExcuses;
+    bool clean() const { return findings.empty() && staleExcuses.empty(); }
+};
+
+// Opens the demo on the stage under audit, draws the frame twice and closes it. Error: as Stage::open and draw; an
+// exception declared for a kind of waste that there is not.
+AuditReport auditDemo(Stage& stage, const DemoInfo& info, const std::vector<KnobSetting>& knobs, int index);
+
+std::string auditText(const AuditReport& report);
+
+// Prints the report of one demo, or with --all a line a demo. Error: needless work that no demo declares.
+void audit(const Command& command);
+
+// docs/needs.md: what each demo needs, and what its frame costs.
+std::string needsPage();
+
+}  // namespace mv

@@ -1,0 +1,194 @@
+#include "mv/run/audit.h"
+
+#include <gtest/gtest.h>
+
+#include <iterator>
+#include <optional>
+
+#include "mv/geometry/shapes.h"
+#include "mv/gl/gl.h"
+#include "mv/math/transform.h"
+#include "support/demo_run.h"
+
+using namespace mv;
+using namespace mv::test;
+
+namespace {
+
+const char* const plainVertex =
+    "uniform mat4 clipFromModel;\nin vec4 position;\nvoid main() { gl_Position = clipFromModel * position; }\n";
+const char* const plainFragment = "uniform vec4 paint;\nout vec4 color;\nvoid main() { color = paint; }\n";
+const char* const mapFragment =
+    "uniform sampler2D map;\nout vec4 color;\nvoid main() { color = texelFetch(map, ivec2(0), 0); }\n";
+
+// Draws a square; told to, wastes work in one way.
+struct Wasteful final : Demo {
+    enum class Kind { none, state, uniform, twice, sample, outside, buffer, texture, pass, repeated, object };
+    Choice<Kind> kind{this,
+                      "kind",
+                      Kind::none,
+                      {{"none"},
+                       {"state-again"},
+                       {"uniform-again"},
+                       {"uniform-twice"},
+                       {"no-sample"},
+                       {"outside-view"},
+                       {"unused-buffer"},
+                       {"unsampled-texture"},
+                       {"unread-pass"},
+                       {"repeated-pass"},
+                       {"unused-object"}},
+                      ""};
+    Program program, reader;
+    Mesh plate;
+    std::optional<Mesh> spare;
+    std::optional<DepthMap> map;
+    std::optional<Texture> picture;
+
+    void init() override {
+        program = Program::fromText("plain", plainVertex, plainFragment);
+        plate = Mesh(square(), "plate");
+    }
+    void drawPlate(const mat4& clipFromModel) {
+        program.set("clipFromModel", clipFromModel);
+        plate.draw();
+    }
+    void draw(const Frame& frame) override {
+        glClearColor(0, 0, 0, 1);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        if (kind != Kind::buffer) {
+            glEnable(GL_DEPTH_TEST);
+        } else {
+            glDisable(GL_DEPTH_TEST);
+        }
+        const mat4 upright = rotateX(90) * scale(1.5);
+        program.use();
+        if (kind == Kind::state) glEnable(GL_DEPTH_TEST);
+        program.set("paint", vec4(1, 0, 0, 1));
+        if (kind == Kind::uniform) program.set("paint", vec4(1, 0, 0, 1));
+        if (kind == Kind::twice) program.set("paint", vec4(1, 1, 0, 1));
+        if (kind == Kind::pass || kind == Kind::repeated) {
+            if (!map) map = DepthMap(8, "map");
+            map->bindForDrawing();
+            glClear(GL_DEPTH_BUFFER_BIT);
+            drawPlate(scale(0.5) * upright);
+            frame.bindTarget();
+        }
+        drawPlate(upright);
+        if (kind == Kind::sample) drawPlate(translate(0, 0, 0.5) * upright);  // behind the first
+        if (kind == Kind::outside) drawPlate(translate(9, 0, 0) * upright);
+        if (kind == Kind::texture) {
+            if (!picture) picture = Texture(Picture(2, 2), GL_NEAREST, "picture");
+            picture->bind(1);
+        }
+        if (kind == Kind::object && !spare) spare = Mesh(wireCube(), "spare");
+        if (kind == Kind::repeated) {
+            if (!reader.id()) reader = Program::fromText("reader", plainVertex, mapFragment);
+            reader.use();
+            map->bind(0, DepthLookup::depth);
+            reader.set("map", 0);
+            reader.set("clipFromModel", translate(0, 0, -0.5) * scale(0.3) * upright);
+            plate.draw();
+        }
+    }
+};
+
+DemoInfo wasteful() {
+    DemoInfo made;
+    made.name = "wasteful";
+    made.width = made.height = 32;
+    made.needs = {.depth = true};
+    made.make = [] { return std::make_unique<Wasteful>(); };
+    return made;
+}
+
+AuditReport auditOf(const std::string& kind, const DemoInfo& made) {
+    return auditDemo(stage(), made, {{"kind", kind}}, 1);
+}
+
+std::vector<std::string> kindsFound(const AuditReport& report) {
+    std::vector<std::string> kinds;
+    for (const Finding& finding : report.findings) kinds.push_back(finding.kind);
+    return kinds;
+}
+
+}  // namespace
+
+TEST(Audit, a_frame_without_waste_is_clean) {
+    const DemoInfo made = wasteful();
+    const AuditReport report = auditOf("none", made);
+    EXPECT_TRUE(report.clean()) << auditText(report);
+    EXPECT_EQ(report.first.draws, 1);
+    EXPECT_EQ(report.first.passes, 1);
+    EXPECT_EQ(report.first.triangles.submitted, 2);
+    EXPECT_EQ(report.first.triangles.surviving, 2);
+    EXPECT_EQ(report.first.samplesPassed, 24 * 24) << "a square of 1.5 in a picture 2 wide and 32 pixels across";
+    EXPECT_EQ(report.first.bytesUploaded, 64 + 16) << "a matrix and a colour";
+    EXPECT_FALSE(auditing());
+}
+
+// One waste of each kind is found, and only that.
+TEST(Audit, each_waste_is_found_by_name) {
+    const DemoInfo made = wasteful();
+    for (const char* kind : waste::all) {
+        const AuditReport report = auditOf(kind, made);
+        SCOPED_TRACE(std::string(kind) + "\n" + auditText(report));
+        // A map nobody reads is also drawn again and its texture is never used: what follows from one thing is said too.
+        if (kind == std::string(waste::unreadPass)) {
+            const std::vector<std::string> expected{waste::repeatedPass, waste::unreadPass, waste::unusedObject};
+            EXPECT_EQ(kindsFound(report), expected);
+        } else if (kind == std::string(waste::unsampled)) {
+            const std::vector<std::string> expected{waste::unsampled, waste::unusedObject};
+            EXPECT_EQ(kindsFound(report), expected);
+        } else {
+            EXPECT_EQ(kindsFound(report), std::vector<std::string>{kind});
+        }
+    }
+    EXPECT_EQ(kindsFound(auditOf("uniform-twice", made)), std::vector<std::string>{waste::uniformAgain});
+}
+
+TEST(Audit, findings_name_the_culprit) {
+    const DemoInfo made = wasteful();
+    const auto what = [&](const char* kind) { return auditOf(kind, made).findings.at(0).what; };
+    EXPECT_EQ(what(waste::stateAgain), "glEnable/glDisable(GL_DEPTH_TEST)");
+    EXPECT_EQ(what(waste::uniformAgain), "uniform paint");
+    EXPECT_EQ(what(waste::noSample), "draw of 'plate'");
+    EXPECT_EQ(what(waste::unsampled), "texture 'picture'");
+    EXPECT_EQ(what(waste::unusedObject), "mesh 'spare'");
+    EXPECT_EQ(what(waste::repeatedPass), "pass into 'map'");
+    EXPECT_EQ(what(waste::unusedBuffer), "depth of 'wasteful'");
+}
+
+// Looking does not change what is seen.
+TEST(Audit, the_picture_stays) {
+    const DemoInfo made = wasteful();
+    stage().open(made, 32, 32);
+    stage().draw(1);
+    const Picture before = stage().picture();
+    stage().close();
+    startAudit();
+    stage().open(made, 32, 32);
+    beginAuditedFrame(false);
+    stage().draw(1);
+    endAuditedFrame();
+    EXPECT_EQ(stage().picture(), before);
+    stopAudit();
+    stage().draw(1);
+    EXPECT_EQ(stage().picture(), before);
+    stage().close();
+}
+
+TEST(Audit, declared_waste_is_excused_and_stale_excuses_are_found) {
+    DemoInfo made = wasteful();
+    made.waste = {{waste::outsideView, "'plate'", "the lesson is about it"}};
+    const AuditReport excused = auditOf(waste::outsideView, made);
+    EXPECT_TRUE(excused.clean()) << auditText(excused);
+    EXPECT_EQ(excused.excused.size(), 1U);
+    EXPECT_NE(auditText(excused).find("the lesson is about it"), std::string::npos);
+    const AuditReport stale = auditOf("none", made);
+    EXPECT_FALSE(stale.clean());
+    EXPECT_EQ(stale.staleExcuses.size(), 1U);
+    made.waste = {{"laziness", "", ""}};
+    EXPECT_THROW(auditOf("none", made), Error);
+    EXPECT_FALSE(auditing());
+}

@@ -1,0 +1,365 @@
+#include "mv/geometry/ray.h"
+
+#include <array>
+#include <glm/geometric.hpp>
+#include <string>
+#include <vector>
+
+#include "../math/support.h"
+#include "mv/geometry/check.h"
+#include "mv/geometry/shapes.h"
+#include "support/textbook_rays.h"
+
+using namespace mv;
+using namespace mv::test;
+
+namespace {
+
+// ---- plane
+
+TEST(IntersectPlane, IsWhereThePlaneIs) {
+    Random random(1);
+    for (int i = 0; i < 1000; ++i) {
+        const Ray ray{random.point(10), random.point(3)};
+        const vec4 plane(random.direction(), random.number(-5, 5));
+        const auto t = intersectPlane(ray, plane);
+        const double start = glm::dot(vec3(plane), ray.origin) + plane.w;
+        // A ray that starts above the plane meets it when it goes down, and the other way round.
+        EXPECT_EQ(t.has_value(), start * glm::dot(vec3(plane), ray.direction) < 0);
+        // A product of sizes 10 and 3, over a slope that may be as small as 1e-3.
+        if (!t) continue;
+        EXPECT_NEAR(glm::dot(vec3(plane), ray.at(*t)) + plane.w, 0, 1e-11);
+    }
+}
+
+TEST(IntersectPlane, MeetsNothingWhereThereIsNoOnePoint) {
+    const vec4 ground(0, 1, 0, 0);
+    EXPECT_FALSE(intersectPlane(Ray{{0, 1, 0}, {1, 0, 0}}, ground));  // beside it
+    EXPECT_FALSE(intersectPlane(Ray{{0, 0, 0}, {1, 0, 0}}, ground));  // in it
+    EXPECT_FALSE(intersectPlane(Ray{{0, 1, 0}, {0, 1, 0}}, ground));  // away from it
+    EXPECT_FALSE(intersectPlane(Ray{{0, 1, 0}, {0, 0, 0}}, ground));
+    EXPECT_FALSE(intersectPlane(Ray{{0, 1, 0}, {0, notANumber, 0}}, ground));
+    EXPECT_FALSE(intersectPlane(Ray{{0, infinite, 0}, {0, -1, 0}}, ground));
+    EXPECT_FALSE(intersectPlane(Ray{{0, 1e300, 0}, {0, -1e-300, 0}}, ground));  // too far for a number
+    EXPECT_EQ(intersectPlane(Ray{{0, 0, 0}, {0, -2, 0}}, ground), 0);           // starts on it
+    EXPECT_EQ(intersectPlane(Ray{{0, -3, 0}, {1, 1, 0}}, ground), 3);           // from below
+}
+
+// ---- sphere
+
+struct SphereErrors {
+    int falseHits = 0, misses = 0;
+    double largestUlps = 0;  // of t, where both agree on a hit
+};
+
+// 50 000 rays from `distance` away towards a unit sphere, half of them inside half its radius and half beside it by half
+// of that: whatever rounding the float coordinates have, there is no doubt about any of them.
+template <typename Intersect>
+SphereErrors sphereErrors(float distance, Intersect intersect) {
+    Random random(18);
+    SphereErrors errors;
+    for (int i = 0; i < 50000; ++i) {
+        const vec3 towards = random.direction();
+        const vec3 across = glm::normalize(glm::cross(towards, random.direction()));
+        const bool hits = i % 2 == 0;
+        const vec3 aim = across * (hits ? random.number(0, 0.5) : random.number(1.5, 3));
+        const fvec3 origin(-static_cast<double>(distance) * towards);
+        const fvec3 direction(glm::normalize(aim - vec3(origin)));
+        // What is exact for these floats, in double: the miss distance by a cross product, which does not cancel.
+        const vec3 d(direction), f(origin);
+        const double miss = glm::length(glm::cross(f, d)) / glm::length(d);
+        if (hits != (miss < 1) || std::abs(miss - 1) < 0.25) continue;  // the float direction went astray: at 1e6
+        const double exact = (-glm::dot(f, d) - std::sqrt((1 - miss * miss) * glm::dot(d, d))) / glm::dot(d, d);
+        const auto found = intersect(RayOf<float>{origin, direction}, fvec3(0), 1.0F);
+        if (!found) {
+            errors.misses += hits ? 1 : 0;
+        } else if (!hits) {
+            ++errors.falseHits;
+        } else {
+            const auto near = static_cast<float>(exact);
+            const double ulp = std::nextafter(near, HUGE_VALF) - near;
+            errors.largestUlps = std::max(errors.largestUlps, std::abs(found->near - exact) / ulp);
+        }
+    }
+    return errors;
+}
+
+TEST(IntersectSphere, KeepsASmallSphereFarAwayWhereTheTextbookLosesIt) {
+    for (const float distance : {1e1F, 1e2F, 1e3F, 1e4F, 1e5F, 1e6F}) {
+        const SphereErrors stable = sphereErrors(distance, intersectSphere<float>);
+        EXPECT_EQ(stable.falseHits, 0) << distance;
+        EXPECT_EQ(stable.misses, 0) << distance;
+        // Half an ulp for each of the roundings in b, c, q and the quotient that do not average out. Measured: 3.3.
+        EXPECT_LE(stable.largestUlps, 4) << distance;
+    }
+    // The textbook's, in the same runs: wrong by ulps from the start, and by chance from 1e4 on.
+    EXPECT_GT(sphereErrors(1e2F, textbookSphere<float>).largestUlps, 100);
+    const SphereErrors far = sphereErrors(1e4F, textbookSphere<float>);
+    EXPECT_GT(far.falseHits + far.misses, 5000);
+}
+
+TEST(IntersectSphere, KeepsTheGroundUnderTheEye) {
+    double floatError = 0;
+    for (const double radius : {1e2, 1e3, 1e4, 1e5, 1e6}) {
+        Random random(19);
+        double error = 0, textbookError = 0;
+        for (int i = 0; i < 1000; ++i) {
+            // The eye is 1 above the ground and looks down, at most 45 degrees aside.
+            const Ray ray{{0, radius + 1, 0}, {random.number(-1, 1), -1, 0}};
+            // With c = |f|^2 - r^2 = 2r + 1, exact, the smaller root is c/q.
+            const long double a = static_cast<long double>(ray.direction.x) * ray.direction.x + 1;
+            const long double b = radius + 1, c = 2 * static_cast<long double>(radius) + 1;
+            const auto exact = static_cast<double>(c / (b + std::sqrt(b * b - a * c)));
+            const auto found = intersectSphere(ray, vec3(0), radius);
+            ASSERT_TRUE(found);
+            error = std::max(error, std::abs(found->near / exact - 1));
+            const RayOf<float> rounded{fvec3(ray.origin), fvec3(ray.direction)};
+            const auto textbook = textbookSphere(rounded, fvec3(0), static_cast<float>(radius));
+            textbookError = std::max(textbookError, textbook ? std::abs(textbook->near / exact - 1) : 1);
+        }
+        // |f| - r cancels to 1: an ulp of the radius, 1e-10 at 1e6, is what is left of it.
+        EXPECT_LT(error, 4e-16 * radius + 1e-15) << radius;
+        floatError = textbookError;
+    }
+    EXPECT_GT(floatError, 1e-2);  // float, textbook, at 1e6
+}
+
+TEST(IntersectSphere, ReturnsBothEnds) {
+    const auto inside = intersectSphere(Ray{{0, 0, 0}, {0, 0, 2}}, vec3(0), 1.0);
+    ASSERT_TRUE(inside);
+    EXPECT_EQ(inside->near, -0.5);
+    EXPECT_EQ(inside->far, 0.5);
+    const auto leaving = intersectSphere(Ray{{0, 0, 0.5}, {0, 0, 1}}, vec3(0), 1.0);
+    ASSERT_TRUE(leaving);
+    EXPECT_EQ(leaving->near, -1.5);
+    EXPECT_EQ(leaving->far, 0.5);
+    EXPECT_FALSE(intersectSphere(Ray{{0, 0, 2}, {0, 0, 1}}, vec3(0), 1.0));  // behind
+    const auto touching = intersectSphere(Ray{{1, 0, 3}, {0, 0, -1}}, vec3(0), 1.0);
+    ASSERT_TRUE(touching);
+    EXPECT_EQ(touching->near, 3);
+    EXPECT_EQ(touching->far, 3);
+    const auto touchingAtTheOrigin = intersectSphere(Ray{{1, 0, 0}, {0, 0, 1}}, vec3(0), 1.0);
+    ASSERT_TRUE(touchingAtTheOrigin);
+    EXPECT_EQ(touchingAtTheOrigin->near, 0);
+    EXPECT_EQ(touchingAtTheOrigin->far, 0);
+}
+
+TEST(IntersectSphere, MeetsNothingWhereThereIsNone) {
+    for (const double radius : {0.0, -1.0, notANumber, infinite})
+        EXPECT_FALSE(intersectSphere(Ray{{0, 0, 3}, {0, 0, -1}}, vec3(0), radius)) << radius;
+    EXPECT_FALSE(intersectSphere(Ray{{0, 0, 3}, {0, 0, 0}}, vec3(0), 1.0));
+    EXPECT_FALSE(intersectSphere(Ray{{0, 0, 0}, {0, 0, 0}}, vec3(0), 1.0));
+    EXPECT_FALSE(intersectSphere(Ray{{0, notANumber, 3}, {0, 0, -1}}, vec3(0), 1.0));
+    EXPECT_FALSE(intersectSphere(Ray{{0, 0, infinite}, {0, 0, -1}}, vec3(0), 1.0));
+    EXPECT_FALSE(intersectSphere(Ray{{0, 0, 3}, {0, 0, -infinite}}, vec3(0), 1.0));
+}
+
+// ---- box
+
+TEST(IntersectBox, AgreesWithItsSixPlanes) {
+    const vec3 lo(-1, -2, -0.5), hi(2, 1, 0.5);
+    Random random(2);
+    int hits = 0;
+    for (int i = 0; i < 3000; ++i) {
+        const vec3 origin = random.point(4);
+        const Ray ray{origin, glm::normalize(random.point(2) - origin)};
+        const auto interval = intersectBox(ray, lo, hi);
+        // The ends are points of the surface, and the middle is inside.
+        bool inside = false;
+        for (int k = 0; k <= 4000; ++k) {
+            const vec3 p = ray.at(0.003 * k);
+            inside = inside || (glm::all(glm::greaterThan(p, lo + 0.01)) && glm::all(glm::lessThan(p, hi - 0.01)));
+        }
+        EXPECT_TRUE(interval.has_value() || !inside);
+        if (!interval) continue;
+        ++hits;
+        for (const double t : {interval->near, interval->far}) {
+            const vec3 outside = glm::max(lo - ray.at(t), ray.at(t) - hi);
+            EXPECT_NEAR(std::max({outside.x, outside.y, outside.z}), 0, 1e-13);  // roundings of size 4 times 1/slope
+        }
+        EXPECT_LE(interval->near, interval->far);
+        EXPECT_GE(interval->far, 0);
+    }
+    EXPECT_GT(hits, 500);
+}
+
+TEST(IntersectBox, TakesDirectionsWithZeros) {
+    const vec3 lo(0), hi(1);
+    // For each axis and sign: within, on each face (the box is closed), beside by the smallest step there is.
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const double sign : {1.0, -1.0}) {
+            for (const double zero : {0.0, -0.0}) {
+                vec3 direction(zero);
+                direction[axis] = sign;
+                const int across = (axis + 1) % 3;
+                const auto from = [&](double at) {
+                    vec3 origin(0.5);
+                    origin[axis] = sign > 0 ? -1 : 2;
+                    origin[across] = at;
+                    return intersectBox(Ray{origin, direction}, lo, hi);
+                };
+                for (const double at : {0.0, -0.0, 0.25, 1.0}) {
+                    const auto interval = from(at);
+                    ASSERT_TRUE(interval) << at;
+                    EXPECT_EQ(interval->near, 1);
+                    EXPECT_EQ(interval->far, 2);
+                }
+                EXPECT_FALSE(from(std::nextafter(0.0, -1.0)));
+                EXPECT_FALSE(from(std::nextafter(1.0, 2.0)));
+            }
+        }
+    }
+    EXPECT_FALSE(intersectBox(Ray{{0.5, 0.5, 0.5}, {0, 0, 0}}, lo, hi));  // no direction, no end
+}
+
+TEST(IntersectBox, TakesExtremes) {
+    const vec3 lo(0), hi(1);
+    const auto inside = intersectBox(Ray{{0.5, 0.5, 0.5}, {0, 0, 2}}, lo, hi);
+    ASSERT_TRUE(inside);
+    EXPECT_EQ(inside->near, -0.25);
+    EXPECT_EQ(inside->far, 0.25);
+    const auto leaving = intersectBox(Ray{{1, 0.5, 0.5}, {1, 0, 0}}, lo, hi);
+    ASSERT_TRUE(leaving);  // starts on the face: a point of the closed box
+    EXPECT_EQ(leaving->far, 0);
+    EXPECT_TRUE(intersectBox(Ray{{-1, -1, -1}, {1, 1, 1}}, lo, hi));  // through a corner, along the diagonal
+    EXPECT_TRUE(intersectBox(Ray{{1, -1, 0.5}, {-1, 1, 0}}, vec3(0), vec3(0, 0, 1)));       // a box that is a line
+    EXPECT_TRUE(intersectBox(Ray{{0, 2, 0}, {0, -1, 0}}, vec3(-1, 0, -1), vec3(1, 0, 1)));  // a flat one
+    EXPECT_FALSE(intersectBox(Ray{{2, 0.5, 0.5}, {1, 0, 0}}, lo, hi));                      // behind
+    EXPECT_FALSE(intersectBox(Ray{{-1, 0.5, 0.5}, {1, 0, 0}}, hi, lo));                     // no box
+    EXPECT_FALSE(intersectBox(Ray{{-1, notANumber, 0.5}, {1, 0, 0}}, lo, hi));
+    EXPECT_FALSE(intersectBox(Ray{{-1, 0.5, 0.5}, {1, notANumber, 0}}, lo, hi));
+    EXPECT_FALSE(intersectBox(Ray{{-1, 0.5, 0.5}, {1, 0, 0}}, vec3(notANumber, 0, 0), hi));
+    EXPECT_TRUE(intersectBox(Ray{{-1, 0.5, 0.5}, {1e-300, 0, 0}}, lo, hi));   // t = 1e300
+    EXPECT_FALSE(intersectBox(Ray{{-1, 0.5, 0.5}, {1e-310, 0, 0}}, lo, hi));  // t would be infinite
+}
+
+// ---- triangle
+
+struct TriangleMesh {
+    std::vector<fvec3> positions;
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+// A sphere with bumps: closed, and seen whole from everywhere within half its radius.
+TriangleMesh bumpySphere() {
+    const MeshData smooth = sphere(1, 16, 9);
+    TriangleMesh mesh{smooth.positions, trianglesOf(smooth)};
+    for (fvec3& p : mesh.positions) {
+        // Of its position alone, so that vertices at the same place stay together.
+        p *= 1 + 0.2F * std::sin(37 * p.x + 91 * p.y + 53 * p.z);
+    }
+    return mesh;
+}
+
+enum class Aim { anywhere, corner, edge };
+
+// How many of 100 000 rays from within the mesh meet none of its triangles.
+template <typename T, typename Intersect>
+int missed(Aim aim, Intersect intersect) {
+    const TriangleMesh mesh = bumpySphere();
+    Random random(20);
+    int count = 0;
+    for (int i = 0; i < 100000; ++i) {
+        const auto chosen = static_cast<std::size_t>(random.number(0, static_cast<double>(mesh.triangles.size())));
+        const auto& triangle = mesh.triangles[chosen];
+        const vec3 a(mesh.positions[triangle[0]]), b(mesh.positions[triangle[1]]);
+        const fvec3 origin(random.point(0.25));
+        const double part = random.number(0, 1);
+        const vec3 towards = aim == Aim::corner ? a : aim == Aim::edge ? a + part * (b - a) : random.point(1);
+        // As a program would: in the numbers it computes with.
+        const glm::vec<3, T> direction = glm::vec<3, T>(towards) - glm::vec<3, T>(origin);
+        const RayOf<T> ray{glm::vec<3, T>(origin), direction};
+        bool met = false;
+        for (std::size_t step = 0; step < mesh.triangles.size() && !met; ++step) {
+            const auto& [j, k, l] = mesh.triangles[(chosen + step) % mesh.triangles.size()];  // the likely one first
+            met = intersect(ray, glm::vec<3, T>(mesh.positions[j]), glm::vec<3, T>(mesh.positions[k]),
+                            glm::vec<3, T>(mesh.positions[l]))
+                      .has_value();
+        }
+        count += met ? 0 : 1;
+    }
+    return count;
+}
+
+TEST(IntersectTriangle, IsWatertightWhereTheTextbookLeaks) {
+    for (const Aim aim : {Aim::anywhere, Aim::corner, Aim::edge}) {
+        EXPECT_EQ(missed<float>(aim, intersectTriangle<float>), 0);
+        EXPECT_EQ(missed<double>(aim, intersectTriangle<double>), 0);
+    }
+    const auto textbook = [](const auto& ray, const fvec3& a, const fvec3& b, const fvec3& c) {
+        return textbookTriangle(ray, a, b, c, 0.0F);
+    };
+    // As measured: 0, 5 % and 8 %.
+    EXPECT_LT(missed<float>(Aim::anywhere, textbook), 10);
+    EXPECT_GT(missed<float>(Aim::corner, textbook), 1000);
+    EXPECT_GT(missed<float>(Aim::edge, textbook), 1000);
+}
+
+TEST(IntersectTriangle, FindsThePointByItsWeights) {
+    Random random(3);
+    int hits = 0;
+    for (int i = 0; i < 5000; ++i) {
+        const vec3 a = random.point(1), b = random.point(1), c = random.point(1);
+        const double v = random.number(-0.5, 1), w = random.number(-0.5, 1);
+        const vec3 towards = (1 - v - w) * a + v * b + w * c;
+        const Ray ray{random.point(3) + vec3(0, 0, 5), towards - random.point(3) - vec3(0, 0, 5)};
+        const Ray aimed{ray.origin, towards - ray.origin};
+        const auto hit = intersectTriangle(aimed, a, b, c);
+        EXPECT_EQ(hit.has_value(), v >= 0 && w >= 0 && v + w <= 1);
+        EXPECT_EQ(intersectTriangle(aimed, a, c, b).has_value(), hit.has_value());  // from either side
+        if (!hit) continue;
+        ++hits;
+        // The roundings of coordinates of size 8, over the slope at which the triangle is seen.
+        const vec3 normal = glm::normalize(glm::cross(b - a, c - a));
+        const double slope = std::abs(glm::dot(normal, glm::normalize(aimed.direction)));
+        EXPECT_NEAR(hit->t, 1, 1e-14 / slope);
+        EXPECT_LT(glm::length(hit->a * a + hit->b * b + hit->c * c - towards), 1e-13 / slope);
+        EXPECT_NEAR(hit->a + hit->b + hit->c, 1, 4e-16);
+        EXPECT_GE(std::min({hit->a, hit->b, hit->c}), 0);
+    }
+    EXPECT_GT(hits, 500);
+}
+
+TEST(IntersectTriangle, TakesSmallAndThinOnesAndPassesOverThoseWithoutArea) {
+    for (double size = 1; size > 1e-13; size /= 10) {
+        const vec3 a(0, 0, -2), b(size, 0, -2), c(0, size, -2);
+        const Ray ray{{0, 0, 1}, (a + b + c) / 3.0 - vec3(0, 0, 1)};
+        const auto hit = intersectTriangle(ray, a, b, c);
+        ASSERT_TRUE(hit) << size;
+        EXPECT_NEAR(hit->t, 1, 1e-15);
+        const auto inFloat =
+            intersectTriangle(RayOf<float>{fvec3(ray.origin), fvec3(ray.direction)}, fvec3(a), fvec3(b), fvec3(c));
+        EXPECT_TRUE(inFloat) << size;
+        // The epsilon of the textbook's is an area: it passes over what is smaller than a thousandth.
+        EXPECT_EQ(textbookTriangle(ray, a, b, c).has_value(), size > 5e-4) << size;
+
+        // A sliver of this width
+        const vec3 tip(1, size, -2);
+        const auto sliver =
+            intersectTriangle(Ray{{0, 0, 1}, (a + tip + vec3(1, 0, -2)) / 3.0 - vec3(0, 0, 1)}, a, vec3(1, 0, -2), tip);
+        ASSERT_TRUE(sliver) << size;
+        EXPECT_NEAR(sliver->t, 1, 1e-15);
+    }
+    // Points and lines, aimed at, and a triangle seen from the side
+    const vec3 p(0, 0, -2), q(1, 0, -2);
+    const Ray ray{{0, 0, 1}, {0, 0, -3}};
+    EXPECT_FALSE(intersectTriangle(ray, p, p, p));
+    EXPECT_FALSE(intersectTriangle(ray, p, p, q));
+    EXPECT_FALSE(intersectTriangle(ray, p, q, 0.5 * (p + q)));
+    EXPECT_FALSE(intersectTriangle(ray, p, vec3(0, 0, -3), vec3(0, 1, -3)));
+}
+
+TEST(IntersectTriangle, MeetsNothingBehindItAndNothingThatIsNoNumber) {
+    const vec3 a(-1, -1, -2), b(1, -1, -2), c(0, 1, -2);
+    EXPECT_TRUE(intersectTriangle(Ray{{0, 0, 0}, {0, 0, -1}}, a, b, c));
+    EXPECT_FALSE(intersectTriangle(Ray{{0, 0, 0}, {0, 0, 1}}, a, b, c));
+    EXPECT_FALSE(intersectTriangle(Ray{{0, 0, -2}, {0, 0, 1}}, a, b, c));  // t = 0 is where the ray starts, no hit
+    EXPECT_FALSE(intersectTriangle(Ray{{0, 0, 0}, {0, 0, 0}}, a, b, c));
+    EXPECT_FALSE(intersectTriangle(Ray{{0, notANumber, 0}, {0, 0, -1}}, a, b, c));
+    EXPECT_FALSE(intersectTriangle(Ray{{0, 0, 0}, {0, notANumber, -1}}, a, b, c));
+    EXPECT_FALSE(intersectTriangle(Ray{{0, 0, infinite}, {0, 0, -1}}, a, b, c));
+    EXPECT_FALSE(intersectTriangle(Ray{{0, 0, 0}, {0, 0, -infinite}}, a, b, c));
+    EXPECT_FALSE(intersectTriangle(Ray{{0, 0, 0}, {0, 0, -1}}, a, vec3(1, notANumber, -2), c));
+}
+
+}  // namespace
