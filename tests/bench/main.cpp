@@ -1,5 +1,5 @@
 // mvgl-bench: what the suite costs, as ratios of interleaved runs against the bare way of doing the same.
-//     mvgl-bench [png] [math] [frame] [process] [rays] [--rounds N]
+//     mvgl-bench [png] [math] [frame] [process] [rays] [volumes] [--rounds N]
 // Exit status 0: every bound holds; 1: one is broken, or a run was too noisy to tell.
 #include <algorithm>
 #include <cstdlib>
@@ -15,7 +15,8 @@
 int main(int count, char** arguments) {
     using namespace mv::bench;
     const std::vector<std::pair<std::string, std::function<std::vector<Row>(int)>>> benches{
-        {"png", pngBench}, {"math", mathBench}, {"frame", frameBench}, {"process", processBench}, {"rays", raysBench}};
+        {"png", pngBench},         {"math", mathBench}, {"frame", frameBench},
+        {"process", processBench}, {"rays", raysBench}, {"volumes", volumeBench}};
     std::vector<std::string> wanted;
     int rounds = 15;
     for (int i = 1; i < count; ++i) {
@@ -27,7 +28,7 @@ int main(int count, char** arguments) {
         bool known = false;
         for (const auto& bench : benches) known |= bench.first == word;
         if (!known) {
-            std::cerr << "error: " << word << ": must be png, math, frame, process, rays or --rounds N\n";
+            std::cerr << "error: " << word << ": must be png, math, frame, process, rays, volumes or --rounds N\n";
             return 2;
         }
         wanted.push_back(word);
