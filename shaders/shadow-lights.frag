@@ -25,8 +25,8 @@ void main() {
     float lit = 1.0;
     if (byMap && !ambientPass) lit = shaded && !isOnMap(onMap) ? 0.0 : litOneTap(map, onMap, 0.0);
     if (measuring) {
-        if (!faces(facet, firstLight)) discard;
-        fragColor = vec4(ambientPass ? 0.0 : faces(facet, light) ? share * lit : 0.0);
+        bool counts = faces(facet, firstLight);
+        fragColor = vec4(ambientPass ? (counts ? 0.0 : -1.0) : counts && faces(facet, light) ? share * lit : 0.0);
     } else if (ambientPass) {
         fragColor = vec4(ambientShare * color, 1.0);
     } else {

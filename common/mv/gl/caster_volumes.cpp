@@ -25,6 +25,10 @@ bool CasterVolumes::follow(const Scene& scene, const vec4& light, Extrude extrud
     return any;
 }
 
+void CasterVolumes::forget() {
+    for (Caster& caster : casters_) caster.made.reset();
+}
+
 int CasterVolumes::around(const Scene& scene, const vec3& point, std::size_t first, std::size_t last) const {
     int sum = 0;
     for (std::size_t i = first; i < last; ++i) {

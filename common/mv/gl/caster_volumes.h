@@ -27,6 +27,8 @@ class CasterVolumes {
     // Makes the volumes for this light (homogeneous, world space). Those of a caster that stands to the light as it stood
     // are kept, unless `extrude` has changed. True when one was made. Error: what shadowVolume refuses.
     bool follow(const Scene& scene, const vec4& light, Extrude extrude = Extrude::silhouette);
+    // The next follow() makes all of them.
+    void forget();
     const std::vector<Caster>& casters() const { return casters_; }
     // How many volumes of the casters numbered first .. last - 1 a point of the world is in, after follow().
     int around(const Scene& scene, const vec3& point, std::size_t first, std::size_t last) const;
