@@ -111,6 +111,9 @@ TEST(CommandLine, a_copyable_command_says_what_differs) {
     demo->knob("cull").parse("front");
     EXPECT_EQ(copyableCommand(info, *demo, 9, 300, 200), "cube-cull --cull front --spin-x 0.1 --size 300x200")
         << "no frame: nothing moves in this demo";
+    // The present value is the first of the two, so it stands nowhere else.
+    const std::string both = copyableCommand(info, *demo, 1, 600, 600, {"cull", "none"});
+    EXPECT_EQ(both, "cube-cull --spin-x 0.1 --compare cull=front,none");
 }
 
 TEST(CommandLine, frame_files_are_numbered) {

@@ -145,6 +145,16 @@ TEST(RayCaster, ShadowsEndAtTheLightAndNotAtADirection) {
     EXPECT_FALSE(caster.inShadow(*hit, {0, -1, 0, 0}));  // downwards the floor is in the way, and does not cast
 }
 
+TEST(RayCaster, TheTriangleItselfCastsNoShadowOnAPointBehindIt) {
+    Scene scene;
+    scene.objects.push_back({.name = "box", .mesh = box({-1, -1, -1}, {1, 1, 1})});
+    const RayCaster caster(scene);
+    auto hit = caster.nearest({{0.3, 5, 0.1}, {0, -1, 0}});
+    ASSERT_TRUE(hit);
+    hit->point.y -= 1e-9;  // as by one who computes it from t
+    EXPECT_FALSE(caster.inShadow(*hit, {1, 2, 3, 0}));
+}
+
 TEST(RayCaster, NeitherShadesItselfNorLosesWhatIsNear) {
     // Convex, so that no triangle may shade another one that faces the light. At every scale, and off the origin.
     for (const double size : {1e-3, 1.0, 1e3, 1e6}) {
@@ -153,11 +163,16 @@ TEST(RayCaster, NeitherShadesItselfNorLosesWhatIsNear) {
         scene.objects[0].worldFromObject = translate(3 * size, size, -2 * size) * rotate(33, {3, 1, 2}) * scale(size);
         const RayCaster caster(scene);
         Random random(22);
+        const auto corners = worldCorners(scene.objects[0]);
         int facing = 0, shaded = 0, shadedWithout = 0;
         for (int i = 0; i < 50000; ++i) {
             const vec3 middle(3 * size, size, -2 * size);
             const vec3 origin = middle + 5 * size * random.direction();
-            const auto hit = caster.nearest({origin, middle + 0.9 * size * random.direction() - origin});
+            // Half of them to corners and edges, where the neighbours are within a rounding of the point
+            const auto first = static_cast<std::size_t>(random.number(0, static_cast<double>(corners.size()))) / 3 * 3;
+            const vec3 edge = corners[first] + (i % 4 == 0 ? 0.0 : 0.3) * (corners[first + 1] - corners[first]);
+            const vec3 aim = i % 2 == 0 ? edge : middle + 0.9 * size * random.direction();
+            const auto hit = caster.nearest({origin, aim - origin});
             const vec3 light = random.direction();
             if (!hit || glm::dot(hit->normal, light) <= 0) continue;
             ++facing;
@@ -169,15 +184,17 @@ TEST(RayCaster, NeitherShadesItselfNorLosesWhatIsNear) {
         EXPECT_EQ(shaded, 0) << size;
         EXPECT_GT(shadedWithout, 1000) << size;
 
-        // A plate that hovers a millionth of a millionth of its size above a floor shades it nevertheless.
-        Scene near = floorWith({.name = "plate", .mesh = box({-1, 0, -1}, {1, 0.1, 1})});
-        near.objects[0].worldFromObject = scale(size);
-        near.objects[1].worldFromObject = translate(0, 1e-12 * size, 0) * scale(size);
+        // A plate that hovers a millionth of a millionth of its size above a floor, and is as thin, shades it nevertheless.
+        Scene near = floorWith({.name = "plate", .mesh = box({-1, 0, -1}, {1, 1e-12, 1})});
+        const mat4 turned = rotate(30, {1, 2, 3});
+        near.objects[0].worldFromObject = turned * scale(size);
+        near.objects[1].worldFromObject = turned * translate(0, 1e-12 * size, 0) * scale(size);
         const RayCaster nearCaster(near);
-        const auto hit = nearCaster.nearest({{0.3 * size, -size, 0.2 * size}, {0, 1, 0}});
+        const auto inWorld = [&](const vec3& v) { return vec3(turned * vec4(v, 0)); };
+        const auto hit = nearCaster.nearest({inWorld({0.3 * size, -size, 0.2 * size}), inWorld({0, 1, 0})});
         ASSERT_TRUE(hit);
         ASSERT_EQ(hit->object, 0);
-        EXPECT_TRUE(nearCaster.inShadow(*hit, {1, 2, 3, 0})) << size;
+        EXPECT_TRUE(nearCaster.inShadow(*hit, vec4(inWorld({1, 2, 3}), 0))) << size;
     }
 }
 
@@ -243,7 +260,8 @@ TEST(LitPicture, LacksThePenumbraThatTheoryGivesASphere) {
     }
     double expected = 0;
     for (int i = 0; i < lightSide * lightSide; ++i) {
-        const double s = (2 * (i % lightSide) + 1.0) / lightSide - 1, t = (2 * (i / lightSide) + 1.0) / lightSide - 1;
+        const int row = i / lightSide, column = i % lightSide;
+        const double s = (2 * column + 1.0) / lightSide - 1, t = (2 * row + 1.0) / lightSide - 1;
         expected += shadowArea(vec3(light.position) + s * light.halfU + t * light.halfV, center, radius);
     }
     expected /= lightSide * lightSide;
@@ -276,6 +294,56 @@ TEST(LitPicture, ConvergesAsTheLightIsAskedAtMorePoints) {
     // where the rows' errors cancel. Measured: 1.8.
     EXPECT_GT(slope, 0.9);
     EXPECT_LT(slope, 2.1);
+}
+
+// Which is found by one look at the whole light where little stands between; here by a ray to each of its points.
+TEST(LitPicture, EqualsTheMeanOverThePointsOfTheLight) {
+    for (const std::uint64_t seed : {11, 12, 13, 14}) {
+        Scene scene = randomScene(seed);
+        for (SceneObject& object : scene.objects) object.worldFromObject = object.worldFromObject * scale(0.6);
+        // Above all objects, or among them: what is behind the light is near the way to it then, and does not shade.
+        const vec4 position = seed % 2 == 0 ? vec4(2, 6, 3, 2) : vec4(0.3, 0.4, 0.6, 1);
+        const SceneLight light{.position = position, .halfU = {0.5, 0.1, 0}, .halfV = {0, -0.4, 0.5}};
+        scene.lights[0] = light;
+        const RayCaster caster(scene);
+        const int side = 120, lightSide = 5;
+        const LitPicture picture = caster.lit(side, side, {.lightSide = lightSide});
+        const mat4 worldFromClip = glm::inverse(scene.clipFromWorld());
+        int partly = 0;
+        for (int i = 0; i < side * side; ++i) {
+            const int row = i / side, column = i % side;
+            const vec2 ndc((2 * column + 1.0) / side - 1, 1 - (2 * row + 1.0) / side);
+            const vec4 near = worldFromClip * vec4(ndc, -1, 1), far = worldFromClip * vec4(ndc, 1, 1);
+            const vec3 origin = vec3(near) / near.w;
+            const auto hit = caster.nearest({origin, vec3(far) / far.w - origin});
+            const auto pixel = static_cast<std::size_t>(i);
+            ASSERT_EQ(picture.object[pixel], hit ? hit->object : -1);
+            if (!hit) continue;
+            int reached = 0;
+            for (int k = 0; k < lightSide * lightSide; ++k) {
+                const int across = k % lightSide, along = k / lightSide;
+                const double s = (2 * across + 1.0) / lightSide - 1, t = (2 * along + 1.0) / lightSide - 1;
+                const vec3 point = vec3(light.position) / light.position.w + s * light.halfU + t * light.halfV;
+                if (glm::dot(hit->normal, point - hit->point) <= 0) continue;
+                reached += caster.inShadow(*hit, vec4(point, 1)) ? 0 : 1;
+            }
+            EXPECT_EQ(picture.lit[pixel], static_cast<double>(reached) / (lightSide * lightSide)) << seed;
+            partly += reached > 0 && reached < lightSide * lightSide ? 1 : 0;
+        }
+        EXPECT_GT(partly, 30) << seed;
+    }
+}
+
+TEST(LitPicture, WhatIsBehindAnAreaLightDoesNotShade) {
+    // A plate that slants over light and floor: beside the way to the light, and across it beyond.
+    Scene scene = floorWith({.name = "plate",
+                             .mesh = box({-3, 0, -3}, {3, 0.1, 3}),
+                             .worldFromObject = translate(0, 1.3, 0) * rotateZ(40)});
+    scene.objects[0].worldFromObject = scale(0.5);
+    scene.lights.push_back({.position = {0, 1, 0, 1}, .halfU = {0.1, 0, 0}, .halfV = {0, 0, 0.1}});
+    scene.viewFromWorld = lookAt({0, -1, 0}, {0, 0, 0}, {0, 0, -1});
+    scene.clipFromView = ortho(-0.9, 0.9, -0.9, 0.9, 0.5, 1.5);
+    for (const double lit : RayCaster(scene).lit(20, 20, {.lightSide = 3}).lit) EXPECT_EQ(lit, 1);
 }
 
 TEST(LitPicture, AveragesThePointsOfAPixel) {

@@ -117,8 +117,9 @@ TEST(IntersectSphere, KeepsTheGroundUnderTheEye) {
             const auto textbook = textbookSphere(rounded, fvec3(0), static_cast<float>(radius));
             textbookError = std::max(textbookError, textbook ? std::abs(textbook->near / exact - 1) : 1);
         }
-        // |f| - r cancels to 1: an ulp of the radius, 1e-10 at 1e6, is what is left of it.
-        EXPECT_LT(error, 4e-16 * radius + 1e-15) << radius;
+        // The squares of these whole numbers are exact, and so is c; what is left are some roundings of products. The
+        // root as (b - sqrt)/a would be off by 1e-10 at 1e6.
+        EXPECT_LT(error, 2e-15) << radius;
         floatError = textbookError;
     }
     EXPECT_GT(floatError, 1e-2);  // float, textbook, at 1e6
@@ -293,6 +294,19 @@ TEST(IntersectTriangle, IsWatertightWhereTheTextbookLeaks) {
     EXPECT_LT(missed<float>(Aim::anywhere, textbook), 10);
     EXPECT_GT(missed<float>(Aim::corner, textbook), 1000);
     EXPECT_GT(missed<float>(Aim::edge, textbook), 1000);
+}
+
+// Beside a common edge, by less than the products of the coordinates can tell: twice these differ by 1 in 2^54.
+TEST(IntersectTriangle, HitsOneOfTwoNeighboursAndNotBoth) {
+    const double one = 134217728;  // 2^27
+    const vec3 p(one + 1, one, -1), q(-one - 2, -one - 1, -1);
+    ASSERT_EQ(q.x * p.y - q.y * p.x, 0);  // it is 1: the origin is on the left of the way from q to p
+    const vec3 left(-one, one, -1), right(one, -one, -1);
+    const Ray ray{{0, 0, 0}, {0, 0, -1}};
+    const bool inLeft = intersectTriangle(ray, p, left, q).has_value();
+    const bool inRight = intersectTriangle(ray, p, q, right).has_value();
+    EXPECT_TRUE(inLeft);
+    EXPECT_FALSE(inRight);
 }
 
 TEST(IntersectTriangle, FindsThePointByItsWeights) {

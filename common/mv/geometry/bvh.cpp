@@ -162,9 +162,7 @@ struct BoxTest {
     std::array<double, 3> entry, exit, inverse;
     std::array<std::size_t, 3> nearSide, farSide;  // where a node's bounds have them
 
-    BoxTest(const Ray& ray, double extent) {
-        const vec3 size = glm::abs(ray.origin);
-        const double room = 16 * std::numeric_limits<double>::epsilon() * (extent + std::max({size.x, size.y, size.z}));
+    BoxTest(const Ray& ray, double room) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const auto i = static_cast<int>(axis);
             const bool backwards = std::signbit(ray.direction[i]);
@@ -192,6 +190,12 @@ struct BoxTest {
 
 }  // namespace
 
+// How far rounding can shift the corners of a triangle seen from `origin`, with some to spare.
+double Bvh::room(const vec3& origin) const {
+    const vec3 size = glm::abs(origin);
+    return 16 * std::numeric_limits<double>::epsilon() * (extent_ + std::max({size.x, size.y, size.z}));
+}
+
 // Calls visitTriangle with each triangle whose boxes the ray meets before `end`, the nearer box first, until it returns
 // true. It may lower `end`.
 template <typename Visit>
@@ -201,7 +205,7 @@ void Bvh::visit(const Ray& ray, double& end, const Visit& visitTriangle) const {
         std::uint32_t node;
         double near;
     };
-    const BoxTest boxTest(ray, extent_);
+    const BoxTest boxTest(ray, room(ray.origin));
     std::array<Entry, stackSize> stack;
     std::size_t height = 0;
     const double near = boxTest(nodes_[0].bounds, end);
@@ -251,6 +255,57 @@ const SceneTriangle* Bvh::any(const Ray& ray, double end, int exceptObject, int 
         return true;
     });
     return found;
+}
+
+namespace {
+
+// Whether a ray from 0 with a direction in lo..hi may be within the box at some t of 0..1: on each axis it is so from
+// some t on, and up to some t; where the direction may be 0 or of either sign, one of these has no end.
+bool mayPass(const vec3& lo, const vec3& hi, const vec3& boxLo, const vec3& boxHi) {
+    double first = 0, last = 1;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (boxLo[axis] > 0) {
+            if (!(hi[axis] > 0)) return false;
+            first = std::max(first, boxLo[axis] / hi[axis]);
+            if (lo[axis] > 0) last = std::min(last, boxHi[axis] / lo[axis]);
+        } else if (boxHi[axis] < 0) {
+            if (!(lo[axis] < 0)) return false;
+            first = std::max(first, boxHi[axis] / lo[axis]);
+            if (hi[axis] < 0) last = std::min(last, boxLo[axis] / hi[axis]);
+        } else if (lo[axis] > 0) {
+            last = std::min(last, boxHi[axis] / lo[axis]);
+        } else if (hi[axis] < 0) {
+            last = std::min(last, boxLo[axis] / hi[axis]);
+        }
+    }
+    return first <= last * (1 + 16 * std::numeric_limits<double>::epsilon());
+}
+
+}  // namespace
+
+bool Bvh::mayMeet(const vec3& origin, const vec3& lo, const vec3& hi, std::size_t most,
+                  std::vector<const SceneTriangle*>& found) const {
+    found.clear();
+    const double aside = room(origin);
+    const auto passes = [&](const Node& node) {
+        const auto& [loX, loY, loZ, hiX, hiY, hiZ] = node.bounds;
+        return mayPass(lo, hi, vec3(loX, loY, loZ) - origin - aside, vec3(hiX, hiY, hiZ) - origin + aside);
+    };
+    std::array<std::uint32_t, stackSize> stack;
+    std::size_t height = 0;
+    if (!nodes_.empty() && passes(nodes_[0])) stack[height++] = 0;
+    while (height > 0) {
+        const Node& node = nodes_[stack[--height]];
+        for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+            if (found.size() == most) return false;
+            found.push_back(&triangles_[i]);
+        }
+        if (node.count > 0) continue;
+        for (const std::uint32_t child : {node.first, node.first + 1}) {
+            if (passes(nodes_[child])) stack[height++] = child;
+        }
+    }
+    return true;
 }
 
 }  // namespace mv

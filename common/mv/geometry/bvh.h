@@ -34,6 +34,11 @@ class Bvh {
     // Which of them it is depends on the tree.
     const SceneTriangle* any(const Ray& ray, double end, int exceptObject, int exceptTriangle) const;
 
+    // All triangles that some ray from `origin` with a direction in the box lo..hi may meet at t <= 1, and perhaps some
+    // more; false where there are more than `most`, and `found` is then of no use. One question for a whole area light.
+    bool mayMeet(const vec3& origin, const vec3& lo, const vec3& hi, std::size_t most,
+                 std::vector<const SceneTriangle*>& found) const;
+
   private:
     struct Node {
         std::array<double, 6> bounds{};  // lo, then hi
@@ -41,6 +46,7 @@ class Bvh {
         std::uint32_t count = 0;         // of the triangles; 0: an inner node
     };
     class Build;
+    double room(const vec3& origin) const;
     template <typename Visit>
     void visit(const Ray& ray, double& end, const Visit& visitTriangle) const;
 

@@ -105,6 +105,48 @@ Sight sightThrough(const mat4& worldFromClip, double x, double y) {
 
 void requireSide(const char* name, int value, int most) { requireRange("lit", name, value, 1, most); }
 
+// What a thread keeps from one point to the next.
+struct Scratch {
+    std::vector<const SceneTriangle*> near;
+    long rays = 0;
+};
+
+// A light as the points it is asked at: the centres of side x side cells.
+struct LightPoints {
+    std::vector<vec4> points;
+    vec3 lo{HUGE_VAL}, hi{-HUGE_VAL};  // of a light that is not at infinity
+
+    LightPoints(const SceneLight& light, int side) {
+        for (int i = 0; i < side * side; ++i) {
+            const int row = i / side, column = i % side;
+            const double s = (2 * column + 1.0) / side - 1, t = (2 * row + 1.0) / side - 1;
+            points.push_back(light.position + light.position.w * vec4(s * light.halfU + t * light.halfV, 0));
+            requireFinite("lit", "each point of the light", points.back());
+            if (points.back().w == 0) continue;
+            points.back() /= points.back().w;
+            lo = glm::min(lo, vec3(points.back()));
+            hi = glm::max(hi, vec3(points.back()));
+        }
+    }
+    bool hasShaft() const { return points.size() >= 4 && points.front().w != 0; }
+};
+
+// As many triangles as are asked one by one rather than by the tree
+constexpr std::size_t mostInShaft = 32;
+
+// Whether one of a few triangles stands in the way. The one that does comes to the front: the next way is much like it.
+bool blockedByOne(const Ray& ray, double end, const SceneHit& hit, std::vector<const SceneTriangle*>& few) {
+    const TriangleTest<double> test(ray);
+    for (auto& triangle : few) {
+        if (triangle->object == hit.object && triangle->triangle == hit.triangle) continue;
+        const auto met = test(triangle->a, triangle->b, triangle->c);
+        if (!met || met->t >= end) continue;
+        std::swap(triangle, few.front());
+        return true;
+    }
+    return false;
+}
+
 }  // namespace
 
 struct RayCaster::State {
@@ -115,7 +157,8 @@ struct RayCaster::State {
     Bvh all, casters;
 
     std::optional<SceneHit> nearest(const Ray& ray, double end) const;
-    bool blocked(const SceneHit& hit, const WayToLight& way) const;
+    vec3 startOf(const SceneHit& hit, const vec3& direction) const;
+    double litPart(const SceneHit& hit, const LightPoints& light, Scratch& scratch) const;
     void requireHit(const SceneHit& hit) const;
 };
 
@@ -130,14 +173,34 @@ std::optional<SceneHit> RayCaster::State::nearest(const Ray& ray, double end) co
     return SceneHit{found->hit.t, corners.object, corners.triangle, point, surfaces[object][triangle].normal};
 }
 
-bool RayCaster::State::blocked(const SceneHit& hit, const WayToLight& way) const {
+// The point of the hit, moved off its triangle to the side of `direction`: it lies off it by at most 8 roundings of the
+// corners' coordinates, and above that a ray is clear of the triangle's neighbours too.
+vec3 RayCaster::State::startOf(const SceneHit& hit, const vec3& direction) const {
     const SceneTriangle& corners =
         surfaces[static_cast<std::size_t>(hit.object)][static_cast<std::size_t>(hit.triangle)].corners;
-    // The point lies off the triangle by at most 8 roundings of its corners' coordinates; above that, the ray is clear.
     const vec3 size = glm::max(glm::abs(corners.a), glm::max(glm::abs(corners.b), glm::abs(corners.c)));
-    const vec3 normal = glm::dot(hit.normal, way.direction) < 0 ? -hit.normal : hit.normal;
-    const double offset = 8 * std::numeric_limits<double>::epsilon() * glm::dot(glm::abs(normal), size);
-    return casters.any({hit.point + offset * normal, way.direction}, way.end, hit.object, hit.triangle) != nullptr;
+    const vec3 normal = glm::dot(hit.normal, direction) < 0 ? -hit.normal : hit.normal;
+    return hit.point + 8 * std::numeric_limits<double>::epsilon() * glm::dot(glm::abs(normal), size) * normal;
+}
+
+// The part of the light that reaches the point. What may stand in the way of an area light is asked for at once: often
+// it is nothing, and seldom much.
+double RayCaster::State::litPart(const SceneHit& hit, const LightPoints& light, Scratch& scratch) const {
+    const vec3 start = startOf(hit, hit.normal);
+    const bool few = light.hasShaft() &&
+                     casters.mayMeet(start, light.lo - hit.point, light.hi - hit.point, mostInShaft, scratch.near);
+    const bool free = !receives[static_cast<std::size_t>(hit.object)] || (few && scratch.near.empty());
+    int reached = 0;
+    for (const vec4& point : light.points) {
+        const WayToLight way = wayToLight(hit.point, point);
+        if (!(glm::dot(hit.normal, way.direction) > 0)) continue;
+        ++scratch.rays;
+        const Ray ray{start, way.direction};
+        const bool blocked = !free && (few ? blockedByOne(ray, way.end, hit, scratch.near)
+                                           : casters.any(ray, way.end, hit.object, hit.triangle) != nullptr);
+        reached += blocked ? 0 : 1;
+    }
+    return reached / static_cast<double>(light.points.size());
 }
 
 void RayCaster::State::requireHit(const SceneHit& hit) const {
@@ -177,24 +240,10 @@ bool RayCaster::inShadow(const SceneHit& hit, const vec4& light) const {
     state_->requireHit(hit);
     requireFinite("inShadow", "light", light);
     if (light == vec4(0)) throw Error("inShadow", "light must be a point or a direction", vectorText(light));
-    return state_->blocked(hit, wayToLight(hit.point, light));
+    const WayToLight way = wayToLight(hit.point, light);
+    return state_->casters.any({state_->startOf(hit, way.direction), way.direction}, way.end, hit.object,
+                               hit.triangle) != nullptr;
 }
-
-namespace {
-
-// The centres of side x side cells of the light, homogeneous.
-std::vector<vec4> pointsOf(const SceneLight& light, int side) {
-    std::vector<vec4> points;
-    for (int row = 0; row < side; ++row) {
-        for (int column = 0; column < side; ++column) {
-            const double s = (2 * column + 1.0) / side - 1, t = (2 * row + 1.0) / side - 1;
-            points.push_back(light.position + light.position.w * vec4(s * light.halfU + t * light.halfV, 0));
-        }
-    }
-    return points;
-}
-
-}  // namespace
 
 LitPicture RayCaster::lit(int width, int height, const LitOptions& options) const {
     requireSide("width", width, 16384);
@@ -210,8 +259,7 @@ LitPicture RayCaster::lit(int width, int height, const LitOptions& options) cons
     if (light.position == vec4(0)) {
         throw Error("lit", "the light must be a point or a direction", vectorText(light.position));
     }
-    const std::vector<vec4> lightPoints = pointsOf(light, options.lightSide);
-    for (const vec4& point : lightPoints) requireFinite("lit", "each point of the light", point);
+    const LightPoints lightPoints(light, options.lightSide);
     const mat4 worldFromClip = glm::inverse(state.clipFromWorld);
     if (!isFinite(worldFromClip)) throw Error("lit", "clipFromWorld must be finite and have an inverse");
 
@@ -222,24 +270,9 @@ LitPicture RayCaster::lit(int width, int height, const LitOptions& options) cons
     std::vector<char> faces(pixels, 0);  // neighbouring bits of a vector<bool> are not two threads' to write
     std::atomic<long> rays = 0;
 
-    const auto litPart = [&](const SceneHit& hit, long& cast) {
-        int reached = 0;
-        for (const vec4& point : lightPoints) {
-            const WayToLight way = wayToLight(hit.point, point);
-            if (!(glm::dot(hit.normal, way.direction) > 0)) continue;
-            if (!state.receives[static_cast<std::size_t>(hit.object)]) {
-                ++reached;
-                continue;
-            }
-            ++cast;
-            if (!state.blocked(hit, way)) ++reached;
-        }
-        return static_cast<double>(reached) / static_cast<double>(lightPoints.size());
-    };
-    const auto castRow = [&](int row) {
-        long cast = 0;
+    const auto castRow = [&](int row, Scratch& scratch) {
         const auto seenAt = [&](double x, double y) {
-            ++cast;
+            ++scratch.rays;
             const Sight sight = sightThrough(worldFromClip, 2 * x / width - 1, 1 - 2 * y / height);
             return state.nearest(sight.ray, sight.end);
         };
@@ -255,26 +288,27 @@ LitPicture RayCaster::lit(int width, int height, const LitOptions& options) cons
             int points = 0;
             const int side = options.pixelSide;
             for (int i = 0; i < side * side; ++i) {
-                const bool isMiddle = 2 * (i % side) + 1 == side && 2 * (i / side) + 1 == side;
-                const auto seen =
-                    isMiddle ? middle : seenAt(column + (i % side + 0.5) / side, row + (i / side + 0.5) / side);
+                const int x = i % side, y = i / side;
+                const bool isMiddle = 2 * x + 1 == side && 2 * y + 1 == side;
+                const auto seen = isMiddle ? middle : seenAt(column + (x + 0.5) / side, row + (y + 0.5) / side);
                 if (!seen || seen->object != middle->object) continue;
-                sum += litPart(*seen, cast);
+                sum += state.litPart(*seen, lightPoints, scratch);
                 ++points;
             }
-            picture.lit[pixel] = points > 0 ? sum / points : litPart(*middle, cast);
+            picture.lit[pixel] = points > 0 ? sum / points : state.litPart(*middle, lightPoints, scratch);
         }
-        rays += cast;
     };
 
     // Each thread takes the next row that nobody has; this one tells how far all are.
     std::atomic<int> nextRow = 0, rowsDone = 0;
     const auto castRows = [&](const Progress& progress) {
+        Scratch scratch;
         for (int row = nextRow++; row < height; row = nextRow++) {
-            castRow(row);
+            castRow(row, scratch);
             ++rowsDone;
             if (progress) progress(static_cast<double>(rowsDone) / height);
         }
+        rays += scratch.rays;
     };
     const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     const int threads = std::min(options.threads == 0 ? cores : options.threads, height);

@@ -42,7 +42,9 @@ struct LitPicture {
     // Whether the triangle seen there has its front towards the (middle of the) light: where it has not, a shadow does
     // not matter.
     std::vector<bool> faces;
-    long rays = 0;  // that were cast: towards the scene, and towards the light from what faces it
+    // That were asked: one for each point seen, and from there one for each point of the light that it faces, also where
+    // one look at the whole light answered many at once.
+    long rays = 0;
 };
 
 class RayCaster {

@@ -226,8 +226,8 @@ StudyRun runStudy(Stage& stage, const Study& study, const StudyOptions& options)
     run.reference = study.reference;
     run.axis = study.axis;
     run.wrongBeyond = study.wrongBeyond;
-    run.width = study.width;
-    run.height = study.height;
+    run.width = study.ofValues ? 0 : study.width;  // numbers have no size
+    run.height = study.ofValues ? 0 : study.height;
     run.frame = study.frame;
     run.host = stage.driver().host;
     run.renderer = stage.driver().renderer;

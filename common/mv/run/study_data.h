@@ -35,7 +35,7 @@ struct StudyRun {
     std::string demo, quantity, reference;
     ErrorAxis axis = ErrorAxis::rms;
     double wrongBeyond = 0.5;
-    int width = 0, height = 0, frame = 1;
+    int width = 0, height = 0, frame = 1;                         // of the picture; 0x0 for a study of values
     std::string host, renderer, processor;                        // who drew, and on what
     int threads = 0;                                              // of the machine
     std::vector<std::pair<std::string, double>> referenceErrors;  // by scene; Reference::ownError

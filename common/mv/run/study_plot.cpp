@@ -170,7 +170,8 @@ std::vector<std::string> methodsOf(const StudyRun& run, const std::string& scene
 }
 
 std::string machineText(const StudyRun& run) {
-    return run.renderer + ", " + run.processor + ", " + std::to_string(run.threads) + " threads";
+    return run.renderer + ", " + run.processor + ", " + std::to_string(run.threads) +
+           (run.threads == 1 ? " thread" : " threads");
 }
 
 std::string countsText(const StudyRow& row) {
@@ -237,7 +238,7 @@ std::string studySvg(const StudyRun& run) {
         "/plot.svg'\n"
         "set logscale xy\nset grid lc rgb '#dddddd'\nset key outside right top Left reverse noenhanced\n"
         "set format x '10^{%T}'\nset format y '%g'\n";
-    script += run.rows.empty() || run.width > 0 ? "set ylabel 'milliseconds a frame'\n" : "set ylabel 'milliseconds'\n";
+    script += run.width > 0 ? "set ylabel 'milliseconds a frame'\n" : "set ylabel 'milliseconds'\n";
     const double foot = 60.0 / height;
     script += "set multiplot layout " + std::to_string(scenes.size()) + ",1 margins 0.09,0.68," +
               formatted("%.4f", foot + 60.0 / height) + "," + formatted("%.4f", 1 - 40.0 / height) + " spacing " +

@@ -73,9 +73,10 @@ struct Tick {
 
 std::vector<Tick> ticks(const Axis& axis) {
     std::vector<Tick> all;
-    for (double decade = decadeOf(axis.low); decade <= axis.high * 1.001; decade *= 10) {
+    const int last = static_cast<int>(std::floor(std::log10(axis.high * 1.001)));
+    for (int power = static_cast<int>(std::floor(std::log10(axis.low))); power <= last; ++power) {
         for (const double step : {1.0, 2.0, 5.0}) {
-            const double value = step * decade;
+            const double value = step * std::pow(10, power);
             if (value >= axis.low * 0.999 && value <= axis.high * 1.001) all.push_back({value, step == 1});
         }
     }
@@ -147,10 +148,10 @@ std::optional<Plot> layOut(const StudyRun& run, const std::string& scene, ImVec2
     return plot;
 }
 
-// The labels of an axis, the powers of ten first, the others where there is room.
+// The labels of an axis, the powers of ten first, the others where there is room beside them and what is `taken`.
 template <class Place>
-void label(ImDrawList& list, const Axis& axis, bool across, const Place& place) {
-    std::vector<std::pair<float, float>> taken;
+void label(ImDrawList& list, const Axis& axis, bool across, const Place& place,
+           std::vector<std::pair<float, float>> taken = {}) {
     for (const bool decades : {true, false}) {
         for (const Tick& tick : ticks(axis)) {
             if (tick.decade != decades) continue;
@@ -183,19 +184,25 @@ void drawFrame(ImDrawList& list, const StudyRun& run, const Plot& plot, ImVec2 c
     list.AddLine({plot.low.x, plot.low.y}, {plot.low.x, plot.high.y}, ink);
     list.AddLine({plot.low.x, plot.high.y}, plot.high, ink);
     const float below = plot.high.y + 3 * scale;
-    // Words stay within the panel, also those of a tick at its edge.
-    label(list, plot.x, true, [&](float x, ImVec2 size) {
-        return ImVec2{std::min(x - size.x / 2, plot.high.x - size.x), below};
-    });
-    label(list, plot.y, false, [&](float y, ImVec2 size) {
-        return ImVec2{plot.low.x - size.x - 4 * scale, y - size.y / 2};
-    });
+    std::vector<std::pair<float, float>> taken;
     if (plot.anyZero) {
-        for (float y = plot.low.y; y < plot.high.y; y += 6 * scale) {
-            list.AddLine({plot.x.from, y}, {plot.x.from, std::min(y + 3 * scale, plot.high.y)}, ink);
+        const int dashes = static_cast<int>((plot.high.y - plot.low.y) / (6 * scale));
+        for (int i = 0; i < dashes; ++i) {
+            const float y = plot.low.y + 6 * scale * float(i);
+            list.AddLine({plot.x.from, y}, {plot.x.from, y + 3 * scale}, ink);
         }
-        list.AddText({plot.zeroX - ImGui::CalcTextSize("0").x / 2, below}, ink, "0");
+        const float half = ImGui::CalcTextSize("0").x / 2;
+        list.AddText({plot.zeroX - half, below}, ink, "0");
+        taken.emplace_back(plot.zeroX - half - 4, plot.zeroX + half + 4);
     }
+    const auto belowTick = [&](float x, ImVec2 size) {  // and within the panel, also that of a tick at its edge
+        return ImVec2{std::min(x - size.x / 2, plot.high.x - size.x), below};
+    };
+    const auto besideTick = [&](float y, ImVec2 size) {
+        return ImVec2{plot.low.x - size.x - 4 * scale, y - size.y / 2};
+    };
+    label(list, plot.x, true, belowTick, taken);
+    label(list, plot.y, false, besideTick);
     list.AddText(corner, ink, "milliseconds");
     const char* error = run.axis == ErrorAxis::rms ? "root mean square error" : "part that is wrong";
     list.AddText({plot.high.x - ImGui::CalcTextSize(error).x, below + line}, ink, error);
