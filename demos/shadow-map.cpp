@@ -1,20 +1,24 @@
 // shadow-map: depths as the light sees them, and what is farther than those is in shadow.
 //
 // Claims (each is a test in tests/claims/shadow-map.cpp):
-// - [cast-by-rays] The shadows are those that rays find, up to a few texels of the map at their edges.
+// - [cast-by-rays] With a fine map the shadows are those that rays find, to a pixel at their edges.
 // - [error-is-one-over-resolution] Without a filter the misjudged part of the picture falls as 1/resolution.
-// - [acne-without-bias] With no bias at all a lit floor in the map shades itself in stripes; slope-bias 1 ends that.
-// - [light-leaks-with-bias] A large bias moves the shadow away from the foot of what casts it.
+// - [acne-without-bias] With no bias what is in the map shades itself, in stripes; slope-bias 1 ends that on what is flat.
+// - [light-leaks-with-bias] With back faces in the map a bias lets light in at the foot of what casts.
 // - [floor-left-out-needs-no-bias] Where the floor is not in the map, nothing can shade it falsely: no bias is needed.
-// - [back-faces-need-no-bias-in-the-light] With back faces in the map, what faces the light has no acne.
+// - [back-faces-need-no-bias] With back faces in the map nothing that faces the light shades itself.
 // - [map-is-kept] While the light and what casts rest, the map is not drawn again, and the picture is the same.
 // - [frustum-holds-the-map] The white lines are the edges of what the map holds; fitted, they are tight round what casts.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <optional>
+#include <string>
+#include <tuple>
 #include <utility>
+#include <vector>
 
 #include "mv/demo/demo.h"
 #include "mv/demo/lit_reference.h"
@@ -39,18 +43,6 @@ enum class Faces { front, back, both };
 enum class Rays { spot, orthographic };
 enum class Fit { set, fitted };
 
-// The original's sphere, cube and floor.
-Scene sphereAndCube(double aspect) {
-    Scene scene;
-    mat4 untouchedView{1};
-    scene.objects = {{"floor", grid(1, 1, 20, 20), mat4(1), {0.5, 0.5, 1}, false, true},
-                     {"sphere", sphere(1, 32, 24), translate(2, 3, 4), {1, 0.5, 0.5}, true, true},
-                     {"cube", box({-1, -1, -1}, {1, 1, 1}), translate(3, 1, 0), {0.5, 1, 0.5}, true, true}};
-    scene.viewFromWorld = lookAt({6, 5, 7}, {0, 0, 0}, {0, 1, 0});
-    scene.clipFromView = perspective(60, aspect, 1, 2000);
-    return scene;
-}
-
 Scene build(Which which, double aspect) {
     if (which == Which::cubeOnPlane) return cubeOnPlane(aspect);
     return which == Which::stillLife ? stillLife(aspect) : sphereAndCube(aspect);
@@ -68,72 +60,58 @@ struct ShadowMap final : Demo {
                           "filter",
                           Filter::none,
                           {{"none", "one texel"},
-                           {"hardware", "four texels, weighted"},
-                           {"pcf3", "3 x 3 looks of hardware"},
+                           {"hardware", "four, weighted"},
+                           {"pcf3", "3 x 3 such looks"},
                            {"pcf5", "5 x 5"},
                            {"pcf7", "7 x 7"}},
                           "how the map is looked up"};
-    Real bias{
-        this, "bias", 0.006, {0, 0.2}, "how much farther than the map's depth is not yet in shadow, in depths 0..1"};
-    Real slopeBias{
-        this, "slope-bias", 0, {0, 16}, "how far the map is pushed back where it is steep, in texels of its slope"};
-    Choice<Faces> faces{this,
-                        "map-faces",
-                        Faces::front,
-                        {{"front"}, {"back"}, {"both"}},
-                        "faces drawn into the map, as seen from the light"};
-    Toggle receiver{this, "receiver", true, "draw floor and walls into the map, too, though they shade nothing"};
+    Real bias{this, "bias", 0.006, {0, 0.2}, "how much deeper than the map (0..1) is not yet shadow"};
+    Real slopeBias{this, "slope-bias", 0, {0, 16}, "push the map back by its slope over this many texels"};
+    Choice<Faces> faces{
+        this, "map-faces", Faces::front, {{"front"}, {"back"}, {"both"}}, "faces in the map, as the light sees them"};
+    Toggle receiver{this, "receiver", true, "floor and wall in the map, though they shade nothing"};
     Toggle keep{this, "keep", true, "keep the map while light and casters rest"};
     Choice<Rays> rays{this,
                       "projection",
                       Rays::spot,
-                      {{"spot", "from a point, in a cone"}, {"orthographic", "parallel, along the light's gaze"}},
+                      {{"spot", "from a point, in a cone"}, {"orthographic", "parallel, as from infinity"}},
                       "how the light shines"};
     Choice<Fit> fit{this,
                     "frustum",
                     Fit::set,
-                    {{"set", "by fov and window"}, {"fitted", "tight round what casts; a spot light then has no cone"}},
+                    {{"set", "by fov and window"}, {"fitted", "round what casts; no cone"}},
                     "what the map holds"};
     Real lightX{this, "light-x", 2.5, {-10, 10}, "x of the light"};
     Real lightY{this, "light-y", 4.8, {1, 20}, "y of the light"};
     Real lightZ{this, "light-z", 4.3, {-10, 20}, "z of the light"};
     Real targetX{this, "target-x", 2.5, {-10, 10}, "x of the point that the light looks at"};
-    Real targetY{this, "target-y", 1, {0, 20}, "y of it"};
-    Real targetZ{this, "target-z", 3.5, {-10, 20}, "z of it"};
-    Real fov{this, "fov", 120, {1, 179}, "height of a spot light's cone", "deg"};
-    Real windowWidth{
-        this, "window-width", 3, {0.1, 30}, "width of a parallel light's map; over the height, the aspect of a spot's"};
-    Real windowHeight{this, "window-height", 2.4, {0.1, 30}, "height of it"};
-    Toggle showMap{this, "show-map", true, "show the map in a corner: near is dark"};
-    Toggle showFrustum{this, "show-frustum", true, "show what the map holds as white lines"};
+    Real targetY{this, "target-y", 1, {0, 20}, "y of the point that the light looks at"};
+    Real targetZ{this, "target-z", 3.5, {-10, 20}, "z of the point that the light looks at"};
+    Real fov{this, "fov", 120, {1, 179}, "height of the spot's cone", "deg"};
+    Real windowWidth{this, "window-width", 3, {0.1, 30}, "of parallel light; by the height, the spot's aspect"};
+    Real windowHeight{this, "window-height", 2.4, {0.1, 30}, "of parallel light"};
+    Toggle showMap{this, "show-map", true, "show the map in a corner, near is dark"};
+    Toggle showFrustum{this, "show-frustum", true, "show the edges of what the map holds"};
     Angle spinX{this, "spin-x", 0, "turn about the x axis"};
     Angle spinY{this, "spin-y", 0, "turn about the y axis"};
     Real distance{this, "distance", 0, {-4, 40}, "step back"};
 
-    Readout falselyDark{this, "falsely-dark", "part of the pixels that are dark though the light reaches them (acne)",
-                        "%"};
-    Readout falselyLit{this, "falsely-lit", "part of the pixels that are lit though they are in shadow", "%"};
-    Readout pixelsAsked{this, "pixels-asked", "how many pixels were compared with rays for these two"};
+    Readout falselyDark{this, "falsely-dark", "pixels that are dark though the light reaches them", "%"};
+    Readout falselyLit{this, "falsely-lit", "pixels that are lit though they are in shadow", "%"};
+    Readout asked{this, "pixels-asked", "how many pixels were compared with rays for these two"};
 
     Program program, depthProgram;
     DepthMap map;
     LightOverlay overlay;
     ShadowCheck shadowCheck;
     Scene scene;
-    mat4 untouchedView{1};
+    mat4 viewAsBuilt{1};
+    std::vector<vec3> casters;
     std::vector<Mesh> meshes;
     std::optional<std::pair<Which, double>> built;  // the scene, and its aspect
 
-    // What the map depends on: it is drawn again when one of these has changed.
-    struct Content {
-        mat4 clipFromWorld{1};
-        Which which = Which::spot;
-        int size = 0;
-        Faces faces = Faces::front;
-        bool receiver = true;
-        double slopeBias = 0;
-        bool operator==(const Content&) const = default;
-    };
+    // What the map depends on; it is drawn again when one of these has changed.
+    using Content = std::tuple<mat4, Which, int, Faces, bool, double>;
     std::optional<Content> drawn;
 
     ShadowMap() {
@@ -147,8 +125,6 @@ struct ShadowMap final : Demo {
         program = Program("shadow-map");
         depthProgram = Program("shadow-map", "depth");
         overlay.init();
-        built.reset();
-        drawn.reset();
     }
 
     void check() const override {
@@ -159,14 +135,16 @@ struct ShadowMap final : Demo {
     vec3 targetAt() const { return {targetX, targetY, targetZ}; }
     vec4 light() const { return rays == Rays::spot ? vec4(lightAt(), 1) : vec4(lightAt() - targetAt(), 0); }
 
-    mat4 turned(const mat4& viewFromWorld) const {
-        return translate(0, 0, -distance) * viewFromWorld * rotateX(spinX) * rotateY(spinY);
+    // Puts the scene, as built, under this light, and turns it.
+    void pose(Scene& asBuilt, const mat4& view) const {
+        asBuilt.lights = {{.position = light()}};
+        asBuilt.viewFromWorld = translate(0, 0, -distance) * view * rotateX(spinX) * rotateY(spinY);
     }
 
     LightView lightView() const {
         if (fit == Fit::fitted) {
             try {
-                return fitLightView(light(), casterPoints(scene));
+                return fitLightView(light(), casters);
             } catch (const Error&) {
                 throw Error("--light-y", "a fitted frustum needs the light clear of what casts", lightY.text());
             }
@@ -191,20 +169,28 @@ struct ShadowMap final : Demo {
             scene = build(which, frame.aspect());
             if (!built || built->first != which) meshes = uploadMeshes(scene);
             built = {which, frame.aspect()};
-            untouchedView = scene.viewFromWorld;
+            viewAsBuilt = scene.viewFromWorld;
+            casters = casterPoints(scene);
         }
-        scene.viewFromWorld = turned(untouchedView);
-        scene.lights = {{.position = light()}};
+        pose(scene, viewAsBuilt);
         const LightView view = lightView();
         frame.show("viewFromWorld", scene.viewFromWorld);
+        frame.show("clipFromView", scene.clipFromView);
         frame.show("lightFromWorld", view.viewFromWorld);
         frame.show("mapFromWorld", view.mapFromWorld());
 
+        glEnable(GL_DEPTH_TEST);
+        glDepthFunc(GL_LESS);
+        glEnable(GL_CULL_FACE);
+        glCullFace(GL_BACK);
+
         // First pass: the map. It shows the scene from the light, and does not change while that rests.
-        const Content wanted{view.clipFromWorld(), which, 64 << resolution, faces, receiver, slopeBias};
-        if (!keep || drawn != wanted) {
-            drawMap(wanted);
-            drawn = wanted;
+        const int size = 64 << resolution;
+        const Content content(view.clipFromWorld(), which, size, faces, receiver, slopeBias);
+        if (!keep || drawn != content) {
+            if (map.size() != size) map = DepthMap(size, "shadow map");
+            drawMap(view.clipFromWorld());
+            drawn = content;
             frame.bindTarget();
         }
 
@@ -212,48 +198,42 @@ struct ShadowMap final : Demo {
         drawScene(view, frame.measuring());
         frame.count("texels a lookup", looksAlong() * looksAlong() * (filter == Filter::none ? 1 : 4));
         if (frame.measuring()) return;
+        if (frame.readouts()) {
+            const FalseShadows wrong = shadowCheck.compare(scene, frame, [&] { drawScene(view, true); });
+            falselyDark = wrong.dark;
+            falselyLit = wrong.lit;
+            asked = double(wrong.pixels);
+        }
         if (showFrustum) overlay.drawFrustum(scene.clipFromWorld(), view);
         if (showMap) overlay.drawMap(frame, map, view);
-        if (!frame.readouts()) return;
-        const FalseShadows wrong = shadowCheck.compare(scene, frame, [&] { drawScene(view, true); });
-        falselyDark = wrong.dark;
-        falselyLit = wrong.lit;
-        pixelsAsked = double(wrong.pixels);
     }
 
-    void drawMap(const Content& content) {
-        if (map.size() != content.size) map = DepthMap(content.size, "shadow map");
+    void drawMap(const mat4& mapClipFromWorld) {
         map.bindForDrawing();
         glClear(GL_DEPTH_BUFFER_BIT);
-        glEnable(GL_DEPTH_TEST);
-        glDepthFunc(GL_LESS);
         // Half of the faces would do: those towards the light, or those away from it
-        if (faces != Faces::both) glEnable(GL_CULL_FACE);
-        glCullFace(faces == Faces::front ? GL_BACK : GL_FRONT);
+        if (faces == Faces::back) glCullFace(GL_FRONT);
+        if (faces == Faces::both) glDisable(GL_CULL_FACE);
         // Push each triangle back by slopeBias times the depth it gains over a texel, and twice that in depth steps
         glEnable(GL_POLYGON_OFFSET_FILL);
         glPolygonOffset(float(slopeBias), float(2 * slopeBias));
         depthProgram.use();
         for (std::size_t i = 0; i < meshes.size(); ++i) {
             if (!receiver && !scene.objects[i].casts) continue;
-            depthProgram.set("mapClipFromObject", content.clipFromWorld * scene.objects[i].worldFromObject);
+            depthProgram.set("mapClipFromObject", mapClipFromWorld * scene.objects[i].worldFromObject);
             meshes[i].draw();
         }
         glDisable(GL_POLYGON_OFFSET_FILL);
-        glDisable(GL_CULL_FACE);
+        if (faces == Faces::back) glCullFace(GL_BACK);
+        if (faces == Faces::both) glEnable(GL_CULL_FACE);
     }
 
     void drawScene(const LightView& view, bool measuring) {
-        if (measuring)
-            glClearColor(-1, -1, -1, -1);
-        else
-            glClearColor(0, 0, 0, 1);
+        glClearColor(measuring ? -1 : 0, 0, 0, 1);  // -1 in red: nothing to compare
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-        glEnable(GL_DEPTH_TEST);
-        glDepthFunc(GL_LESS);
         program.use();
-        map.bind(0, filter == Filter::none ? DepthLookup::compareNearest : DepthLookup::compareLinear);
-        program.set("map", 0);
+        map.bind(1, filter == Filter::none ? DepthLookup::compareNearest : DepthLookup::compareLinear);
+        program.set("map", 1);
         program.set("taps", looksAlong());
         program.set("bias", bias);
         program.set("light", light());
@@ -270,21 +250,38 @@ struct ShadowMap final : Demo {
             program.set("clipFromObject", scene.clipFromWorld() * object.worldFromObject);
             program.set("mapFromObject", view.mapFromWorld() * object.worldFromObject);
             program.set("worldFromObject", object.worldFromObject);
-            program.set("worldFromNormal", normalMatrix(object.worldFromObject));
             program.set("color", object.color);
             meshes[i].draw();
         }
     }
 
     Reference reference(const Frame& frame, const std::function<void(double)>& progress) const override {
-        Scene asked = build(which, frame.aspect());
-        asked.viewFromWorld = turned(asked.viewFromWorld);
-        asked.lights = {{.position = light()}};
-        return litReference(asked, frame, {.pixelSide = 8}, progress);
+        Scene posed = build(which, frame.aspect());
+        pose(posed, posed.viewFromWorld);
+        return litReference(posed, frame, {.pixelSide = 8}, progress);
     }
 
     int looksAlong() const { return filter <= Filter::hardware ? 1 : 2 * int(Filter(filter)) - 1; }
 };
+
+using Place = std::array<std::string, 3>;
+
+// The settings of a study's scene: where its light is and looks to, with a map of 60 by 60 degrees.
+std::vector<KnobSetting> lit(const std::string& scene, const Place& from, const Place& to) {
+    return {{"scene", scene},      {"light-x", from[0]},  {"light-y", from[1]}, {"light-z", from[2]},
+            {"target-x", to[0]},   {"target-y", to[1]},   {"target-z", to[2]},  {"fov", "60"},
+            {"window-width", "1"}, {"window-height", "1"}};
+}
+
+// A line of the study: a map drawn again in every frame and pushed back by its slope alone, unless it says otherwise.
+StudyLine line(const std::string& method, const std::string& filter, const std::string& slopeBias,
+               const std::vector<KnobSetting>& settings = {}) {
+    StudyLine line{method, {{"bias", "0"}, {"keep", "off"}, {"filter", filter}, {"slope-bias", slopeBias}}};
+    line.settings.insert(line.settings.end(), settings.begin(), settings.end());
+    line.knob = "resolution";
+    line.values = {"256", "512", "1024", "2048", "4096"};
+    return line;
+}
 
 const bool added = addDemo<ShadowMap>({
     .name = "shadow-map",
@@ -296,6 +293,27 @@ const bool added = addDemo<ShadowMap>({
     .width = 600,
     .height = 600,
     .needs = {.depth = true},
+    .study =
+        Study{
+            .quantity = "lit fraction of the pixels whose surface faces the light",
+            .reference = "a ray in double precision from each pixel to the light; 64 for the root mean square",
+            .scenes = {{"cube on plane", lit("cube-on-plane", {"-2.2", "3.6", "1.4"}, {"0", "0", "0"})},
+                       {"still life", lit("still-life", {"-3.4", "4.2", "2.6"}, {"0.4", "0.5", "-0.8"})}},
+            .lines = {line("1 tap", "none", "2"), line("hardware 2x2", "hardware", "2"), line("PCF 3x3", "pcf3", "4"),
+                      line("PCF 5x5", "pcf5", "6"), line("1 tap, map kept", "none", "2", {{"keep", "on"}}),
+                      line("1 tap, receiver left out", "none", "2", {{"receiver", "off"}}),
+                      line("1 tap, back faces, receiver left out, no bias", "none", "0",
+                           {{"receiver", "off"}, {"map-faces", "back"}}),
+                      line("1 tap, frustum fitted", "none", "2", {{"frustum", "fitted"}})},
+            .axis = ErrorAxis::fraction,
+            .says = "What is misjudged lies within a texel of a shadow's edge, so it halves when the resolution "
+                    "doubles, while "
+                    "beyond 1024 the time grows with the texels: fitting the frustum buys more than refining the map, "
+                    "and "
+                    "keeping the map makes its resolution nearly free. Leaving the receiver out costs no accuracy, and "
+                    "back "
+                    "faces without any bias are as right as front faces with one.",
+        },
 });
 
 }  // namespace

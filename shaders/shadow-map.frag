@@ -25,7 +25,7 @@ bool facesLight() {
 }
 
 void main() {
-    float lit = taps == 1 ? litOneTap(map, onMap, bias) : litPcf(map, onMap, bias, taps);
+    float lit = litPcf(map, onMap, bias, taps);
     if (measuring) {
         fragColor = vec4(facesLight() ? lit : -1.0);
         return;

@@ -1,6 +1,5 @@
 uniform mat4 clipFromObject;
 uniform mat4 worldFromObject;
-uniform mat3 worldFromNormal;
 uniform mat4 mapFromObject;
 in vec4 position;
 in vec3 normal;
@@ -13,7 +12,7 @@ out vec4 onMap;
 void main() {
     gl_Position = clipFromObject * position;
     worldPoint = vec3(worldFromObject * position);
-    worldNormal = worldFromNormal * normal;
+    worldNormal = mat3(worldFromObject) * normal;  // objects are turned and moved, not stretched
     uv = texCoord;
     onMap = mapFromObject * position;  // divided by w in the fragment shader, where it is still linear
 }

@@ -15,8 +15,8 @@
 int main(int count, char** arguments) {
     using namespace mv::bench;
     const std::vector<std::pair<std::string, std::function<std::vector<Row>(int)>>> benches{
-        {"png", pngBench},         {"math", mathBench}, {"frame", frameBench},
-        {"process", processBench}, {"rays", raysBench}, {"volumes", volumeBench}};
+        {"png", pngBench},   {"math", mathBench},       {"frame", frameBench},   {"process", processBench},
+        {"rays", raysBench}, {"shadows", shadowsBench}, {"volumes", volumeBench}};
     std::vector<std::string> wanted;
     int rounds = 15;
     for (int i = 1; i < count; ++i) {
@@ -28,7 +28,8 @@ int main(int count, char** arguments) {
         bool known = false;
         for (const auto& bench : benches) known |= bench.first == word;
         if (!known) {
-            std::cerr << "error: " << word << ": must be png, math, frame, process, rays, volumes or --rounds N\n";
+            std::cerr << "error: " << word
+                      << ": must be png, math, frame, process, rays, shadows, volumes or --rounds N\n";
             return 2;
         }
         wanted.push_back(word);

@@ -27,9 +27,8 @@ MeshData standingBox(double sizeX, double sizeY, double sizeZ) {
 }
 
 // A projection of `fovy` degrees that is as wide as a picture of 4:3 at least: a narrower one gains above and below.
-mat4 projectionFor(double aspect, double fovy, double near, double far) {
+mat4 projectionFor(double aspect, double fovy, double near, double far, double leastAspect = 4.0 / 3) {
     requirePositive("scene", "aspect", aspect);
-    constexpr double leastAspect = 4.0 / 3;
     const double across = std::tan(radians(fovy) / 2) * leastAspect;
     const double shown = aspect < leastAspect ? 2 * degrees(std::atan(across / aspect)) : fovy;
     return perspective(shown, aspect, near, far);
@@ -46,6 +45,19 @@ Scene cubeOnPlane(double aspect) {
     scene.lights = {{.position = vec4(-2.2, 3.6, 1.4, 1)}};
     scene.viewFromWorld = lookAt({0.4, 3.7, 4.8}, {0.4, 0.25, 0}, {0, 1, 0});
     scene.clipFromView = projectionFor(aspect, 40, 0.5, 20);
+    return scene;
+}
+
+Scene sphereAndCube(double aspect) {
+    Scene scene;
+    scene.objects = {
+        ground("floor", 20, 20, mat4(1), {0.5, 0.5, 1}),
+        solid("sphere", sphere(1, 32, 24), translate(2, 3, 4), {1, 0.5, 0.5}),
+        solid("cube", box({-1, -1, -1}, {1, 1, 1}), translate(3, 1, 0), {0.5, 1, 0.5}),
+    };
+    scene.lights = {{.position = vec4(2.5, 4.8, 4.3, 1)}};
+    scene.viewFromWorld = lookAt({6, 5, 7}, {0, 0, 0}, {0, 1, 0});
+    scene.clipFromView = projectionFor(aspect, 60, 1, 2000, 1);
     return scene;
 }
 

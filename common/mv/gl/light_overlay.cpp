@@ -69,9 +69,11 @@ void LightOverlay::drawMap(const Frame& frame, const DepthMap& map, const LightV
     const double aspect = std::abs((bounds.right - bounds.left) / (bounds.top - bounds.bottom));
     const double most = 0.3 * std::min(frame.width(), frame.height());
     const double width = std::min(most, most * aspect), height = width / aspect;
-    glDisable(GL_DEPTH_TEST);
-    glDisable(GL_CULL_FACE);
-    glDisable(GL_BLEND);
+    // Words first: drawText switches off what would be in the way of the map, too
+    constexpr int lineHeight = 14;
+    const std::string size = std::to_string(map.size());
+    drawText(frame, 0, frame.height() - int(std::lround(height)) - lineHeight, "map " + size + " x " + size,
+             {.height = lineHeight});
     corner_.use();
     corner_.set("map", 0);
     map.bind(0, DepthLookup::depth);
@@ -80,10 +82,6 @@ void LightOverlay::drawMap(const Frame& frame, const DepthMap& map, const LightV
     corner_.set("far", bounds.far);
     corner_.set("atInfinity", light.atInfinity);
     square_.draw();
-    constexpr int lineHeight = 14;
-    const std::string size = std::to_string(map.size());
-    drawText(frame, 0, frame.height() - int(std::lround(height)) - lineHeight, "map " + size + " x " + size,
-             {.height = lineHeight});
 }
 
 }  // namespace mv

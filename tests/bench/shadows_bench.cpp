@@ -1,0 +1,61 @@
+// Frames of shadow-map with one setting changed, both finished.
+#include <string>
+#include <vector>
+
+#include "bench/benches.h"
+#include "mv/gl/gl.h"
+#include "mv/run/render.h"
+
+namespace mv::bench {
+namespace {
+
+struct Comparison {
+    std::string name;
+    std::vector<KnobSetting> a, b;
+    double bound;
+};
+
+Row mapRow(const Comparison& comparison, int rounds) {
+    HeadlessStage headless;
+    Stage& stage = headless.stage;
+    stage.open(findDemo("shadow-map"), 640, 480);
+    applyKnobs(stage.demo(), {{"scene", "cube-on-plane"},
+                              {"light-x", "-2.2"},
+                              {"light-y", "3.6"},
+                              {"light-z", "1.4"},
+                              {"target-x", "0"},
+                              {"target-z", "0"},
+                              {"fov", "60"},
+                              {"resolution", "2048"},
+                              {"show-map", "off"},
+                              {"show-frustum", "off"}});
+    const auto frames = [&](const std::vector<KnobSetting>& settings) {
+        applyKnobs(stage.demo(), settings);
+        constexpr int repeats = 4;
+        for (int i = 0; i < repeats; ++i) {
+            stage.draw(1);
+            glFinish();
+        }
+    };
+    Row row{"shadow map, " + comparison.name, {}, comparison.bound};
+    row.ratio = interleaved([&] { frames(comparison.a); }, [&] { frames(comparison.b); }, rounds);
+    return row;
+}
+
+}  // namespace
+
+std::vector<Row> shadowsBench(int rounds) {
+    const std::vector<Comparison> comparisons{
+        {"kept / drawn again", {{"keep", "on"}}, {{"keep", "off"}}, 0.8},
+        {"receiver left out / in it",
+         {{"keep", "off"}, {"receiver", "off"}},
+         {{"keep", "off"}, {"receiver", "on"}},
+         0.85},
+        {"3 x 3 looks / one", {{"filter", "pcf3"}}, {{"filter", "none"}}, 3},
+    };
+    std::vector<Row> rows;
+    for (const Comparison& comparison : comparisons) rows.push_back(mapRow(comparison, rounds));
+    return rows;
+}
+
+}  // namespace mv::bench
