@@ -1,5 +1,5 @@
 // mvgl-bench: what the suite costs, as ratios of interleaved runs against the bare way of doing the same.
-//     mvgl-bench [png] [math] [frame] [process] [rays] [volumes] [--rounds N]
+//     mvgl-bench [png] [math] [frame] [process] [rays] [shadows] [volumes] [--rounds N]
 // Exit status 0: every bound holds; 1: one is broken, or a run was too noisy to tell.
 #include <algorithm>
 #include <cstdlib>

@@ -32,11 +32,11 @@ class Planar {
     }
 
     void draw(bool shadow) const {
+        glDepthMask(GL_TRUE);
         glClearColor(0.70F, 0.77F, 0.85F, 1);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         glEnable(GL_DEPTH_TEST);
         glDepthFunc(GL_LESS);
-        glDepthMask(GL_TRUE);
         glDisable(GL_STENCIL_TEST);
         const vec4 light = scene_.lights[0].position;
         program_.use();
