@@ -1,5 +1,6 @@
 // What mvgl measures against others. Each function runs its comparisons and returns a row for each.
 #pragma once
+#include <string>
 #include <vector>
 
 #include "bench/ratio.h"
@@ -17,8 +18,9 @@ namespace mv::bench {
 // times the time.
 [[nodiscard]] std::vector<Row> frameBench(int rounds);
 
-// What a shadow map costs less when work is left out: kept against drawn again (at most 0.8 of the frame), without the
-// receiver against with it (0.85); and what a filter costs more: 3 x 3 looks against one (3).
+// What a shadow map costs less when work is left out: kept against drawn again (at most 0.8 of the frame, at 2048 texels),
+// without the receiver against with it (0.85, at 4096: below, the picture's own pass outweighs what the floor fills); and
+// what a filter costs more: 3 x 3 looks against one (3).
 [[nodiscard]] std::vector<Row> shadowsBench(int rounds);
 
 // A picture of cube-cull by a process of its own, against a bare program: at most 1.3 times the time and 1.15 times the
@@ -28,6 +30,10 @@ namespace mv::bench {
 // Rays: sphere and triangle against the textbook's forms (at most 1.8 and 1.15 times the time), the ray caster on two
 // threads against one (at least 1.8 times as fast), and against Embree, where that is installed (at most 10 times the time).
 [[nodiscard]] std::vector<Row> raysBench(int rounds);
+// The errors of mv/math's functions and their times beside GLM's: prints the page, or with a folder ("docs") writes it
+// there as library.md, with its curve library.svg and the numbers library-errors.csv and library-times.csv. Takes
+// minutes: 100,000 samples a function. Error: gnuplot is missing.
+void accuracyBench(const std::string& folder);
 
 // Shadows of a cube on a floor, 640 x 480: by volumes against by matrix (at most 2.2 times the time), by matrix against
 // none (at most 1.15).

@@ -46,12 +46,12 @@ Row mapRow(const Comparison& comparison, int rounds) {
 
 std::vector<Row> shadowsBench(int rounds) {
     const std::vector<Comparison> comparisons{
-        {"kept / drawn again", {{"keep", "on"}}, {{"keep", "off"}}, 0.8},
-        {"receiver left out / in it",
-         {{"keep", "off"}, {"receiver", "off"}},
-         {{"keep", "off"}, {"receiver", "on"}},
+        {"2048, kept / drawn again", {{"keep", "on"}}, {{"keep", "off"}}, 0.8},
+        {"4096, receiver left out / in it",
+         {{"resolution", "4096"}, {"keep", "off"}, {"receiver", "off"}},
+         {{"resolution", "4096"}, {"keep", "off"}, {"receiver", "on"}},
          0.85},
-        {"3 x 3 looks / one", {{"filter", "pcf3"}}, {{"filter", "none"}}, 3},
+        {"2048, 3 x 3 looks / one", {{"filter", "pcf3"}}, {{"filter", "none"}}, 3},
     };
     std::vector<Row> rows;
     for (const Comparison& comparison : comparisons) rows.push_back(mapRow(comparison, rounds));

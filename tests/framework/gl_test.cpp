@@ -194,6 +194,42 @@ TEST_F(Gl, an_image_is_shown_pixel_by_pixel) {
     forgetText();
 }
 
+TEST_F(Gl, a_target_of_floats_is_added_to_and_read_by_a_later_draw) {
+    const Target sum(3, 2, {.color = GL_R32F, .texture = true}, "sum");
+    glClearColor(0.5F, 0, 0, 0);
+    glClear(GL_COLOR_BUFFER_BIT);
+    const Program add = Program::fromText("add", plainVertex, plainFragment);
+    add.use();
+    add.set("m", mat4(1));
+    add.set("c", vec4(1.0 / 1024));
+    const Mesh cover(MeshData{.positions = {{-1, -1, 0}, {3, -1, 0}, {-1, 3, 0}}}, "cover");
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE);
+    for (int i = 0; i < 3; ++i) cover.draw();
+    glDisable(GL_BLEND);
+    EXPECT_EQ(sum.readRed(), std::vector<float>(6, 0.5F + 3.0F / 1024));  // exact in float; in 8 bits nothing is added
+
+    const Target picture(3, 2, {}, "picture");
+    const Program show = Program::fromText(
+        "show", plainVertex,
+        "uniform sampler2D sum;\nout vec4 fragColor;\n"
+        "void main() { fragColor = vec4(texelFetch(sum, ivec2(gl_FragCoord.xy), 0).r, 0.0, 0.0, 1.0); }\n");
+    sum.bindColor(0);
+    show.use();
+    show.set("m", mat4(1));
+    show.set("sum", 0);
+    cover.draw();
+    const Picture read = picture.read();
+    EXPECT_EQ(countPixels(read, {128, 0, 0}), 6);  // 0.503 * 255 = 128.2
+
+    EXPECT_EQ(errorOf([&] { picture.bindColor(0); }),
+              "target: must be made with Buffers::texture to be read by a draw");
+    EXPECT_EQ(errorOf([] { Target(3, 2, {.samples = 4, .texture = true}, "both"); }),
+              "both: must be a texture or have samples, not both, 4");
+}
+
 TEST_F(Gl, objects_are_moved_and_deleted) {
     const long before = liveObjects();
     {

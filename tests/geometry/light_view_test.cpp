@@ -101,6 +101,23 @@ TEST(LightView, BoundsAreThoseOfTheProjection) {
     EXPECT_EQ(fitLightView({4, 7, 2, 0}, corners).clipFromView, ortho(left, right, bottom, top, near, far));
 }
 
+// With the gaze given, depth is the distance along it: a lamp's plane and the floor under it are each of one depth.
+TEST(LightView, GivenGazeIsKept) {
+    const LightView view = fitLightView(vec3(4, 7, 2), vec3(0, -2, 0), vec3(0, 0, 1), corners);
+    const Range range = onMap(view, corners);
+    for (int axis = 0; axis < 2; ++axis) {
+        EXPECT_NEAR(range.low[axis], 0.02 / 1.04, rounding);
+        EXPECT_NEAR(range.high[axis], 1.02 / 1.04, rounding);
+    }
+    for (const vec3& p : {vec3(-9, 1, 3), vec3(0, 1, 0), vec3(5, 1, -7)}) {
+        EXPECT_NEAR((view.mapFromWorld() * vec4(p, 1)).w, 6, rounding);  // 7 - 1 below the light
+    }
+    EXPECT_EQ(view.clipFromView, frustum(view.bounds));
+    EXPECT_THROW(fitLightView(vec3(4, 7, 2), vec3(0, -1, 0), vec3(0, 1, 0), corners), Error);
+    EXPECT_THROW(fitLightView(vec3(4, 2.1, 2), vec3(0, -1, 0), vec3(0, 0, 1), corners), Error);  // 88 degrees off
+    EXPECT_THROW(fitLightView(vec3(4, 7, 2), vec3(0, -1, 0), vec3(0, 0, 1), corners, 0.5), Error);
+}
+
 // A level square under a light straight above it has no depth, a line has no width: both make a map.
 TEST(LightView, FlatThingsAreHeld) {
     const std::vector<vec3> level = boxCorners({-1, 1, -1}, {1, 1, 1}), line{{0, 0, 0}, {0, 0, 1}};

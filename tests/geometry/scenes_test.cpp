@@ -7,6 +7,7 @@
 #include "../math/support.h"
 #include "mv/geometry/check.h"
 #include "mv/geometry/ray_caster.h"
+#include "mv/math/transform.h"
 
 using namespace mv;
 using namespace mv::test;
@@ -95,6 +96,38 @@ TEST(Scenes, TheRingTouchesFloorAndWall) {
     // The polygon of the tube, of 48 corners, stays behind its circle by up to 1 - cos(3.75 deg) of the radius 0.17.
     EXPECT_NEAR(lowest, 0, 4e-4);
     EXPECT_NEAR(rearmost, -1.6, 4e-4);
+}
+
+// Floor and wall as the header says: unit normal, a point on their common edge, and leaning back by rotateX(-angle).
+TEST(Scenes, RoomsMeetInAnEdge) {
+    for (const Scene& room : {cubeInRoom(), stillLifeInRoom()}) {
+        const SceneObject &floor = room.objects[room.objects.size() - 2], &wall = room.objects.back();
+        EXPECT_EQ(floor.name, "floor");
+        EXPECT_EQ(wall.name, "wall");
+        EXPECT_EQ(vec3(floor.worldFromObject[1]), vec3(0, 0, 1));
+        EXPECT_LT(glm::length(vec3(wall.worldFromObject[1]) - vec3(1, 0, 0)), 1e-15);
+        for (const SceneObject* ground : {&floor, &wall}) {
+            EXPECT_FALSE(ground->casts);
+            EXPECT_EQ(vec3(ground->worldFromObject[3]), vec3(-3, 0, -1.0125));
+            for (const vec3& p : worldPositions(*ground)) {
+                EXPECT_GE(p.x, -3 - 1e-14);
+                EXPECT_GE(p.z, -1.0125 - 1e-14);
+            }
+        }
+        const vec3 leaning((wall.worldFromObject * rotateX(-30))[1]);
+        EXPECT_GT(leaning.z, 0.49);  // its front turns upwards
+        for (const SceneObject& object : room.objects) {
+            if (!object.casts) continue;
+            EXPECT_TRUE(isClosed(object.mesh)) << object.name;
+            EXPECT_GT(signedVolume(object.mesh), 0) << object.name;
+            for (const vec3& p : worldPositions(object)) {
+                EXPECT_GE(p.z, -1.0125 - 1e-6) << object.name;
+                EXPECT_GE(p.x, -3 - 1e-6) << object.name;
+            }
+        }
+    }
+    EXPECT_EQ(cubeInRoom().objects.size(), 3U);
+    EXPECT_EQ(stillLifeInRoom().objects.size(), 6U);
 }
 
 TEST(Scenes, RefuseAnAspectThatIsNone) {

@@ -17,6 +17,7 @@
 #include "mv/math/robust.h"
 #include "mv/math/shadow.h"
 #include "mv/math/shadow_caster.h"
+#include "mv/math/shadow_textbook.h"
 #include "mv/math/stereo.h"
 #include "mv/math/transform.h"
 #include "mv/math/types.h"

@@ -91,6 +91,34 @@ TEST(JudgeCaster, X14LightInOrBelowTheFloor) {
     }
 }
 
+// The same verdicts in words that fit an upright plane: here x = 0, its front at positive x.
+TEST(JudgeCaster, SpeaksOfWalls) {
+    const auto judgeAtWall = [](double near, double far, double lightX) {
+        const std::array<vec3, 2> corners{vec3(near, 1, 0), vec3(far, 2, 0)};
+        return judgeCaster("cube", corners, {lightX, 5, 0, 1}, {1, 0, 0, 0}, PlaneKind::wall);
+    };
+    EXPECT_EQ(judgeAtWall(1, 2, 3).sentence, "");
+    EXPECT_EQ(judgeAtWall(1, 2, 0).sentence, "The light lies in the plane of the wall: no shadow falls there.");
+    EXPECT_EQ(judgeAtWall(1, 2, -1).sentence, "The light is behind the wall: no shadow falls on its front.");
+    EXPECT_EQ(judgeAtWall(-2, -1, 3).sentence, "The cube is not in front of the wall: no shadow of it falls there.");
+    EXPECT_EQ(judgeAtWall(3, 3, 3).sentence,
+              "The cube is as far from the wall as the light: its shadow would lie at infinity.");
+    EXPECT_EQ(judgeAtWall(4, 5, 3).sentence,
+              "The light is nearer to the wall than the cube: it casts no shadow there.");
+    EXPECT_EQ(judgeAtWall(2, 4, 3).sentence,
+              "Only the part of the cube nearer to the wall than the light casts a shadow there.");
+    EXPECT_EQ(judgeAtWall(-1, 2, 3).sentence, "Only the part of the cube in front of the wall casts a shadow there.");
+    EXPECT_EQ(judgeAtWall(-1, 4, 3).sentence, "Only the part of the cube between wall and light casts a shadow there.");
+    for (const double near : {-2.0, -1.0, 1.0, 2.0, 4.0}) {
+        for (const double light : {-1.0, 0.0, 3.0}) {
+            const std::array<vec3, 2> corners{vec3(near, 1, 0), vec3(near + 1, 2, 0)};
+            const vec4 lamp(light, 5, 0, 1), wall(1, 0, 0, 0);
+            EXPECT_EQ(judgeCaster("cube", corners, lamp, wall, PlaneKind::wall).casts,
+                      judgeCaster("cube", corners, lamp, wall).casts);
+        }
+    }
+}
+
 TEST(JudgeCaster, Refusals) {
     EXPECT_EQ(refusal([] {
                   judgeCaster("square", {}, {0, 2, 0, 1}, ground);

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "mv/math/robust.h"
+#include "mv/math/shadow_textbook.h"
 #include "mv/math/transform.h"
 #include "support.h"
 
@@ -90,6 +91,34 @@ TEST(ShadowProjection, IsNotTheSlidesTranspose) {
     const vec3 slide = divided(glm::transpose(ours) * caster);
     EXPECT_GT(std::abs(slide.z + 1.0125), 0.1);                                                     // off the plane
     EXPECT_LT(distance(divided(caster * glm::transpose(ours)), divided(ours * caster)), rounding);  // row vector: right
+}
+
+// The lecture's matrices, where they are right, are ours; the transposed one for row vectors only.
+TEST(TextbookShadow, IsShadowProjectionOnEveryPlaneAndAcrossAxes) {
+    Random random(11);
+    for (int i = 0; i < 300; ++i) {
+        vec3 normal = random.direction();
+        const bool across = i % 2 == 0;
+        if (across) {
+            normal = vec3(0);
+            normal[i % 3] = i % 4 == 0 ? 1 : -1;
+        }
+        const vec4 plane(normal, random.number(-3, 3));
+        const vec3 position = (random.number(1, 5) - plane.w) * normal + glm::cross(normal, random.point(3));
+        const vec4 light = i % 5 == 0 ? vec4(position + plane.w * normal, 0) : vec4(position, 1);
+        const mat4 ours = shadowProjection(light, plane);
+        const mat4 general = textbookShadow(light, plane);
+        const mat4 transposed = glm::transpose(textbookShadow(light, plane, true));
+        const mat4 special = across ? textbookShadowAcrossAxis(light, plane) : ours;
+        for (int column = 0; column < 4; ++column) {
+            for (int row = 0; row < 4; ++row) {
+                // Roundings of products up to 60, taken in another order
+                EXPECT_NEAR(general[column][row], ours[column][row], 1e-13) << i;
+                EXPECT_NEAR(transposed[column][row], ours[column][row], 1e-13) << i;
+                EXPECT_NEAR(special[column][row], ours[column][row], 1e-13) << i;
+            }
+        }
+    }
 }
 
 TEST(ShadowProjection, DoesNotDependOnSideOrLengthOfTheNormal) {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <functional>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -13,6 +12,7 @@
 
 #include "mv/error.h"
 #include "mv/math/types.h"
+#include "support/random.h"
 
 namespace mv::test {
 
@@ -48,38 +48,6 @@ inline std::string refusal(const std::function<void()>& call) {
     }
     return "nothing was refused";
 }
-
-// A seeded stream of numbers that is the same on every machine (std's distributions are not).
-class Random {
-  public:
-    explicit Random(std::uint64_t seed) : state_(seed * 2 + 1) {}
-
-    // Evenly spread over [low, high).
-    double number(double low, double high) {
-        // Source: Marsaglia, "Xorshift RNGs", J. Stat. Software 8 (2003).
-        state_ ^= state_ << 13;
-        state_ ^= state_ >> 7;
-        state_ ^= state_ << 17;
-        return low + (high - low) * static_cast<double>(state_ >> 11) * 0x1p-53;
-    }
-
-    vec3 point(double size) {
-        const double x = number(-size, size);
-        const double y = number(-size, size);
-        return {x, y, number(-size, size)};
-    }
-
-    vec3 direction() {
-        for (;;) {
-            const vec3 v = point(1);
-            const double length = glm::length(v);
-            if (length > 0.1 && length <= 1) return v / length;
-        }
-    }
-
-  private:
-    std::uint64_t state_;
-};
 
 inline constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
 inline constexpr double infinite = std::numeric_limits<double>::infinity();

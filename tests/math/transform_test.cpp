@@ -134,7 +134,9 @@ TEST(LookAt, HasTheBitsOfMvJs) {
         const vec3 at = random.point(250);
         const vec3 up = random.direction();
         const vec3 v = normalized(at - eye);
-        const vec3 n = normalized(glm::cross(v, up));
+        const vec3 across = glm::cross(v, up);
+        if (glm::length(across) < 0.1) continue;  // where the plain product would lose a digit
+        const vec3 n = normalized(across);
         const vec3 u = normalized(glm::cross(n, v));
         mat4 expected(1);
         for (int k = 0; k < 3; ++k) {

@@ -24,10 +24,19 @@ struct Box {
     vec3 middle() const { return 0.5 * low + 0.5 * high; }
 };
 
-Box boxOf(std::span<const vec3> points) {
+Box boxOfSeveral(std::span<const vec3> points) {
+    if (points.empty()) throw Error(subject, "must have points to hold");
     Box box;
-    for (const vec3& p : points) box.add(p);
+    for (const vec3& p : points) {
+        requireFinite(subject, "each point", p);
+        box.add(p);
+    }
+    if (box.low == box.high) throw Error(subject, "the points must not all be one", vectorText(points.front()));
     return box;
+}
+
+void requireMargin(double margin) {
+    if (!(margin >= 0 && margin <= 0.4)) throw Error(subject, "the margin must be 0 to 0.4", numberText(margin));
 }
 
 // Widens low..high by `margin` of its width on each side; a width below `least` is made that first.
@@ -53,16 +62,10 @@ Box windowAtOne(const mat4& viewFromWorld, std::span<const vec3> points) {
     return box;
 }
 
-LightView fromPoint(const vec3& light, std::span<const vec3> points, const Box& world, double margin, double extent) {
-    LightView view;
-    if (world.middle() == light) throw Error(subject, "the light must not be amid the points", vectorText(light));
-    view.viewFromWorld = lookAtAnyRoll(light, world.middle());
-    Box box = windowAtOne(view.viewFromWorld, points);
-    // Look at the middle of the window rather than of the box, where near points weigh no more than far ones.
-    const vec3 gaze = box.middle() * vec3(1, 1, 0) + vec3(0, 0, -1);
-    view.viewFromWorld = lookAtAnyRoll(light, light + glm::transpose(mat3(view.viewFromWorld)) * gaze);
-    box = windowAtOne(view.viewFromWorld, points);
-
+// The perspective that holds the points, for a light that looks as viewFromWorld says.
+LightView throughWindow(const mat4& viewFromWorld, std::span<const vec3> points, double margin, double extent) {
+    LightView view{.viewFromWorld = viewFromWorld};
+    Box box = windowAtOne(viewFromWorld, points);
     const double leastDepth = 1e-3 * extent, leastAngle = leastDepth / box.high.z;
     double near = box.low.z, far = box.high.z;
     widen(near, far, margin, leastDepth);
@@ -72,6 +75,15 @@ LightView fromPoint(const vec3& light, std::span<const vec3> points, const Box& 
     view.bounds = {near * box.low.x, near * box.high.x, near * box.low.y, near * box.high.y, near, far};
     view.clipFromView = frustum(view.bounds);
     return view;
+}
+
+LightView fromPoint(const vec3& light, std::span<const vec3> points, const Box& world, double margin, double extent) {
+    if (world.middle() == light) throw Error(subject, "the light must not be amid the points", vectorText(light));
+    const mat4 viewFromWorld = lookAtAnyRoll(light, world.middle());
+    // Look at the middle of the window rather than of the box, where near points weigh no more than far ones.
+    const vec3 gaze = windowAtOne(viewFromWorld, points).middle() * vec3(1, 1, 0) + vec3(0, 0, -1);
+    return throughWindow(lookAtAnyRoll(light, light + glm::transpose(mat3(viewFromWorld)) * gaze), points, margin,
+                         extent);
 }
 
 LightView fromInfinity(const vec3& towardsLight, std::span<const vec3> points, const Box& world, double margin,
@@ -104,17 +116,21 @@ mat4 LightView::mapFromWorld() const { return mapFromClip() * clipFromWorld(); }
 
 LightView fitLightView(const vec4& light, std::span<const vec3> points, double margin) {
     requireFinite(subject, "the light", light);
-    for (const vec3& p : points) requireFinite(subject, "each point", p);
-    if (!(margin >= 0 && margin <= 0.4)) throw Error(subject, "the margin must be 0 to 0.4", numberText(margin));
+    requireMargin(margin);
     if (light.w < 0 || light == vec4(0)) {
         throw Error(subject, "the light must be a point (w > 0) or a direction (w = 0)", vectorText(light));
     }
-    if (points.empty()) throw Error(subject, "must have points to hold");
-    const Box world = boxOf(points);
+    const Box world = boxOfSeveral(points);
     const double extent = glm::length(world.high - world.low);
-    if (extent == 0) throw Error(subject, "the points must not all be one", vectorText(points.front()));
     if (light.w == 0) return fromInfinity(vec3(light), points, world, margin, extent);
     return fromPoint(vec3(light) / light.w, points, world, margin, extent);
+}
+
+LightView fitLightView(const vec3& light, const vec3& gaze, const vec3& up, std::span<const vec3> points,
+                       double margin) {
+    requireMargin(margin);
+    const Box world = boxOfSeveral(points);
+    return throughWindow(lookAt(light, light + gaze, up), points, margin, glm::length(world.high - world.low));
 }
 
 std::vector<vec3> casterPoints(const Scene& scene) { return worldPoints(scene, true); }

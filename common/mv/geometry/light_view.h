@@ -34,6 +34,13 @@ mat4 mapFromClip();
 // more off the middle; a margin outside 0..0.4; NaN, infinity.
 LightView fitLightView(const vec4& light, std::span<const vec3> points, double margin = 0.02);
 
+// The same from a point light with its gaze and up (world space, as directions) given instead of chosen: the window then
+// leans as far to the side as the points ask. For a lamp, gaze along its normal: depths are then distances from its
+// plane, and the lamp, seen through a point, looks the same everywhere on a plane of one depth. Refused besides: a point
+// 80 degrees or more off the gaze, gaze and up on one line.
+LightView fitLightView(const vec3& light, const vec3& gaze, const vec3& up, std::span<const vec3> points,
+                       double margin = 0.02);
+
 // The vertices in world space, of the objects that cast, or of all.
 std::vector<vec3> casterPoints(const Scene& scene);
 std::vector<vec3> scenePoints(const Scene& scene);

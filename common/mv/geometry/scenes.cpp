@@ -116,4 +116,47 @@ Scene table(double aspect) {
     return scene;
 }
 
+namespace {
+
+constexpr double roomFloorZ = -1.0125, roomWallX = -3;
+// y up becomes z up, and a wall that faces +z faces +x.
+const mat4 roomFromUpright(vec4(0, 1, 0, 0), vec4(0, 0, 1, 0), vec4(1, 0, 0, 0), vec4(0, 0, 0, 1));
+
+void addRoom(Scene& scene) {
+    constexpr float width = 14, depth = 12, height = 8;
+    const mat4 edge = translate(roomWallX, 0, roomFloorZ) * roomFromUpright;
+    SceneObject floor = ground("floor", width, depth, edge, {0.80, 0.76, 0.68});
+    for (fvec3& position : floor.mesh.positions) position.z += depth / 2;
+    SceneObject wall = ground("wall", width, height, edge * rotateX(90), {0.78, 0.82, 0.86});
+    for (fvec3& position : wall.mesh.positions) position.z -= height / 2;
+    scene.objects.push_back(floor);
+    scene.objects.push_back(wall);
+}
+
+}  // namespace
+
+Scene cubeInRoom() {
+    Scene scene;
+    scene.objects = {{.name = "cube", .mesh = box(vec3(-1), vec3(1))}};
+    // Its faces in the order of box(): +z, +x, -y, +y, -z, -x
+    for (const fvec3& face : {fvec3(1, 0, 0), {0, 1, 1}, {1, 1, 0}, {0, 1, 0}, {1, 0, 1}, {0, 0, 1}})
+        scene.objects[0].mesh.colors.insert(scene.objects[0].mesh.colors.end(), 6, fvec4(face, 1));
+    addRoom(scene);
+    return scene;
+}
+
+Scene stillLifeInRoom() {
+    Scene scene;
+    const Scene life = stillLife(1);
+    for (const SceneObject& object : life.objects) {
+        if (!object.casts) continue;
+        scene.objects.push_back(object);
+        // Its wall is 1.6 behind the middle; ours is 3.
+        scene.objects.back().worldFromObject =
+            translate(0, 0, roomFloorZ) * roomFromUpright * scale(-roomWallX / 1.6) * object.worldFromObject;
+    }
+    addRoom(scene);
+    return scene;
+}
+
 }  // namespace mv

@@ -24,4 +24,11 @@ Scene stillLife(double aspect);
 // sharp at its foot and grows softer from there. Objects: floor, top, leg 1 to leg 4, vase, apple, book.
 Scene table(double aspect);
 
+// The course's cube, of side 2 about the origin and with a colour on each face, or the still life's things in its place,
+// before a floor at z = -1.0125 and a wall at x = -3 that meet in an edge. Here z is up, and there is neither light nor
+// camera. Of floor and wall, column 1 of worldFromObject is the unit normal and column 3 the middle of that edge, so
+// that worldFromObject * rotateX(-angle) leans them back. Objects: cube, floor, wall; pawn, ring, sphere, box, floor, wall.
+Scene cubeInRoom();
+Scene stillLifeInRoom();
+
 }  // namespace mv

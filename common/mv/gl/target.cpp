@@ -24,6 +24,21 @@ Renderbuffer storage(GLenum format, int samples, int width, int height) {
     return buffer;
 }
 
+// One texel for each pixel, read as it is. Stored by glTexImage2D, which wants a layout of data even where none is given.
+TextureObject colorTexture(GLenum format, int width, int height, const std::string& label) {
+    TextureObject texture = makeTexture();
+    glBindTexture(GL_TEXTURE_2D, texture.id());
+    const bool red = format == GL_R8 || format == GL_R32F, floats = format == GL_R32F || format == GL_RGBA32F;
+    glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format), width, height, 0, red ? GL_RED : GL_RGBA,
+                 floats ? GL_FLOAT : GL_UNSIGNED_BYTE, nullptr);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    labelObject(GL_TEXTURE, texture.id(), label);
+    return texture;
+}
+
 void requireComplete(const std::string& label) {
     const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
     if (status != GL_FRAMEBUFFER_COMPLETE) {
@@ -54,10 +69,19 @@ Target::Target(int width, int height, Buffers buffers, const std::string& label)
                         std::to_string(buffers.samples));
         }
     }
+    if (buffers.texture && buffers.samples > 0) {
+        throw Error(label, "must be a texture or have samples, not both", std::to_string(buffers.samples));
+    }
     framebuffer_ = makeFramebuffer();
-    color_ = storage(buffers.color, buffers.samples, width, height);
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color_.id());
+    if (buffers.texture) {
+        colorTexture_ = colorTexture(buffers.color, width, height, label);
+        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, colorTexture_.id(), 0);
+    } else {
+        color_ = storage(buffers.color, buffers.samples, width, height);
+        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color_.id());
+    }
     if (buffers.depth || buffers.stencil) {
         // Stencil alone is not a format every driver completes; beside depth it always is.
         depthStencil_ =
@@ -89,6 +113,12 @@ GLuint Target::resolved() const {
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, single_.id());
     glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     return single_.id();
+}
+
+void Target::bindColor(int unit) const {
+    if (!colorTexture_) throw Error("target", "must be made with Buffers::texture to be read by a draw");
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glBindTexture(GL_TEXTURE_2D, colorTexture_.id());
 }
 
 Picture Target::read() const {

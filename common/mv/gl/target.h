@@ -17,6 +17,7 @@ class Target {
         bool stencil = false;
         int samples = 0;
         GLenum color = GL_RGBA8;  // or GL_R32F, for a quantity instead of a picture
+        bool texture = false;     // the colours can be read by a later draw: bindColor()
     };
     Target() = default;
     // Error: a size the driver cannot make, a number of samples it does not have.
@@ -28,6 +29,9 @@ class Target {
 
     // Draws go here from now on, the viewport covering all of it.
     void bind() const;
+    // Binds the colours to a texture unit, for a target made with Buffers::texture; a shader reads them with texelFetch or
+    // texture() (nearest texel, edges clamped). Error: made without. Trap: not while draws go into this same target.
+    void bindColor(int unit) const;
     // The colours as a picture, samples resolved. Leaves the target bound.
     Picture read() const;
     // Red as numbers, the upper row first, for a target of floats without samples. Leaves the target bound.
@@ -41,6 +45,7 @@ class Target {
     Buffers buffers_;
     Framebuffer framebuffer_, single_;
     Renderbuffer color_, depthStencil_, singleColor_;
+    TextureObject colorTexture_;  // instead of color_
 };
 
 }  // namespace mv

@@ -6,6 +6,7 @@
 
 #include "mv/error.h"
 #include "mv/math/require.h"
+#include "mv/math/robust.h"
 
 namespace mv {
 namespace {
@@ -65,12 +66,28 @@ void requireAngles(std::string_view subject, double fovy, double aspect) {
     refuseOverflow("infinitePerspective");
 }
 
-// The height of the window at distance 1 is twice this.
-double checkedTangent(std::string_view subject, double fovy, double aspect, double near, double far) {
+// Half the angle of view. The height of the window at distance 1 is twice the tangent.
+struct HalfAngle {
+    double tangent, cotangent;
+};
+HalfAngle halfAngle(double fovy) {
+    // Above 90 degrees by what is missing to 180, which is exact: the tangent of nearly 90 degrees would magnify the
+    // rounding of the radians without bound.
+    const bool isWide = fovy > 90;
+    const double t = std::tan(radians(isWide ? 180 - fovy : fovy) / 2);
+    return isWide ? HalfAngle{1 / t, t} : HalfAngle{t, 1 / t};
+}
+HalfAngle checkedHalfAngle(std::string_view subject, double fovy, double aspect, double near, double far) {
     const bool isView = fovy > 0 && fovy < 180 && aspect > 0 && aspect < HUGE_VAL && near > 0 && near < far &&
                         far < HUGE_VAL;  // false for NaN
     if (!isView) refuseView(subject, fovy, aspect, near, far);
-    return std::tan(radians(fovy) / 2);
+    return halfAngle(fovy);
+}
+
+// 2 near far/(far - near), also where the product would vanish or overflow and the quotient does not.
+double twiceNearFarOver(double d, double near, double far) {
+    const double product = 2 * near * far;
+    return isOrdinary(product) ? product / d : 2 * near * (far / d);
 }
 
 }  // namespace
@@ -95,9 +112,9 @@ mat4 ortho(double left, double right, double bottom, double top, double near, do
 }
 
 mat4 perspective(double fovy, double aspect, double near, double far) {
-    const double f = 1.0 / checkedTangent("perspective", fovy, aspect, near, far);
+    const double f = checkedHalfAngle("perspective", fovy, aspect, near, far).cotangent;
     const double d = far - near;
-    const vec4 element(f / aspect, f, -(near + far) / d, -2 * near * far / d);
+    const vec4 element(f / aspect, f, -(near + far) / d, -twiceNearFarOver(d, near, far));
     if (!isFinite(element)) refuseOverflow("perspective");
     // clang-format off
     return {element.x, 0,         0,          0,
@@ -108,7 +125,7 @@ mat4 perspective(double fovy, double aspect, double near, double far) {
 }
 
 mat4 infinitePerspective(double fovy, double aspect, double near) {
-    const double f = 1.0 / std::tan(radians(fovy) / 2);
+    const double f = halfAngle(fovy).cotangent;
     const vec3 element(f / aspect, f, -2 * near);
     const bool isView = fovy > 0 && fovy < 180 && aspect > 0 && aspect < HUGE_VAL && near > 0;  // false for NaN
     if (!isView || !isFinite(element)) refuseInfiniteView(fovy, aspect, near);
@@ -125,7 +142,7 @@ mat4 frustum(double left, double right, double bottom, double top, double near, 
     const double h = top - bottom;
     const double d = far - near;
     const vec2 factor(2 * near / w, 2 * near / h);
-    const vec4 third((right + left) / w, (top + bottom) / h, -(far + near) / d, -2 * near * far / d);
+    const vec4 third((right + left) / w, (top + bottom) / h, -(far + near) / d, -twiceNearFarOver(d, near, far));
     // As in ortho: equal or infinite bounds show in the third column.
     if (!(near > 0 && far > near && isFinite(factor) && isFinite(third) && isFinite(vec3(w, h, d)))) {
         refuseFrustum({left, right, bottom, top, near, far});
@@ -139,7 +156,7 @@ mat4 frustum(double left, double right, double bottom, double top, double near, 
 }
 
 FrustumBounds frustumBounds(double fovy, double aspect, double near, double far) {
-    const double top = near * checkedTangent("frustumBounds", fovy, aspect, near, far);
+    const double top = near * checkedHalfAngle("frustumBounds", fovy, aspect, near, far).tangent;
     const double right = top * aspect;
     return {-right, right, -top, top, near, far};
 }
@@ -176,7 +193,7 @@ std::array<vec4, 6> planesFromClip(const mat4& clipFromWorld) {
 }
 
 std::array<vec4, 6> perspectivePlanes(double fovy, double aspect, double near, double far) {
-    const double tangent = checkedTangent("perspectivePlanes", fovy, aspect, near, far);
+    const double tangent = checkedHalfAngle("perspectivePlanes", fovy, aspect, near, far).tangent;
 
     // Side planes pass through the eye: their normals are (cos, 0, -sin) of half the angle, from its tangent.
     const auto inward = [](double t) {

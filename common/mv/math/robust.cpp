@@ -12,12 +12,15 @@ int scalingExponent(double size) {
     return std::ilogb(size);
 }
 
-vec3 scaledForSquares(const vec3& v) {
-    const int exponent = scalingExponent(std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}));
+double largestComponent(const vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+vec3 timesPowerOfTwo(const vec3& v, int exponent) {
     if (exponent == 0) return v;
-    // scalbn, not a product with 2^-exponent: that factor itself overflows when v is subnormal.
-    return {std::scalbn(v.x, -exponent), std::scalbn(v.y, -exponent), std::scalbn(v.z, -exponent)};
+    // scalbn, not a product with 2^exponent: that factor itself overflows when v is subnormal.
+    return {std::scalbn(v.x, exponent), std::scalbn(v.y, exponent), std::scalbn(v.z, exponent)};
 }
+
+vec3 scaledForSquares(const vec3& v) { return timesPowerOfTwo(v, -scalingExponent(largestComponent(v))); }
 
 vec3 unit(const vec3& v) {
     const double squares = glm::dot(v, v);

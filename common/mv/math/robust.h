@@ -9,6 +9,10 @@ namespace mv {
 // 2^-100..2^100, of which fourth powers neither overflow nor vanish. Multiplying by 2^-e rounds nothing.
 int scalingExponent(double size);
 
+// The size of v's largest component, and v times 2^exponent.
+double largestComponent(const vec3& v);
+vec3 timesPowerOfTwo(const vec3& v, int exponent);
+
 // v times 2^-scalingExponent(its largest component): v itself in the ordinary range. v must be finite.
 vec3 scaledForSquares(const vec3& v);
 

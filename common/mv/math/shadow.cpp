@@ -65,10 +65,14 @@ LitPlane litPlane(std::string_view subject, const vec4& light, const vec4& unitP
     return over.height > 0 ? LitPlane{unitPlane, over.height} : LitPlane{-unitPlane, -over.height};
 }
 
+// n.L without the plane's distance: what is left of w' = n.L - L.w (n.p) where p = 0. As a difference it would cancel.
+double heightAlongNormal(const vec4& plane, const vec4& light) { return glm::dot(vec3(plane), vec3(light)); }
+
 mat4 projectionOnto(std::string_view subject, const vec4& light, const vec4& unitPlane) {
     const auto [n, height] = litPlane(subject, light, unitPlane);
     mat4 result(height);
     for (int column = 0; column < 4; ++column) result[column] -= n[column] * light;
+    result[3][3] = heightAlongNormal(n, light);
     if (!isFinite(result)) {
         throw Error(subject, "light and plane must not be so large that the matrix overflows", vectorText(light));
     }
@@ -90,15 +94,17 @@ mat4 shadowProjection(const vec4& light, const vec4& plane, const vec3& origin) 
     if (!(off <= 1e-12 * (std::hypot(origin.x, origin.y, origin.z) + std::abs(n.w)))) {
         throw Error("shadowProjection", "the origin must lie on the plane", numberText(off) + " off");
     }
-    const vec4 localLight(vec3(light) - origin * light.w, light.w);
+    // Rounded once: light and origin may be far away, and near each other.
+    const auto local = [&](int i) { return std::fma(-origin[i], light.w, light[i]); };
+    const vec4 localLight(local(0), local(1), local(2), light.w);
     requireFinite("shadowProjection", "the light relative to the origin", localLight);
     return projectionOnto("shadowProjection", localLight, vec4(vec3(n), 0));
 }
 
 std::array<vec4, 2> shadowCasterBounds(const vec4& light, const vec4& plane) {
     requireLight("shadowCasterBounds", light);
-    const auto [n, height] = litPlane("shadowCasterBounds", light, unitPlane("shadowCasterBounds", plane));
-    return {n, vec4(0, 0, 0, height) - light.w * n};
+    const vec4 n = litPlane("shadowCasterBounds", light, unitPlane("shadowCasterBounds", plane)).plane;
+    return {n, vec4(-light.w * vec3(n), heightAlongNormal(n, light))};
 }
 
 int lightSide(const vec4& light, const vec4& plane) {

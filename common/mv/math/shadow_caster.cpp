@@ -29,30 +29,61 @@ Extent extentIn(const vec4& halfSpace, std::span<const vec3> corners) {
     return extent;
 }
 
+// A sentence with each @ replaced by the caster's name.
+std::string about(std::string_view caster, std::string_view sentence) {
+    std::string text;
+    for (const char c : sentence) c == '@' ? text += caster : text += c;
+    return text;
+}
+
+struct Sentences {
+    const char *lightInPlane, *lightBehind, *casterBehind, *levelWithLight, *beyondLight;
+    const char *partBelowLight, *partAbovePlane, *partBetween;
+};
+
+constexpr Sentences ofFloor{
+    .lightInPlane = "The light lies in the floor: there is no shadow.",
+    .lightBehind = "The light is below the floor: no shadow falls on its upper side.",
+    .casterBehind = "The @ is not above the floor: no shadow of it falls there.",
+    .levelWithLight = "The @ is as high as the light: its shadow would lie at infinity.",
+    .beyondLight = "The light is below the @: it casts no shadow on the floor.",
+    .partBelowLight = "Only the part of the @ below the light casts a shadow.",
+    .partAbovePlane = "Only the part of the @ above the floor casts a shadow.",
+    .partBetween = "Only the part of the @ between floor and light casts a shadow.",
+};
+constexpr Sentences ofWall{
+    .lightInPlane = "The light lies in the plane of the wall: no shadow falls there.",
+    .lightBehind = "The light is behind the wall: no shadow falls on its front.",
+    .casterBehind = "The @ is not in front of the wall: no shadow of it falls there.",
+    .levelWithLight = "The @ is as far from the wall as the light: its shadow would lie at infinity.",
+    .beyondLight = "The light is nearer to the wall than the @: it casts no shadow there.",
+    .partBelowLight = "Only the part of the @ nearer to the wall than the light casts a shadow there.",
+    .partAbovePlane = "Only the part of the @ in front of the wall casts a shadow there.",
+    .partBetween = "Only the part of the @ between wall and light casts a shadow there.",
+};
+
 }  // namespace
 
-CasterVerdict judgeCaster(std::string_view name, std::span<const vec3> corners, const vec4& light, const vec4& floor) {
+CasterVerdict judgeCaster(std::string_view name, std::span<const vec3> corners, const vec4& light, const vec4& floor,
+                          PlaneKind kind) {
     if (corners.empty()) throw Error("judgeCaster", "the caster must have a corner", "none");
-    const std::string caster(name);
+    const Sentences& say = kind == PlaneKind::floor ? ofFloor : ofWall;
     const int side = lightSide(light, floor);
-    if (side == 0) return {false, "The light lies in the floor: there is no shadow."};
-    if (side < 0) return {false, "The light is below the floor: no shadow falls on its upper side."};
+    if (side == 0) return {false, say.lightInPlane};
+    if (side < 0) return {false, say.lightBehind};
 
     // A light above turns no plane round, so [0] is the height above the floor and [1] the depth below the light. Each
     // point satisfies one of the two; so where neither is missed by all, some part lies between floor and light.
     const auto bounds = shadowCasterBounds(light, floor);
     const Extent aboveFloor = extentIn(bounds[0], corners), belowLight = extentIn(bounds[1], corners);
-    if (aboveFloor.most <= 0) return {false, "The " + caster + " is not above the floor: no shadow of it falls there."};
-    if (belowLight.most <= 0 && belowLight.least == 0) {
-        return {false, "The " + caster + " is as high as the light: its shadow would lie at infinity."};
-    }
+    if (aboveFloor.most <= 0) return {false, about(name, say.casterBehind)};
     if (belowLight.most <= 0) {
-        return {false, "The light is below the " + caster + ": it casts no shadow on the floor."};
+        return {false, about(name, belowLight.least == 0 ? say.levelWithLight : say.beyondLight)};
     }
     if (belowLight.least > 0 && aboveFloor.least >= 0) return {true, ""};
-    if (aboveFloor.least >= 0) return {true, "Only the part of the " + caster + " below the light casts a shadow."};
-    if (belowLight.least > 0) return {true, "Only the part of the " + caster + " above the floor casts a shadow."};
-    return {true, "Only the part of the " + caster + " between floor and light casts a shadow."};
+    if (aboveFloor.least >= 0) return {true, about(name, say.partBelowLight)};
+    if (belowLight.least > 0) return {true, about(name, say.partAbovePlane)};
+    return {true, about(name, say.partBetween)};
 }
 
 }  // namespace mv

@@ -30,7 +30,7 @@ constexpr double largestCoordinate = 1e300;
 
 void requireCoordinates(std::string_view subject, std::string_view name, const vec3& v) {
     requireFinite(subject, name, v);
-    if (std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}) > largestCoordinate) {
+    if (largestComponent(v) > largestCoordinate) {
         throw Error(subject, std::string(name).append(" must lie within 1e300 of the origin"), vectorText(v));
     }
 }
@@ -50,11 +50,8 @@ double largestElement(const mat3& m) {
     return largest;
 }
 
-mat3 timesPowerOfTwo(mat3 m, int exponent) {
-    if (exponent == 0) return m;
-    for (int column = 0; column < 3; ++column) {
-        for (int row = 0; row < 3; ++row) m[column][row] = std::scalbn(m[column][row], exponent);
-    }
+mat3 columnsTimesPowerOfTwo(mat3 m, int exponent) {
+    for (int column = 0; column < 3; ++column) m[column] = timesPowerOfTwo(vec3(m[column]), exponent);
     return m;
 }
 
@@ -68,20 +65,30 @@ mat4 cameraFromAxes(const vec3& eye, const vec3& right, const vec3& top, const v
     // clang-format on
 }
 
-// Where up is less than 1e-3 rad off the line of sight the plain cross product begins to cancel.
-bool isAside(const vec3& sideways, double upSquares) { return glm::dot(sideways, sideways) >= 1e-6 * upSquares; }
+// Where up is less than 0.1 rad off the line of sight the plain cross product loses a digit and more.
+bool isAside(const vec3& sideways, double upSquares) { return glm::dot(sideways, sideways) >= 1e-2 * upSquares; }
+
+// What rounding took from the difference at - eye. Source: Knuth's exact sum, TAOCP volume 2, 4.2.2.
+vec3 roundingOfDifference(const vec3& at, const vec3& eye, const vec3& difference) {
+    const vec3 minusEye = difference - at;
+    return (at - (difference - minusEye)) - (eye + minusEye);
+}
 
 // The camera for any arguments: refuses, scales, and takes care of an up nearly parallel to the view.
 [[gnu::cold, gnu::noinline]] mat4 carefulCamera(std::string_view subject, const vec3& eye, const vec3& at,
                                                 const vec3& up) {
-    const vec3 toAt = scaledForSquares(viewOf(subject, eye, at));
+    const vec3 view = viewOf(subject, eye, at);
+    const vec3 toAt = scaledForSquares(view);
     requireFinite(subject, "up", up);
     if (up == vec3(0)) throw Error(subject, "up must not be 0", vectorText(up));
     const vec3 upward = scaledForSquares(up);
     const vec3 forward = unit(toAt);
     vec3 sideways = glm::cross(forward, upward);
     if (!isAside(sideways, glm::dot(upward, upward))) {
-        sideways = accurateCross(toAt, upward);
+        // At an angle of 1e-10 rad even the rounding of the view is a millionth of what is left of up: so it is kept.
+        const int exponent = -scalingExponent(largestComponent(view));
+        const vec3 rest = timesPowerOfTwo(roundingOfDifference(at, eye, view), exponent);
+        sideways = accurateCross(toAt, upward) + glm::cross(rest, upward);
         const double angle = glm::length(sideways) / (glm::length(toAt) * glm::length(upward));
         if (angle < 1e-12) {
             throw Error(subject, "up must be at least 1e-12 rad off the line of sight", numberText(angle) + " rad");
@@ -109,11 +116,11 @@ mat4 cameraFromWorld(std::string_view subject, const vec3& eye, const vec3& at, 
 }
 
 // Whether three columns with these squared lengths span enough of their volume for plain products: the angle between
-// any two is not small (the first term), nor is one far shorter than another (the second). The bound leaves 9 of 15
+// any two is not small (the first term), nor is one far shorter than another (the second). The bound leaves 14 of 15
 // digits to the products. Scaling all columns alike changes nothing.
 bool spansEnough(double span, double xx, double yy, double zz) {
     const double sum = xx + yy + zz;
-    return span * span > 1e-6 * xx * yy * zz + 1e-12 * sum * sum * sum;
+    return span * span > 1e-2 * xx * yy * zz + 1e-12 * sum * sum * sum;
 }
 
 // The factor that brings cofactors to a normal matrix: a rotation, times any one scale, gives the rotation, since the
@@ -129,7 +136,7 @@ double cofactorScale(double squaresOfColumns, double determinant) {
     // Scaled where needed, so that the products of scale(1e-200) do not vanish.
     const double size = largestElement(mat3(m));
     if (size == 0) return mat3(0);
-    const mat3 linear = timesPowerOfTwo(mat3(m), -scalingExponent(size));
+    const mat3 linear = columnsTimesPowerOfTwo(mat3(m), -scalingExponent(size));
 
     const double xx = glm::dot(linear[0], linear[0]);
     const double yy = glm::dot(linear[1], linear[1]);
@@ -145,7 +152,7 @@ double cofactorScale(double squaresOfColumns, double determinant) {
                      accurateCross(linear[0], linear[1]));
     const double cofactorSize = largestElement(cofactors);
     if (cofactorSize == 0) return mat3(0);
-    cofactors = timesPowerOfTwo(cofactors, -scalingExponent(cofactorSize));
+    cofactors = columnsTimesPowerOfTwo(cofactors, -scalingExponent(cofactorSize));
     double squares = 0;
     for (int i = 0; i < 3; ++i) squares += glm::dot(cofactors[i], cofactors[i]);
     const double determinant = glm::dot(cofactors[0], linear[0]);

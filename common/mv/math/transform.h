@@ -44,9 +44,10 @@ mat4 rotate(double degrees, const vec3& axis);
 // perpendicular to the view nor of unit length.
 // Refused: eye equal to at, up 0 or within 1e-12 rad of the line of sight (there is then no way to tell the roll: use
 // lookAtAnyRoll), NaN, infinity, a coordinate of eye or at beyond 1e300.
-// Equals MV.js lookAt(), glm::lookAtRH and gluLookAt, and keeps MV.js's order of operations. The rotation part is
-// orthogonal to rounding at every accepted input: where up is nearly parallel to the view the cross product is
-// computed without cancellation (numerics: the plain form is off by 1e-16/angle, in float by 3e-8/angle).
+// Equals MV.js lookAt(), glm::lookAtRH and gluLookAt, and has MV.js's operations in its order where up is 0.1 rad and more
+// off the line of sight. The rotation part is orthogonal to rounding, and the roll that of the given numbers, at every
+// accepted input: nearer to it, the cross product is computed without cancellation (the plain form is off by 1e-16/angle,
+// in float by 3e-8/angle).
 // Trap: this is the inverse of the camera's own placement worldFromCamera.
 mat4 lookAt(const vec3& eye, const vec3& at, const vec3& up);
 

@@ -1,0 +1,9 @@
+uniform float darkness;
+uniform bool discardOutside;
+in vec2 inside;
+out vec4 fragColor;
+
+void main() {
+    if (discardOutside && min(inside.x, inside.y) <= 0.0) discard;
+    fragColor = vec4(vec3(1.0 - darkness), 1.0);  // what is there is multiplied by this
+}

@@ -1,0 +1,6 @@
+uniform vec4 color;
+out vec4 fragColor;
+
+void main() {
+    fragColor = color;
+}

@@ -1,0 +1,277 @@
+// clip.h, stereo.h and robust.h.
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "accuracy/function.h"
+#include "mv/math/clip.h"
+#include "mv/math/robust.h"
+#include "mv/math/stereo.h"
+#include "mv/math/transform.h"
+
+namespace mv::accuracy {
+namespace {
+
+using test::wide;
+using test::Wide3;
+using test::Wide4;
+
+// A segment from inside a half space to outside it: two points and the bound.
+Arguments cuts(Random& random, Domain domain) {
+    for (;;) {
+        const double scale = anyScale(random, domain, 70);
+        const vec4 bound = anyScale(random, domain, 70) * vec4(random.direction(), random.number(-1, 1));
+        const vec4 a = scale * vec4(random.point(1), random.number(-1, 1));
+        const double apart = domain == Domain::whole ? random.logarithmic(1e-9, 1e3) : 1.0;
+        const vec4 b = a + scale * apart * vec4(random.point(1), random.number(-1, 1));
+        if ((glm::dot(bound, a) >= 0) == (glm::dot(bound, b) >= 0)) continue;
+        Arguments arguments{};
+        put(arguments, 0, a);
+        put(arguments, 4, b);
+        put(arguments, 8, bound);
+        return arguments;
+    }
+}
+
+std::vector<vec4> cutOf(const Arguments& a) {
+    const vec4 bound[] = {pointAt(a, 8)};
+    return clipPolygon({pointAt(a, 0), pointAt(a, 4)}, bound);
+}
+
+// The corner that was not there before, and how large the terms are whose sum puts it on the bound.
+vec4 newCorner(const Arguments& a) {
+    const auto cut = cutOf(a);
+    return cut.at(0) == pointAt(a, 0) || cut.at(0) == pointAt(a, 4) ? cut.at(1) : cut.at(0);
+}
+
+Function clipping() {
+    Function function =
+        withForms({.name = "clipPolygon",
+                   .header = "clip.h",
+                   .returns = "the part of a polygon in half spaces (timed: a segment, one half space)",
+                   .measured = "how far the new corner is off the bound, ulp of the ends' larger product with it",
+                   .domain = "segments 1e-70 to 1e70 large, as close to the bound as 1e-9",
+                   .reason = "",
+                   .sample = cuts,
+                   .truth =
+                       [](const Arguments& a) {
+                           const Wide4 bound = wide(glm::abs(pointAt(a, 8)));
+                           Truth truth = entrywise({Wide(0)});
+                           truth.sizes = {std::max<Wide>(dot(bound, wide(glm::abs(pointAt(a, 0)))),
+                                                         dot(bound, wide(glm::abs(pointAt(a, 4)))))};
+                           return truth;
+                       }},
+                  cutOf);
+    function.forms[0].values = [](const Arguments& a) {
+        return std::vector<Wide>{dot(wide(pointAt(a, 8)), wide(newCorner(a)))};
+    };
+    return function;
+}
+
+// Four corners of a flat, convex polygon.
+Arguments polygons(Random& random, Domain domain) {
+    const double scale = anyScale(random, domain, 70);
+    const vec3 across = random.direction(), along = glm::normalize(glm::cross(across, random.direction()));
+    const double thin = domain == Domain::whole ? random.logarithmic(1e-6, 1) : 1.0;
+    const double away = domain == Domain::whole ? random.logarithmic(1e-3, 1e3) : 1.0;
+    const vec3 base = away * random.point(1);
+    Arguments a{};
+    put(a, 0, scale * base);
+    put(a, 3, scale * (base + random.number(0.5, 1) * along));
+    put(a, 6, scale * (base + random.number(0.5, 1) * along + thin * random.number(0.5, 1) * across));
+    put(a, 9, scale * (base + thin * random.number(0.5, 1) * across));
+    return a;
+}
+
+// A point before two eyes that look through one window, and the pictures' size.
+Arguments eyes(Random& random, Domain domain) {
+    const bool isWhole = domain == Domain::whole;
+    const double scale = anyScale(random, domain, 60);
+    const double apart = isWhole ? random.logarithmic(1e-6, 1) : random.number(0.05, 0.1);
+    const double convergence = isWhole ? random.logarithmic(0.1, 1e4) : random.number(0.5, 10);
+    const FrustumBounds window = frustumBounds(random.number(10, 120), 4.0 / 3, 0.1, 1e5);
+    Arguments a{};
+    for (const double side : {-0.5, 0.5}) {
+        FrustumBounds shifted = window;
+        shifted.left -= side * apart * 0.1 / convergence;
+        shifted.right -= side * apart * 0.1 / convergence;
+        put(a, side < 0 ? 0 : 16, frustum(shifted) * translate(-side * apart, 0, 0) * mv::scale(1 / scale));
+    }
+    const double away = isWhole ? random.logarithmic(0.1, 1e5) : random.number(0.2, 50);
+    put(a, 32, scale * away * vec3(random.number(-1, 1), random.number(-1, 1), -1));
+    a[35] = std::floor(random.logarithmic(1, 16385));
+    a[36] = std::floor(random.logarithmic(1, 16385));
+    return a;
+}
+
+Truth parallaxTruth(const Arguments& a) {
+    const Wide4 point = homogeneous(wide(vectorAt(a, 32)), 1);
+    const Wide3 left = divided(wide(matrixAt(a, 0)) * point), right = divided(wide(matrixAt(a, 16)) * point);
+    const Wide across = (right[0] - left[0]) / 2 * a[35], up = abs((right[1] - left[1]) / 2 * a[36]);
+    const auto position = [&](std::size_t axis) {
+        return std::max<Wide>(abs(left[axis] + 1), abs(right[axis] + 1)) / 2 * a[35 + axis];
+    };
+    // A pixel's position has the roundings of a product of w with terms of one size with it.
+    return {{across, across, up},
+            {2, 1},
+            {},
+            false,
+            {std::max<Wide>(position(0), a[35]), std::max<Wide>(position(1), a[36])}};
+}
+
+Arguments nearlyEqualProducts(Random& random, Domain domain) {
+    Arguments a{};
+    for (std::size_t i = 0; i < 3; ++i) a[i] = anyNumber(random, domain, 60);
+    a[3] = a[0] * a[1] / a[2] * (1 + random.sign() * random.logarithmic(domain == Domain::whole ? 1e-17 : 0.1, 1));
+    return a;
+}
+
+Arguments nearlyParallel(Random& random, Domain domain) {
+    const double least = domain == Domain::whole ? 1e-16 : 0.1;
+    const vec3 first = random.direction(), second = first + random.logarithmic(least, 10) * random.direction();
+    Arguments a{};
+    put(a, 0, anyScale(random, domain, 60) * random.number(1, 2) * first);
+    put(a, 3, anyScale(random, domain, 60) * random.number(1, 2) * second);
+    return a;
+}
+
+Arguments vectors(Random& random, Domain domain) {
+    Arguments a{};
+    const double scale = anyScale(random, domain, 290);
+    for (std::size_t i = 0; i < 3; ++i) {
+        a[i] =
+            domain == Domain::ordinary ? random.number(-10, 10) : scale * random.sign() * random.logarithmic(1e-9, 1);
+    }
+    return a;
+}
+
+Truth vectorTruth(const Wide3& v) { return entrywise({v[0], v[1], v[2]}); }
+
+int trueExponent(double size) {
+    return size == 0 || (size >= 0x1p-100 && size <= 0x1p100) ? 0 : static_cast<int>(ilogb(Wide(size)));
+}
+double largestOf(const Arguments& a) { return std::max({std::abs(a[0]), std::abs(a[1]), std::abs(a[2])}); }
+
+}  // namespace
+
+std::vector<Function> otherFunctions() {
+    std::vector<Function> list;
+    list.push_back(clipping());
+    list.push_back(
+        withForms({.name = "polygonArea",
+                   .header = "clip.h",
+                   .returns = "the area of a flat polygon",
+                   .measured = "ulp of the first diagonal's square",
+                   .domain = "four corners, 1e-70 to 1e70 large, as thin as 1e-6, 1e3 of that away",
+                   .reason = "",
+                   .sample = polygons,
+                   .truth =
+                       [](const Arguments& a) {
+                           const auto edge = [&](std::size_t i) { return wide(vectorAt(a, i)) - wide(vectorAt(a, 0)); };
+                           const Wide3 first = cross(edge(3), edge(6)), second = cross(edge(6), edge(9));
+                           Truth truth = entrywise({length(first + second) / 2});
+                           truth.sizes = {dot(edge(6), edge(6))};
+                           return truth;
+                       }},
+                  [](const Arguments& a) {
+                      const std::array<vec3, 4> corners{vectorAt(a, 0), vectorAt(a, 3), vectorAt(a, 6), vectorAt(a, 9)};
+                      return polygonArea(corners);
+                  }));
+    list.push_back(withForms({.name = "parallaxOf",
+                              .header = "stereo.h",
+                              .returns = "how far apart two eyes see a point",
+                              .measured = "ulp of the pixels' positions, or of the picture's size if larger",
+                              .domain = "scenes 1e-60 to 1e60 large, eyes 1e-6 to 1 apart that meet 0.1 to 1e4 away",
+                              .reason = "",
+                              .sample = eyes,
+                              .truth = parallaxTruth},
+                             [](const Arguments& a) {
+                                 const vec3 point = vectorAt(a, 32);
+                                 return parallaxOf(std::span(&point, 1), matrixAt(a, 0), matrixAt(a, 16),
+                                                   static_cast<int>(a[35]), static_cast<int>(a[36]), 1e-100);
+                             }));
+    return list;
+}
+
+std::vector<Function> robustFunctions() {
+    std::vector<Function> list;
+    list.push_back(withForms(
+        {.name = "scalingExponent",
+         .header = "robust.h",
+         .returns = "the exponent that brings a size to 1..2",
+         .measured = "entrywise",
+         .domain = "1e-300 to 1e300",
+         .reason = "",
+         .sample = [](Random& random, Domain domain) { return Arguments{std::abs(anyNumber(random, domain, 300))}; },
+         .truth = [](const Arguments& a) { return entrywise({trueExponent(a[0])}); }},
+        [](const Arguments& a) { return scalingExponent(a[0]); }));
+    list.push_back(withForms({.name = "largestComponent",
+                              .header = "robust.h",
+                              .returns = "the size of the largest component",
+                              .measured = "entrywise",
+                              .domain = "1e-290 to 1e290",
+                              .reason = "",
+                              .sample = vectors,
+                              .truth = [](const Arguments& a) { return entrywise({largestOf(a)}); }},
+                             [](const Arguments& a) { return largestComponent(vectorAt(a, 0)); }));
+    list.push_back(
+        withForms({.name = "timesPowerOfTwo",
+                   .header = "robust.h",
+                   .returns = "a vector times 2^exponent (timed and measured: 2^-7)",
+                   .measured = "entrywise",
+                   .domain = "1e-290 to 1e290",
+                   .reason = "",
+                   .sample = vectors,
+                   .truth = [](const Arguments& a) { return vectorTruth(Wide(0x1p-7) * wide(vectorAt(a, 0))); }},
+                  [](const Arguments& a) { return timesPowerOfTwo(vectorAt(a, 0), -7); }));
+    list.push_back(withForms({.name = "scaledForSquares",
+                              .header = "robust.h",
+                              .returns = "a vector whose squares neither overflow nor vanish",
+                              .measured = "entrywise",
+                              .domain = "1e-290 to 1e290",
+                              .reason = "",
+                              .sample = vectors,
+                              .truth =
+                                  [](const Arguments& a) {
+                                      return vectorTruth(ldexp(Wide(1), -trueExponent(largestOf(a))) *
+                                                         wide(vectorAt(a, 0)));
+                                  }},
+                             [](const Arguments& a) { return scaledForSquares(vectorAt(a, 0)); }));
+    list.push_back(withForms(
+        {.name = "unit",
+         .header = "robust.h",
+         .returns = "a vector divided by its length",
+         .measured = "entrywise",
+         .domain = "1e-290 to 1e290",
+         .reason = "",
+         .sample = vectors,
+         .truth = [](const Arguments& a) { return vectorTruth(normalized(wide(vectorAt(a, 0)))); }},
+        [](const Arguments& a) { return unit(vectorAt(a, 0)); },
+        []<typename T>(const ArgumentsOf<T>& a) { return glm::normalize(vectorAt(a, 0)); }));
+    list.push_back(withForms(
+        {.name = "differenceOfProducts",
+         .header = "robust.h",
+         .returns = "a b − c d",
+         .measured = "entrywise",
+         .domain = "1e-60 to 1e60, products 1e-17 to 1 of their size apart",
+         .reason = "",
+         .sample = nearlyEqualProducts,
+         .truth = [](const Arguments& a) { return entrywise({Wide(a[0]) * a[1] - Wide(a[2]) * a[3]}); }},
+        [](const Arguments& a) { return differenceOfProducts(a[0], a[1], a[2], a[3]); },
+        []<typename T>(const ArgumentsOf<T>& a) {
+            return glm::determinant(glm::mat<2, 2, T>(a[0], a[2], a[3], a[1]));
+        }));
+    list.push_back(withForms(
+        {.name = "accurateCross",
+         .header = "robust.h",
+         .returns = "a × b",
+         .measured = "entrywise",
+         .domain = "1e-60 to 1e60, 1e-16 to 1.5 rad apart",
+         .reason = "",
+         .sample = nearlyParallel,
+         .truth = [](const Arguments& a) { return vectorTruth(cross(wide(vectorAt(a, 0)), wide(vectorAt(a, 3)))); }},
+        [](const Arguments& a) { return accurateCross(vectorAt(a, 0), vectorAt(a, 3)); },
+        []<typename T>(const ArgumentsOf<T>& a) { return glm::cross(vectorAt(a, 0), vectorAt(a, 3)); }));
+    return list;
+}
+
+}  // namespace mv::accuracy

@@ -1,0 +1,303 @@
+#include "accuracy/page.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <mutex>
+#include <sstream>
+#include <thread>
+
+#include "mv/error.h"
+
+namespace mv::accuracy {
+namespace {
+
+std::string twoDigits(double value) {
+    if (std::isinf(value)) return "inf";
+    char text[32];
+    std::snprintf(text, sizeof text, "%.2g", value);
+    std::snprintf(text, sizeof text, "%g", std::strtod(text, nullptr));  // 500, not 5e+02
+    return text;
+}
+
+std::string domainText(Domain domain) { return domain == Domain::whole ? "whole" : "ordinary"; }
+
+const std::string errorsHeading = "function,form,domain,samples,max_ulp,mean_ulp,lost,refused";
+const std::string timesHeading = "function,form,ns_median,ns_mad";
+
+std::vector<std::vector<std::string>> csvRows(const std::string& text, const std::string& heading) {
+    std::vector<std::vector<std::string>> rows;
+    const auto columns = std::count(heading.begin(), heading.end(), ',') + 1;
+    std::istringstream lines(text);
+    bool headed = false;
+    for (std::string line; std::getline(lines, line);) {
+        if (line.rfind('#', 0) == 0) continue;
+        if (!headed) {
+            if (line != heading) throw Error("library data", "the heading must be " + heading, line);
+            headed = true;
+            continue;
+        }
+        std::vector<std::string> cells;
+        std::istringstream stream(line);
+        for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
+        if (std::ssize(cells) != columns) throw Error("library data", "each line must have all columns", line);
+        rows.push_back(std::move(cells));
+    }
+    return rows;
+}
+
+double number(const std::string& text) { return std::strtod(text.c_str(), nullptr); }
+
+// One line of the tables' numbers.
+struct Numbers {
+    const ErrorTable& errors;
+    const TimeTable& times;
+
+    const Errors& error(const Function& function, const std::string& form, Domain domain, long samples) const {
+        const auto found = errors.find({function.name, form, domain, samples});
+        if (found == errors.end()) throw Error("libraryPage", "each function must have its errors", function.name);
+        return found->second;
+    }
+    const Time& time(const Function& function, const std::string& form) const {
+        const auto found = times.times.find({function.name, form});
+        if (found == times.times.end()) throw Error("libraryPage", "each function must have its times", function.name);
+        return found->second;
+    }
+    std::string ns(const Function& function, const std::string& form) const {
+        const Time& t = time(function, form);
+        return twoDigits(t.nanoseconds) + " ± " + twoDigits(t.deviation);
+    }
+};
+
+bool hasTwin(const Function& function) { return function.forms.size() > 1; }
+
+std::string percent(double part) { return part == 0 ? "0" : twoDigits(100 * part) + " %"; }
+
+// The error as a part of the largest entry, for the curve; what is exact stands at its left edge.
+double part(const Errors& error, bool isFloat) { return std::max(error.max * (isFloat ? 0x1p-23 : 0x1p-52), 2e-17); }
+
+// Names beside the curve's points, moved up where they would cover each other.
+struct Label {
+    double x, y;
+    std::string text;
+};
+void spread(std::vector<Label>& labels) {
+    std::sort(labels.begin(), labels.end(), [](const Label& a, const Label& b) { return a.y < b.y; });
+    for (std::size_t i = 1; i < labels.size(); ++i) {
+        for (std::size_t k = 0; k < i; ++k) {
+            const bool isNear = labels[k].x < 100 * labels[i].x && labels[i].x < 100 * labels[k].x;
+            if (isNear) labels[i].y = std::max(labels[i].y, labels[k].y * 1.09);
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<Measurement> measurementsOf(const Function& function, long samples) {
+    std::vector<Measurement> list;
+    for (const Form& form : function.forms) {
+        if (!form.isFloat && (samples == shortRun || form.name == "mv")) {
+            list.push_back({function.name, form.name, Domain::whole, samples});
+        }
+        if (samples == shortRun && hasTwin(function)) {
+            list.push_back({function.name, form.name, Domain::ordinary, samples});
+        }
+    }
+    return list;
+}
+
+ErrorTable measureAll(long samples) {
+    struct Job {
+        const Function* function;
+        const Form* form;
+        Measurement measurement;
+    };
+    std::vector<Job> jobs;
+    for (const Function& function : functions()) {
+        for (const Measurement& measurement : measurementsOf(function, samples)) {
+            const auto form = std::find_if(function.forms.begin(), function.forms.end(),
+                                           [&](const Form& f) { return f.name == measurement.form; });
+            jobs.push_back({&function, &*form, measurement});
+        }
+    }
+    ErrorTable table;
+    std::mutex guard;
+    std::atomic<std::size_t> next = 0;
+    const auto work = [&] {
+        for (std::size_t i = next++; i < jobs.size(); i = next++) {
+            const Errors errors =
+                measure(*jobs[i].function, *jobs[i].form, jobs[i].measurement.domain, jobs[i].measurement.samples);
+            const std::lock_guard lock(guard);
+            table[jobs[i].measurement] = errors;
+        }
+    };
+    {
+        std::vector<std::jthread> threads;
+        for (unsigned i = 0; i < std::max(1U, std::thread::hardware_concurrency()); ++i) threads.emplace_back(work);
+    }
+    return table;
+}
+
+std::string errorsText(const ErrorTable& errors) {
+    std::ostringstream text;
+    text << "# Errors of mv/math's functions in units of the last place; written by `mvgl-bench accuracy --write "
+            "docs`.\n"
+         << errorsHeading << "\n";
+    for (const auto& [m, e] : errors) {
+        text << m.function << "," << m.form << "," << domainText(m.domain) << "," << m.samples << ","
+             << twoDigits(e.max) << "," << twoDigits(e.mean) << "," << twoDigits(e.lost) << "," << twoDigits(e.refused)
+             << "\n";
+    }
+    return text.str();
+}
+
+ErrorTable errorsFrom(const std::string& text) {
+    ErrorTable errors;
+    for (const auto& row : csvRows(text, errorsHeading)) {
+        const Domain domain = row[2] == "whole" ? Domain::whole : Domain::ordinary;
+        errors[{row[0], row[1], domain, std::strtol(row[3].c_str(), nullptr, 10)}] = {number(row[4]), number(row[5]),
+                                                                                      number(row[6]), number(row[7])};
+    }
+    return errors;
+}
+
+std::string timesText(const TimeTable& times) {
+    std::ostringstream text;
+    text << "# " << times.machine << "\n" << timesHeading << "\n";
+    for (const auto& [key, time] : times.times) {
+        text << key.first << "," << key.second << "," << twoDigits(time.nanoseconds) << "," << twoDigits(time.deviation)
+             << "\n";
+    }
+    return text.str();
+}
+
+TimeTable timesFrom(const std::string& text) {
+    TimeTable times;
+    if (text.rfind("# ", 0) == 0) times.machine = text.substr(2, text.find('\n') - 2);
+    for (const auto& row : csvRows(text, timesHeading)) {
+        times.times[{row[0], row[1]}] = {number(row[2]), number(row[3])};
+    }
+    return times;
+}
+
+std::string libraryPage(const ErrorTable& errors, const TimeTable& times) {
+    const Numbers numbers{errors, times};
+    std::ostringstream page;
+    page << R"(# Error and time of the library's functions
+
+What each function of `mv/math` returns, how far that is from the truth, and how long it takes. The truth is computed with
+50 digits (Boost.Multiprecision) from the very same arguments. Errors are in ulp, units in the last place: the gap between
+neighbouring doubles at the size of the true result; rounding alone costs half of one. *Entrywise* takes each number's own
+size, which asks the most; otherwise the size is that of the largest entry of what is named. Samples are random, with sizes
+spread evenly over the logarithm, over the whole domain that a function accepts. What lies above 4 ulp has its reason.
+
+Times are of )"
+         << times.machine << R"(, median ± median absolute deviation of interleaved runs.
+Written by `build/bin/mvgl-bench accuracy --write docs`; a test measures the errors again. Do not edit.
+
+![Largest error against time per call: mv and GLM in double at the left, within 1e-15 of the truth and mostly within a factor of 2 in time; GLM in float at 1e-7, hardly faster](library.svg)
+
+## The functions
+
+)" << pageRun
+         << R"( samples each.
+
+)";
+    std::string header;
+    for (const Function& function : functions()) {
+        if (function.header != header) {
+            header = function.header;
+            page << (function.name == functions().front().name ? "" : "\n") << "### mv/math/" << header << "\n\n"
+                 << "| function | returns | error measured | max | mean | ns | samples | why more than 4 |\n"
+                 << "|---|---|---|--:|--:|--:|---|---|\n";
+        }
+        const Errors& e = numbers.error(function, "mv", Domain::whole, pageRun);
+        page << "| `" << function.name << "` | " << function.returns << " | " << function.measured << " | "
+             << twoDigits(e.max) << " | " << twoDigits(e.mean) << " | " << numbers.ns(function, "mv") << " | "
+             << function.domain << " | " << function.reason << " |\n";
+    }
+    page << R"(
+## Against GLM
+
+Ordinary arguments, as scenes have them, )"
+         << shortRun << R"( samples: in double both are exact enough, ours with its checks of the arguments. Each
+float form got arguments that are floats already, so its error is its own, in ulp of float, each of which is 5e8 of double.
+*Lost*: the part of the samples over the whole domain with an error above a millionth, or with NaN. GLM's counterparts are its functions of these names
+(`rotate`, `lookAtRH`, `orthoRH_NO`, `perspectiveRH_NO`, `frustumRH_NO`), for normalMatrix `inverseTranspose`, for unit
+`normalize`, for accurateCross `cross`, for differenceOfProducts `determinant`.
+
+| function | mv max | mean | ns | lost | GLM double max | mean | ns | lost | GLM float max | mean | ns |
+|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|
+)";
+    for (const Function& function : functions()) {
+        if (!hasTwin(function)) continue;
+        page << "| `" << function.name << "` |";
+        for (const Form& form : function.forms) {
+            const Errors& e = numbers.error(function, form.name, Domain::ordinary, shortRun);
+            page << " " << twoDigits(e.max) << " | " << twoDigits(e.mean) << " | " << numbers.ns(function, form.name)
+                 << " |";
+            if (!form.isFloat) {
+                page << " " << percent(numbers.error(function, form.name, Domain::whole, shortRun).lost) << " |";
+            }
+        }
+        page << "\n";
+    }
+    return page.str();
+}
+
+std::string curveScript(const ErrorTable& errors, const TimeTable& times) {
+    const Numbers numbers{errors, times};
+    std::ostringstream script;
+    script << R"gnuplot(set terminal svg size 900,640 font "DejaVu Sans,12" background "white"
+set logscale xy
+set xlabel "largest error, ordinary arguments, as a part of the largest entry (2e-17: exact)"
+set ylabel "time per call (ns)"
+set xrange [1e-17:10]
+set format x "1e%T"
+set grid lc rgb "#dddddd"
+set key top right
+$lines << EOD
+)gnuplot";
+    std::vector<Label> labels;
+    for (const Function& function : functions()) {
+        if (!hasTwin(function)) continue;
+        for (const Form& form : function.forms) {
+            const double error = part(numbers.error(function, form.name, Domain::ordinary, shortRun), form.isFloat);
+            const double ns = numbers.time(function, form.name).nanoseconds;
+            script << twoDigits(error) << " " << twoDigits(ns) << " "
+                   << (form.name == "mv" ? 0
+                       : form.isFloat    ? 2
+                                         : 1)
+                   << "\n";
+            if (form.isFloat) labels.push_back({error, ns, function.name});
+        }
+        script << "\n";
+    }
+    script << "EOD\n$names << EOD\n";
+    spread(labels);
+    for (const Label& label : labels) {
+        script << twoDigits(label.x) << " " << twoDigits(label.y) << " " << label.text << "\n";
+    }
+    script << R"gnuplot(EOD
+plot $lines using 1:2 with lines lc rgb "#cccccc" notitle, \
+  $lines using ($3==1?$1:1/0):2 with points pt 6 ps 0.8 lc rgb "#d95f02" title "GLM, double", \
+  $lines using ($3==2?$1:1/0):2 with points pt 4 ps 0.8 lc rgb "#7570b3" title "GLM, float", \
+  $lines using ($3==0?$1:1/0):2 with points pt 7 ps 0.8 lc rgb "#1b9e77" title "mv, double, arguments checked", \
+  $names using 1:2:3 with labels left offset 1,0 font ",9" notitle
+)gnuplot";
+    return script.str();
+}
+
+std::string curveStamp(const ErrorTable& errors, const TimeTable& times) {
+    // Source: the FNV-1a hash.
+    std::uint64_t hash = 14695981039346656037U;
+    for (const char letter : curveScript(errors, times)) {
+        hash = (hash ^ static_cast<unsigned char>(letter)) * 1099511628211U;
+    }
+    return "<!-- drawn from library-errors.csv and library-times.csv, " + std::to_string(hash) + " -->";
+}
+
+}  // namespace mv::accuracy

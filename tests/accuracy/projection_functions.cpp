@@ -1,0 +1,329 @@
+// projection.h.
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "accuracy/function.h"
+#include "mv/math/projection.h"
+#include "mv/math/transform.h"
+
+namespace mv::accuracy {
+namespace {
+
+using test::wide;
+using test::Wide3;
+using test::Wide4;
+using test::WideMatrix;
+
+WideMatrix zero() { return wide(mat4(0)); }
+
+// Two bounds that differ by 1e-12 to 10 of their size.
+void putBounds(Random& random, Domain domain, double scale, Arguments& a, std::size_t i) {
+    if (domain == Domain::ordinary) {
+        a[i] = random.number(-80, -10);
+        a[i + 1] = random.number(10, 80);
+    } else {
+        a[i] = scale * random.number(-1, 1);
+        a[i + 1] = a[i] + scale * random.sign() * random.logarithmic(1e-12, 10);
+    }
+}
+
+// near and far from index i.
+void putDepths(Random& random, Domain domain, Arguments& a, std::size_t i) {
+    if (domain == Domain::ordinary) {
+        a[i] = random.logarithmic(0.01, 1);
+        a[i + 1] = random.logarithmic(10, 1000);
+    } else {
+        a[i] = random.logarithmic(1e-300, 1e290);
+        a[i + 1] = a[i] * (1 + random.logarithmic(1e-12, 1e12));
+    }
+}
+
+// fovy, aspect, near, far.
+Arguments views(Random& random, Domain domain) {
+    Arguments a{};
+    if (domain == Domain::ordinary) {
+        a[0] = random.number(10, 120);
+        a[1] = random.number(0.5, 2);
+    } else {
+        const double fovy = random.logarithmic(1e-9, 90);
+        a[0] = random.sign() < 0 ? fovy : 180 - fovy;
+        a[1] = random.logarithmic(1e-9, 1e9);
+    }
+    putDepths(random, domain, a, 2);
+    return a;
+}
+
+struct HalfAngle {
+    Wide tangent, cotangent;
+};
+HalfAngle halfAngle(double fovy) {
+    const Wide half = test::wideRadians(fovy) / 2, s = sin(half), c = cos(half);
+    return {s / c, c / s};
+}
+
+Truth frustumTruth(const Arguments& a) {
+    const Wide l = a[0], r = a[1], b = a[2], t = a[3], n = a[4], f = a[5];
+    WideMatrix m = zero();
+    m.column[0][0] = 2 * n / (r - l);
+    m.column[1][1] = 2 * n / (t - b);
+    m.column[2] = {{(r + l) / (r - l), (t + b) / (t - b), -(f + n) / (f - n), Wide(-1)}};
+    m.column[3][2] = -2 * f * n / (f - n);
+    return entrywise(valuesOf(m));
+}
+
+// A camera's clipFromWorld; far/near up to 1e3 or 1e8.
+Arguments cameraMatrices(Random& random, Domain domain, double mostRatio) {
+    const double ratio = random.logarithmic(10, domain == Domain::whole ? mostRatio : 1e3);
+    const double near = domain == Domain::whole ? random.logarithmic(1e-3, 1e3) : random.logarithmic(0.1, 1);
+    const mat4 clipFromWorld = perspective(random.number(10, 120), random.number(0.5, 2), near, near * ratio) *
+                               lookAtAnyRoll(near * random.point(10), near * random.point(10));
+    Arguments a{};
+    put(a, 0, clipFromWorld);
+    return a;
+}
+
+Truth planesTruth(const Arguments& a) {
+    const WideMatrix m = wide(matrixAt(a, 0));
+    const auto row = [&](std::size_t i) {
+        return Wide4{{m.column[0][i], m.column[1][i], m.column[2][i], m.column[3][i]}};
+    };
+    Truth truth;
+    for (std::size_t i = 0; i < 6; ++i) {
+        Wide4 plane = i % 2 == 0 ? row(3) + row(i / 2) : row(3) - row(i / 2);
+        plane = plane / length(firstThree(plane));
+        truth.values.insert(truth.values.end(), plane.element.begin(), plane.element.end());
+        truth.blocks.insert(truth.blocks.end(), {3, 1});
+    }
+    return truth;
+}
+
+// The columns of the inverse, by elimination with pivots.
+WideMatrix inverse(WideMatrix m) {
+    WideMatrix result = wide(mat4(1));
+    for (std::size_t k = 0; k < 4; ++k) {
+        std::size_t pivot = k;
+        for (std::size_t row = k; row < 4; ++row) {
+            if (abs(m.column[k][row]) > abs(m.column[k][pivot])) pivot = row;
+        }
+        for (std::size_t column = 0; column < 4; ++column) {
+            std::swap(m.column[column][k], m.column[column][pivot]);
+            std::swap(result.column[column][k], result.column[column][pivot]);
+        }
+        for (std::size_t row = 0; row < 4; ++row) {
+            const Wide factor = row == k ? 1 - 1 / m.column[k][k] : m.column[k][row] / m.column[k][k];
+            for (std::size_t column = 0; column < 4; ++column) {
+                const Wide ofPivot = m.column[column][k], ofResult = result.column[column][k];
+                m.column[column][row] -= factor * ofPivot;
+                result.column[column][row] -= factor * ofResult;
+            }
+        }
+    }
+    return result;
+}
+
+Truth cornersTruth(const Arguments& a) {
+    const WideMatrix worldFromClip = inverse(wide(matrixAt(a, 0)));
+    Truth truth;
+    for (unsigned i = 0; i < 8; ++i) {
+        const vec4 cube((i & 1U) ? 1 : -1, (i & 2U) ? 1 : -1, (i & 4U) ? 1 : -1, 1);
+        const Wide3 corner = divided(worldFromClip * wide(cube));
+        truth.values.insert(truth.values.end(), corner.element.begin(), corner.element.end());
+        truth.blocks.push_back(3);
+    }
+    return truth;
+}
+
+}  // namespace
+
+std::vector<Function> projectionFunctions() {
+    std::vector<Function> list;
+    list.push_back(withForms(
+        {.name = "ortho",
+         .header = "projection.h",
+         .returns = "the projection of a box",
+         .measured = "entrywise",
+         .domain = "bounds 1e-150 to 1e150, 1e-12 to 10 of their size apart",
+         .reason = "",
+         .sample =
+             [](Random& random, Domain domain) {
+                 const double scale = anyScale(random, domain, 140);
+                 Arguments a{};
+                 for (const std::size_t i : {0u, 2u, 4u}) putBounds(random, domain, scale, a, i);
+                 return a;
+             },
+         .truth =
+             [](const Arguments& a) {
+                 WideMatrix m = zero();
+                 for (std::size_t i = 0; i < 3; ++i) {
+                     const Wide low = a[2 * i], high = a[2 * i + 1];
+                     m.column[i][i] = (i == 2 ? -2 : 2) / (high - low);
+                     m.column[3][i] = -(low + high) / (high - low);
+                 }
+                 m.column[3][3] = 1;
+                 return entrywise(valuesOf(m));
+             }},
+        [](const Arguments& a) { return ortho(a[0], a[1], a[2], a[3], a[4], a[5]); },
+        []<typename T>(const ArgumentsOf<T>& a) { return glm::orthoRH_NO(a[0], a[1], a[2], a[3], a[4], a[5]); }));
+    list.push_back(withForms(
+        {.name = "perspective",
+         .header = "projection.h",
+         .returns = "a symmetric perspective",
+         .measured = "entrywise",
+         .domain = "fovy 1e-9 to 180 − 1e-9 degrees, near 1e-300 to 1e290, far/near − 1 from 1e-12 to 1e12",
+         .reason = "",
+         .sample = views,
+         .truth =
+             [](const Arguments& a) {
+                 const Wide f = halfAngle(a[0]).cotangent, near = a[2], far = a[3];
+                 WideMatrix m = zero();
+                 m.column[0][0] = f / a[1];
+                 m.column[1][1] = f;
+                 m.column[2][2] = -(far + near) / (far - near);
+                 m.column[2][3] = -1;
+                 m.column[3][2] = -2 * far * near / (far - near);
+                 return entrywise(valuesOf(m));
+             }},
+        [](const Arguments& a) { return perspective(a[0], a[1], a[2], a[3]); },
+        []<typename T>(const ArgumentsOf<T>& a) {
+            return glm::perspectiveRH_NO(glm::radians(a[0]), a[1], a[2], a[3]);
+        }));
+    list.push_back(withForms(
+        {.name = "infinitePerspective",
+         .header = "projection.h",
+         .returns = "a perspective without a far plane",
+         .measured = "entrywise",
+         .domain = "fovy 1e-9 to 180 − 1e-9 degrees, near 1e-300 to 1e290",
+         .reason = "",
+         .sample = views,
+         .truth =
+             [](const Arguments& a) {
+                 const Wide f = halfAngle(a[0]).cotangent, near = a[2];
+                 WideMatrix m = zero();
+                 m.column[0][0] = f / a[1];
+                 m.column[1][1] = f;
+                 m.column[2][2] = m.column[2][3] = -1;
+                 m.column[3][2] = -2 * near;
+                 return entrywise(valuesOf(m));
+             }},
+        [](const Arguments& a) { return infinitePerspective(a[0], a[1], a[2]); },
+        []<typename T>(const ArgumentsOf<T>& a) { return glm::infinitePerspective(glm::radians(a[0]), a[1], a[2]); }));
+    list.push_back(withForms(
+        {.name = "frustum",
+         .header = "projection.h",
+         .returns = "a perspective through any window",
+         .measured = "entrywise",
+         .domain = "as perspective, window bounds 1e-12 to 10 of their size apart",
+         .reason = "",
+         .sample =
+             [](Random& random, Domain domain) {
+                 Arguments a{};
+                 putDepths(random, domain, a, 4);
+                 const double scale = a[4] * anyScale(random, domain, 6);
+                 for (const std::size_t i : {0u, 2u}) putBounds(random, domain, scale, a, i);
+                 return a;
+             },
+         .truth = frustumTruth},
+        [](const Arguments& a) { return frustum(a[0], a[1], a[2], a[3], a[4], a[5]); },
+        []<typename T>(const ArgumentsOf<T>& a) { return glm::frustumRH_NO(a[0], a[1], a[2], a[3], a[4], a[5]); }));
+    list.push_back(withForms({.name = "frustumBounds",
+                              .header = "projection.h",
+                              .returns = "the window of a perspective",
+                              .measured = "entrywise",
+                              .domain = "as perspective",
+                              .reason = "bounds below 1e-308, as of near 1e-300 and fovy 1e-9, have fewer digits",
+                              .sample = views,
+                              .truth =
+                                  [](const Arguments& a) {
+                                      const Wide top = a[2] * halfAngle(a[0]).tangent, right = top * a[1];
+                                      return entrywise({-right, right, -top, top, a[2], a[3]});
+                                  }},
+                             [](const Arguments& a) { return frustumBounds(a[0], a[1], a[2], a[3]); }));
+    list.push_back(
+        withForms({.name = "planesFromClip",
+                   .header = "projection.h",
+                   .returns = "the six planes of a matrix's view",
+                   .measured = "ulp of each normal's largest entry, and of each distance",
+                   .domain = "cameras with near 1e-3 to 1e3 and far/near 10 to 1e8",
+                   .reason = "",
+                   .sample = [](Random& random, Domain domain) { return cameraMatrices(random, domain, 1e8); },
+                   .truth = planesTruth},
+                  [](const Arguments& a) { return planesFromClip(matrixAt(a, 0)); }));
+    list.push_back(withForms({.name = "perspectivePlanes",
+                              .header = "projection.h",
+                              .returns = "the six planes of perspective's arguments",
+                              .measured = "entrywise",
+                              .domain = "as perspective",
+                              .reason = "",
+                              .sample = views,
+                              .truth =
+                                  [](const Arguments& a) {
+                                      const Wide tangent = halfAngle(a[0]).tangent;
+                                      const auto inward = [](const Wide& t) {
+                                          const Wide length = sqrt(1 + t * t);
+                                          return std::array<Wide, 2>{1 / length, -t / length};
+                                      };
+                                      const auto side = inward(tangent * a[1]), level = inward(tangent);
+                                      return entrywise({side[0], 0,           side[1],  0,        -side[0], 0,
+                                                        side[1], 0,           0,        level[0], level[1], 0,
+                                                        0,       -level[0],   level[1], 0,        0,        0,
+                                                        -1,      -Wide(a[2]), 0,        0,        1,        a[3]});
+                                  }},
+                             [](const Arguments& a) { return perspectivePlanes(a[0], a[1], a[2], a[3]); }));
+    list.push_back(
+        withForms({.name = "viewVolumeCorners",
+                   .header = "projection.h",
+                   .returns = "the eight corners of a view",
+                   .measured = "ulp of each corner's largest coordinate",
+                   .domain = "cameras with near 1e-3 to 1e3 and far/near 10 to 1e6",
+                   .reason = "one rounding of the matrix moves the far corners by far/near ulp",
+                   .sample = [](Random& random, Domain domain) { return cameraMatrices(random, domain, 1e6); },
+                   .truth = cornersTruth},
+                  [](const Arguments& a) { return viewVolumeCorners(matrixAt(a, 0)); }));
+    list.push_back(withForms({.name = "ndcFromClip",
+                              .header = "projection.h",
+                              .returns = "clip coordinates divided by w",
+                              .measured = "entrywise",
+                              .domain = "1e-150 to 1e150",
+                              .reason = "",
+                              .sample =
+                                  [](Random& random, Domain domain) {
+                                      Arguments a{};
+                                      for (std::size_t i = 0; i < 3; ++i) a[i] = anyNumber(random, domain);
+                                      a[3] = std::abs(anyNumber(random, domain));
+                                      return a;
+                                  },
+                              .truth =
+                                  [](const Arguments& a) {
+                                      const Wide3 ndc = divided(wide(pointAt(a, 0)));
+                                      return entrywise({ndc[0], ndc[1], ndc[2]});
+                                  }},
+                             [](const Arguments& a) { return ndcFromClip(pointAt(a, 0)); }));
+    list.push_back(withForms({.name = "pixelFromNdc",
+                              .header = "projection.h",
+                              .returns = "where in a viewport a point falls",
+                              .measured = "entrywise",
+                              .domain = "1e-12 to 1e3, and as close to −1; pictures 1 to 16384 pixels wide",
+                              .reason = "",
+                              .sample =
+                                  [](Random& random, Domain domain) {
+                                      Arguments a{};
+                                      for (std::size_t i = 0; i < 2; ++i) {
+                                          a[i] = domain == Domain::ordinary
+                                                     ? random.number(-1, 1)
+                                                     : random.sign() * random.logarithmic(1e-12, 1e3);
+                                          if (domain == Domain::whole && random.sign() < 0) a[i] -= 1;
+                                          a[i + 2] = std::floor(random.logarithmic(1, 16385));
+                                      }
+                                      return a;
+                                  },
+                              .truth =
+                                  [](const Arguments& a) {
+                                      return entrywise({(Wide(a[0]) + 1) / 2 * a[2], (Wide(a[1]) + 1) / 2 * a[3]});
+                                  }},
+                             [](const Arguments& a) {
+                                 return pixelFromNdc(vec2(a[0], a[1]), static_cast<int>(a[2]), static_cast<int>(a[3]));
+                             }));
+    return list;
+}
+
+}  // namespace mv::accuracy
