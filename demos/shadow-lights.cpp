@@ -352,13 +352,11 @@ Study lightsStudy() {
     Study study;
     study.quantity = "mean over the lights of lit or not, of the pixels that face the first";
     study.reference = "one ray through each pixel and one to each light, in double precision";
-    study.scenes = {{"lamps", {{"scene", "lamps"}}}};
-    for (const char* count : {"1", "2", "4", "8"}) {
-        study.scenes.push_back(
-            {std::string(count) + (count[0] == '1' ? " light" : " lights"), {{"scene", "circle"}, {"lights", count}}});
-    }
-    study.lines = {{"volumes", {{"method", "volumes"}, {"keep", "off"}}},
-                   {"maps", {{"method", "maps"}, {"keep", "off"}}, "resolution", {"256", "512", "1024", "2048"}}};
+    study.scenes = {{"circle", {{"scene", "circle"}}}, {"lamps", {{"scene", "lamps"}}}};
+    const std::vector<std::string> counts{"1", "2", "4", "8"}, sizes{"256", "512", "1024", "2048"};
+    study.lines = {{"volumes, by lights", {{"method", "volumes"}, {"keep", "off"}}, "lights", counts, true, {"circle"}},
+                   {"maps, by lights", {{"method", "maps"}, {"keep", "off"}}, "lights", counts, true, {"circle"}},
+                   {"maps, by resolution", {{"method", "maps"}, {"keep", "off"}}, "resolution", sizes}};
     study.axis = ErrorAxis::fraction;
     study.wrongBeyond = 0.05;  // less than one light of eight
     study.says =
