@@ -9,15 +9,10 @@
 #include "mv/error.h"
 #include "mv/image/file.h"
 #include "mv/run/study.h"
+#include "mv/run/words.h"
 
 namespace mv {
 namespace {
-
-std::string formatted(const char* format, double value) {
-    char text[64];
-    std::snprintf(text, sizeof text, format, value);
-    return text;
-}
 
 // Columns of text, each as wide as its widest cell; the first `left` of them flush left.
 std::string aligned(const std::vector<std::vector<std::string>>& rows, std::size_t left) {
