@@ -178,7 +178,7 @@ struct ShadowMethods final : Demo {
             glClearColor(1, 1, 1, 1);
             glClear(GL_COLOR_BUFFER_BIT);
         }
-        glDisable(GL_SCISSOR_TEST);
+        if (other) glDisable(GL_SCISSOR_TEST);
         if (other && middle > 0) drawText(frame, middle - 8 - textWidth(method.text()), 8, method.text());
         if (other && middle < frame.width()) drawText(frame, middle + 8, 8, against.text());
         if (!frame.readouts()) return;

@@ -136,7 +136,7 @@ TEST(ShadowMethods, receiver_left_out) {
     const long fewer = stage().frameCounters().triangles;
     EXPECT_LT(without, 0.02);  // steps of the texels along the edge, of a texel of 1/1024 of the shadow
     run.set("receiver", "on").picture();
-    EXPECT_GT(run.readout("different"), 20);  // no bias: floor and cube shade themselves in stripes
+    EXPECT_GT(run.readout("different"), 1);  // no bias: what is in the map shades itself in stripes
     run.set("slope-bias", 2).picture();
     EXPECT_LT(run.readout("different"), 0.02);
     EXPECT_GT(stage().frameCounters().triangles, fewer);
