@@ -248,7 +248,7 @@ struct ShadowMethods final : Demo {
         }
         if (by == Method::matrix) drawFlattened(measuring);
         if (by == Method::volume) drawInVolumes(program);
-        glDisable(GL_STENCIL_TEST);
+        if (by == Method::matrix || by == Method::volume) glDisable(GL_STENCIL_TEST);
     }
 
     void drawObject(const Program& program, Method by, std::size_t i) const {
