@@ -248,7 +248,7 @@ struct ShadowMethods final : Demo {
         }
         if (by == Method::matrix) drawFlattened(measuring);
         if (by == Method::volume) drawInVolumes(program);
-        glDisable(GL_STENCIL_TEST);
+        if (by == Method::matrix || by == Method::volume) glDisable(GL_STENCIL_TEST);
     }
 
     void drawObject(const Program& program, Method by, std::size_t i) const {
@@ -340,11 +340,10 @@ const bool added = addDemo<ShadowMethods>({
                       mapLine("map, 1 tap, kept", "map", "2", "on", "on"),
                       mapLine("map, 1 tap, receiver left out, no bias", "map", "0", "off")},
             .axis = ErrorAxis::fraction,
-            .says =
-                "On one plane the matrix is exact for hardly more time than no shadow takes, and no map, however fine, "
-                "is nearer or faster. Where bodies shade bodies the matrix is wrong in 2 % of the pixels and volumes "
-                "are exact; a kept map halves its error with each doubling of its side at little more time, while "
-                "one that is drawn anew pays for every texel.",
+            .says = "On one plane the matrix is exact for hardly more time than no shadow takes, and no map, however "
+                    "fine, has fewer wrong pixels or takes less time. Where bodies shade bodies the matrix is wrong in "
+                    "2 % of the pixels and volumes are exact; a kept map nearly halves its error with each doubling of "
+                    "its side at little more time, while one that is drawn anew pays for every texel.",
         },
 });
 
