@@ -360,11 +360,9 @@ Study lightsStudy() {
     study.axis = ErrorAxis::fraction;
     study.wrongBeyond = 0.05;  // less than one light of eight
     study.says =
-        "Each light costs about what the first did, by maps and by volumes: eight take seven times as long as one. "
-        "Volumes "
-        "are right but in the band of one pixel at edges, where eight lights have more edges than one; of maps about "
-        "half "
-        "as many pixels are wrong when they are twice as large.";
+        "Beside the frame's own cost each light costs about the same, by maps and by volumes: eight take four to five "
+        "times as long as one. Volumes are right but in the band of one pixel at edges; of maps about half as many "
+        "pixels are wrong when they are twice as large, and with every light there are more edges to be wrong at.";
     return study;
 }
 

@@ -388,8 +388,8 @@ const bool added = addDemo<SoftShadows>({
             .says = "On one plane nothing comes near points with a shadow matrix: 64 of them are wrong by 0.003, 1024 "
                     "by "
                     "0.0004, and each costs a caster's triangles; in 8 bits the sum ends at 0.001. A blur of fixed "
-                    "size is "
-                    "wrong by 0.05 with every kernel; pcss by 0.005 under a cube, but by 0.026 under a table, where "
+                    "size "
+                    "is wrong by 0.05 with every kernel; pcss by 0.005 under a cube, but by 0.026 under a table, where "
                     "casters at several heights share a pyramid, and there only a map for each point goes further.",
         },
 });
