@@ -114,6 +114,8 @@ ShaderSource assembleShader(const std::string& name) {
     ShaderSource source;
     source.text = versionLines();
     append(source, "shaders/" + name, currentText(found->second, source), 0);
+    // Mesa links a fragment shader without one, and draws black: an empty file, say.
+    if (source.text.find("main") == std::string::npos) throw Error("shaders/" + name, "must define main()");
     return source;
 }
 

@@ -24,8 +24,8 @@ struct ShaderSource {
 bool hasShaderFile(const std::string& name);
 
 // The shader file, for the current context's dialect: "#version 330 core" on OpenGL, "#version 300 es" on OpenGL ES.
-// `#include "x.glsl"` stands for shaders/include/x.glsl. Error: no such file, a file that includes itself, or
-// one that is on disk and cannot be read.
+// `#include "x.glsl"` stands for shaders/include/x.glsl. Error: no such file, a file that includes itself, one
+// that is on disk and cannot be read, or no main in it.
 ShaderSource assembleShader(const std::string& name);
 ShaderSource assembleShaderText(const std::string& shownName, std::string_view text);
 
