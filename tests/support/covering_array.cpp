@@ -59,7 +59,10 @@ class Builder {
     // std's distributions differ from library to library.
     int random(int count) { return static_cast<int>(random_() % static_cast<unsigned>(count)); }
 
-    std::size_t number(int factor, int value) const { return static_cast<std::size_t>(at(first_, factor) + value); }
+    std::size_t number(int factor, int value) const {
+        const int all = at(first_, factor) + value;
+        return static_cast<std::size_t>(all);
+    }
     void setOpen(const ValuePair& pair, bool open) {
         const std::size_t a = number(pair.factorA, pair.valueA), b = number(pair.factorB, pair.valueB);
         open_[a][b] = open_[b][a] = open;
