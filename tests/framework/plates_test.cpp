@@ -1,0 +1,93 @@
+#include "mv/demo/plates.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "mv/error.h"
+#include "mv/math/transform.h"
+
+using namespace mv;
+
+namespace {
+
+const vec3 red(1, 0, 0), blue(0, 0, 1), white(1, 1, 1);
+
+// A square with its middle on the gaze.
+Plate facing(const vec3& color, double distance, double side) {
+    return {color, translate(0, 0, -distance) * scale(side) * translate(-0.5, 0, 0)};
+}
+
+PlateView view(double opacity = 1) {
+    return {.tangents = {1, 1},
+            .near = 0.5,
+            .far = std::numeric_limits<double>::infinity(),
+            .opacity = opacity,
+            .background = white,
+            .width = 20,
+            .height = 20};
+}
+
+std::optional<vec3> middle(const std::vector<std::optional<vec3>>& colors) { return colors[10 * 20 + 10]; }
+
+Picture painted(const std::vector<std::optional<vec3>>& colors) {
+    Picture picture(20, 20);
+    for (std::size_t i = 0; i < colors.size(); ++i) {
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+            const double value = (*colors[i])[static_cast<int>(channel)];
+            picture.rgba[4 * i + channel] = static_cast<unsigned char>(255 * value + 0.5);
+        }
+    }
+    return picture;
+}
+
+}  // namespace
+
+TEST(Plates, the_nearest_hides_and_the_order_of_the_list_does_not_matter) {
+    const Plate front = facing(red, 1, 1), back = facing(blue, 2, 3);
+    const auto colors = colorsByRays(std::array{front, back}, view());
+    EXPECT_EQ(colors, colorsByRays(std::array{back, front}, view()));
+    EXPECT_EQ(middle(colors), red);
+    // At the distance 2 the picture is 4 wide: blue covers 15 of its 20 columns, red (2 wide at distance 1) 10 of them.
+    int reds = 0, blues = 0;
+    for (std::size_t column = 0; column < 20; ++column) {
+        reds += colors[10 * 20 + column] == red ? 1 : 0;
+        blues += colors[10 * 20 + column] == blue ? 1 : 0;
+    }
+    EXPECT_EQ(reds, 10);
+    EXPECT_EQ(blues, 4);  // of the 5 on its sides one is halved: two middles of pixels on each side lie inside
+}
+
+TEST(Plates, translucent_ones_are_laid_over_each_other) {
+    const auto colors = colorsByRays(std::array{facing(red, 1, 1), facing(blue, 2, 3)}, view(0.5));
+    EXPECT_EQ(middle(colors), vec3(0.75, 0.25, 0.5));  // over (0.5, 0.5, 1): exact in binary
+}
+
+TEST(Plates, near_far_the_eye_and_equal_distances) {
+    PlateView cut = view();
+    cut.far = 1.5;
+    EXPECT_EQ(middle(colorsByRays(std::array{facing(blue, 2, 3)}, cut)), white);
+    cut.near = 1.2;
+    EXPECT_EQ(middle(colorsByRays(std::array{facing(red, 1, 1)}, cut)), white);
+    EXPECT_EQ(middle(colorsByRays(std::array{facing(red, -1, 1)}, view())), white);  // behind the eye
+    const Plate edgeOn{red, translate(0, 0, -2) * rotateY(90)};
+    EXPECT_EQ(middle(colorsByRays(std::array{edgeOn}, view())), white);
+    const auto equal = colorsByRays(std::array{facing(red, 2, 1), facing(blue, 2, 3)}, view());
+    EXPECT_FALSE(middle(equal));
+    EXPECT_EQ(equal[10 * 20 + 4], blue);  // beside the smaller one
+}
+
+TEST(Plates, wrong_pixels_are_counted_beside_the_edges) {
+    const auto right = colorsByRays(std::array{facing(red, 1, 1), facing(blue, 2, 3)}, view());
+    Picture picture = painted(right);
+    EXPECT_EQ(wrongPart(picture, right), 0.0);
+    picture.rgba[4 * (10 * 20 + 10)] -= 2;  // two levels are roundings
+    EXPECT_EQ(wrongPart(picture, right), 0.0);
+    picture.rgba[4 * (10 * 20 + 10)] -= 1;
+    const auto one = wrongPart(picture, right);
+    ASSERT_TRUE(one);
+    EXPECT_GT(*one, 0);
+    EXPECT_LT(*one, 2.0 / 100);  // one of those that are not beside an edge
+    EXPECT_FALSE(wrongPart(Picture(20, 20), std::vector<std::optional<vec3>>(400)));
+    EXPECT_THROW(wrongPart(Picture(20, 19), right), Error);
+}
