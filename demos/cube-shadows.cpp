@@ -409,7 +409,7 @@ const bool added = addDemo<CubeShadows>({
               .wrongBeyond = 2e-5,
               .says = "In world space the error grows with the distance of the plane, in float from the start and in "
                       "double from 1e5 on; relative to a point on the plane it is what rounding the matrix to float "
-                      "costs, wherever the plane is. It takes less than 0.1 microseconds more.",
+                      "costs, wherever the plane is. That costs 0.15 microseconds a matrix more than float does.",
               .ofValues = true},
 });
 

@@ -307,12 +307,9 @@ const bool added = addDemo<ShadowMap>({
                       line("1 tap, frustum fitted", "none", "2", {{"frustum", "fitted"}})},
             .axis = ErrorAxis::fraction,
             .says = "What is misjudged lies within a texel of a shadow's edge, so it halves when the resolution "
-                    "doubles, while "
-                    "beyond 1024 the time grows with the texels: fitting the frustum buys more than refining the map, "
-                    "and "
-                    "keeping the map makes its resolution nearly free. Leaving the receiver out costs no accuracy, and "
-                    "back "
-                    "faces without any bias are as right as front faces with one.",
+                    "doubles, while beyond 1024 the time grows with the texels: fitting the frustum buys more than "
+                    "refining the map, and keeping the map makes its resolution nearly free. Leaving the receiver out "
+                    "costs no accuracy, and back faces without any bias are about as right as front faces with one.",
         },
 });
 

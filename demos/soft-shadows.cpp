@@ -13,6 +13,7 @@
 #include <functional>
 #include <glm/geometric.hpp>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "mv/demo/demo.h"
@@ -67,7 +68,7 @@ struct SoftShadows final : Demo {
     Readout width{this, "penumbra", "width of the penumbra of the caster's far upper edge on the floor, as drawn"};
     Readout theory{this, "penumbra-theory", "lamp-size * edge's height / (lamp's height - edge's height), unturned"};
 
-    Program shading, plain, byMap, byPcss;
+    Program shading, plain, byMap, byPcss;  // the last two are made when first asked for
     Scene stock;
     std::pair<Place, double> stockedFor{};  // scene and aspect
     std::vector<Mesh> meshes;
@@ -85,8 +86,6 @@ struct SoftShadows final : Demo {
     void init() override {
         shading = Program("soft-shadows");
         plain = Program("soft-shadows", "plain");
-        byMap = Program("soft-shadows", "map");
-        byPcss = Program("soft-shadows", "pcss");
     }
 
     Scene sceneOf(double aspect) const { return place == Place::cube ? cubeOnPlane(aspect) : mv::table(aspect); }
@@ -115,41 +114,45 @@ struct SoftShadows final : Demo {
         frame.show("clipFromWorld", scene.clipFromWorld());
         if (frame.readouts()) views.push_back({line, clipFromLine(penumbra), 1});
 
-        // Find what is seen: only that is darkened, once for each point of the lamp
+        const SceneLight& lamp = scene.lights.front();
+        const vec3 middle(lamp.position);
+        const std::vector<vec3> points = lampPoints(lamp, 1 << lights, 15);
+        const double share = 1.0 / double(points.size());
         glEnable(GL_CULL_FACE);
         glEnable(GL_DEPTH_TEST);
         glBlendFunc(GL_ONE, GL_ONE);
-        plain.use();
-        plain.set("color", vec4(0));
-        for (const View& view : views) {
-            view.target.bind();
-            glClearColor(0, 0, 0, 0);
-            glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-            glDepthFunc(GL_LESS);
-            for (std::size_t i = 0; i < view.objects; ++i) drawPlain(view.clipFromWorld, scene, i);
-        }
-
-        // Darken it
-        const SceneLight& lamp = scene.lights.front();
-        const std::vector<vec3> points = lampPoints(lamp, 1 << lights, 15);
-        const double share = 1.0 / double(points.size());
         switch (method) {
             case Method::matrix:
-                for (const View& view : views) addByMatrix(view, scene, points);
+                for (const View& view : views) {
+                    begin(view, scene);
+                    addByMatrix(view, scene, points);
+                }
                 break;
             case Method::maps:
+                for (const View& view : views) begin(view, scene);
+                setMap(share, 1);
                 for (const vec3& point : points) {
                     drawMap(scene, point);
-                    for (const View& view : views) addByMap(view, scene, point, share);
+                    for (const View& view : views) {
+                        view.target.bind();
+                        addByMap(view, scene, point);
+                    }
                 }
                 break;
             case Method::pcf:
-                keepMap(scene, vec3(lamp.position));
-                for (const View& view : views) addByMap(view, scene, vec3(lamp.position), 1);
+                keepMap(scene, middle);
+                setMap(1, taps);
+                for (const View& view : views) {
+                    begin(view, scene);
+                    addByMap(view, scene, middle);
+                }
                 break;
             case Method::pcss:
-                keepMap(scene, vec3(lamp.position));
-                for (const View& view : views) addByPcss(view, scene);
+                keepMap(scene, middle);
+                for (const View& view : views) {
+                    begin(view, scene);
+                    addByPcss(view, scene);
+                }
                 break;
         }
         const bool byPoints = method == Method::matrix || method == Method::maps;
@@ -169,14 +172,33 @@ struct SoftShadows final : Demo {
             stockedFor = now;
             mapKeptFor.reset();
         }
-        const GLenum format = sum == Sum::floats ? GL_R32F : GL_R8;
-        if (std::tuple(picture.width(), picture.height(), picture.buffers().color) !=
-            std::tuple(frame.width(), frame.height(), format)) {
-            const Target::Buffers buffers{.depth = true, .stencil = true, .color = format, .texture = true};
-            picture = Target(frame.width(), frame.height(), buffers, "darkness");
-            line = Target(1024, 1, buffers, "darkness along a line");
-        }
-        if (map.size() != 256 << resolution) map = DepthMap(256 << resolution, "map");
+        const Target::Buffers buffers{.depth = true,
+                                      .stencil = method == Method::matrix,
+                                      .color = sum == Sum::floats ? GLenum(GL_R32F) : GLenum(GL_R8),
+                                      .texture = true};
+        const auto make = [&](Target& target, int across, int upwards, const char* label) {
+            const Target::Buffers& have = target.buffers();
+            if (std::tuple(target.width(), target.height(), have.color, have.stencil) ==
+                std::tuple(across, upwards, buffers.color, buffers.stencil))
+                return;
+            target = Target(across, upwards, buffers, label);
+            frame.bindTarget();
+        };
+        make(picture, frame.width(), frame.height(), "darkness");
+        if (frame.readouts()) make(line, 1024, 1, "darkness along a line");
+        if (method != Method::matrix && map.size() != 256 << resolution) map = DepthMap(256 << resolution, "map");
+    }
+
+    // Nothing is dark yet; and what is seen has its depth, so that only that is darkened.
+    void begin(const View& view, const Scene& scene) {
+        view.target.bind();
+        glClearColor(0, 0, 0, 0);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+        glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+        glDepthFunc(GL_LESS);
+        plain.use();
+        for (std::size_t i = 0; i < view.objects; ++i) drawPlain(view.clipFromWorld, scene, i);
+        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     }
 
     void drawPlain(const mat4& clipFromWorld, const Scene& scene, std::size_t i) {
@@ -187,19 +209,18 @@ struct SoftShadows final : Demo {
     // A point's shadow is what casts, flattened onto the floor. Where two casters' shadows overlap it is dark once: the
     // floor's stencil counts down from 255, by one a point, and takes its darkness only where it is still higher.
     void addByMatrix(const View& view, const Scene& scene, const std::vector<vec3>& points) {
-        view.target.bind();
         glEnable(GL_BLEND);
         glEnable(GL_STENCIL_TEST);
         glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+        glDepthMask(GL_FALSE);
         for (std::size_t i = 0; i < points.size(); ++i) {
             const auto turn = static_cast<GLint>(i % 254);
             if (turn == 0) {  // the floor, where it is seen, begins at 255 again
-                glEnable(GL_DEPTH_TEST);
                 glDepthFunc(GL_EQUAL);
                 glStencilFunc(GL_ALWAYS, 255, 255);
                 plain.set("color", vec4(0));
                 drawPlain(view.clipFromWorld, scene, 0);
-                glDisable(GL_DEPTH_TEST);
+                glDepthFunc(GL_ALWAYS);
                 plain.set("color", vec4(1.0 / double(points.size())));
             }
             glStencilFunc(GL_LESS, 254 - turn, 255);
@@ -208,6 +229,7 @@ struct SoftShadows final : Demo {
                 if (scene.objects[k].casts) drawPlain(clipFromShadow, scene, k);
             }
         }
+        glDepthMask(GL_TRUE);
         glDisable(GL_STENCIL_TEST);
         glDisable(GL_BLEND);
     }
@@ -236,17 +258,22 @@ struct SoftShadows final : Demo {
         mapKeptFor = now;
     }
 
-    // Adds what the map keeps dark, times the share that `point` has of the lamp.
-    void addByMap(const View& view, const Scene& scene, const vec3& point, double share) {
-        view.target.bind();
+    // The share of the lamp that each map stands for, and how many of its texels are asked: side x side.
+    void setMap(double share, int side) {
+        if (byMap.id() == 0) byMap = Program("soft-shadows", "map");
+        byMap.use();
+        byMap.set("map", 0);
+        byMap.set("share", share);
+        byMap.set("side", side);
+    }
+
+    // Adds what the map drawn from `point` keeps dark.
+    void addByMap(const View& view, const Scene& scene, const vec3& point) {
         glEnable(GL_BLEND);
         glDepthFunc(GL_EQUAL);
         map.bind(0, DepthLookup::compareNearest);
         byMap.use();
-        byMap.set("map", 0);
         byMap.set("light", point);
-        byMap.set("share", share);
-        byMap.set("side", method == Method::pcf ? int(taps) : 1);
         for (std::size_t i = 0; i < view.objects; ++i) {
             byMap.set("worldFromObject", scene.objects[i].worldFromObject);
             drawOnMap(byMap, view, scene, i);
@@ -257,7 +284,7 @@ struct SoftShadows final : Demo {
     void addByPcss(const View& view, const Scene& scene) {
         const SceneLight& lamp = scene.lights.front();
         const mat4 mapFromWorld = lightOfMap.mapFromWorld();
-        view.target.bind();
+        if (byPcss.id() == 0) byPcss = Program("soft-shadows", "pcss");
         glDepthFunc(GL_EQUAL);
         map.bind(0, DepthLookup::depth);
         byPcss.use();
@@ -283,7 +310,6 @@ struct SoftShadows final : Demo {
         frame.bindTarget();
         glClearColor(empty, empty, empty, 1);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-        glEnable(GL_DEPTH_TEST);
         glDepthFunc(GL_LESS);
         picture.bindColor(0);
         shading.use();
@@ -339,6 +365,8 @@ const bool added = addDemo<SoftShadows>({
     .needs = {.depth = true,
               .beyondEs = "targets of floats that are blended into; --accumulate 8-bit needs none, up to 256 points"},
     .pose = {{"lights", "256"}, {"caster-height", "0.2"}},
+    .waste = {{"repeated-pass", "pass into 'darkness'", "what a soft shadow costs in every frame is the lesson"},
+              {"state-again", "glViewport", "the darkness is as large as the picture, and a target sets its own"}},
     .study =
         Study{
             .quantity = "part of the lamp that is seen from each pixel's surface, 0..1",
@@ -360,8 +388,8 @@ const bool added = addDemo<SoftShadows>({
             .says = "On one plane nothing comes near points with a shadow matrix: 64 of them are wrong by 0.003, 1024 "
                     "by "
                     "0.0004, and each costs a caster's triangles; in 8 bits the sum ends at 0.001. A blur of fixed "
-                    "size is "
-                    "wrong by 0.05 with every kernel; pcss by 0.005 under a cube, but by 0.025 under a table, where "
+                    "size "
+                    "is wrong by 0.05 with every kernel; pcss by 0.005 under a cube, but by 0.026 under a table, where "
                     "casters at several heights share a pyramid, and there only a map for each point goes further.",
         },
 });

@@ -18,16 +18,10 @@ in vec2 uv;
 in vec4 onMap;
 out vec4 fragColor;
 
-// Whether the triangle's front faces the light: its own normal, not the smooth one of the shading.
-bool facesLight() {
-    vec3 normal = cross(dFdx(worldPoint), dFdy(worldPoint));  // towards the eye
-    return (dot(normal, towardsLight(worldPoint, light)) > 0.0) == gl_FrontFacing;
-}
-
 void main() {
     float lit = litPcf(map, onMap, bias, taps);
     if (measuring) {
-        fragColor = vec4(facesLight() ? lit : -1.0);
+        fragColor = vec4(facesLight(worldPoint, light) ? lit : -1.0);
         return;
     }
     vec3 toLight = towardsLight(worldPoint, light);

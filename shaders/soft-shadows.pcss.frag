@@ -7,9 +7,8 @@ uniform int side;                          // looks at side x side places of the
 in vec4 onMap;
 out vec4 fragColor;
 
-vec2 slope;  // of this surface on the map: what its depth gains by a step of the map's two coordinates
-
-// A surface is a plane on the map too: its slope follows from what two neighbouring pixels see.
+// What this surface's depth gains by a step of the map's two coordinates: a plane in the world is one on the map too, so
+// two neighbouring pixels tell.
 vec2 slopeOf(vec3 at) {
     vec3 right = dFdx(at), up = dFdy(at);
     return vec2(up.y * right.z - right.y * up.z, right.x * up.z - up.x * right.z) / (right.x * up.y - right.y * up.x);
@@ -17,7 +16,7 @@ vec2 slopeOf(vec3 at) {
 
 // The map's depth at the part `way` of the way from here to the place (i, j) of the lamp, or 1 where that is no caster:
 // it is not in front of this surface, whose own depth there tells (what lies beyond the map's end is at its end).
-float casterSeen(int i, int j, float way) {
+float casterSeen(int i, int j, float way, vec2 slope) {
     vec2 place = (2.0 * vec2(i, j) + 1.0) / float(side) - 1.0;
     vec4 at = mix(onMap, mapLamp + place.x * mapHalfU + place.y * mapHalfV, way);
     float depth = textureLod(map, at.xy / at.w, 0.0).r;
@@ -29,14 +28,14 @@ float casterSeen(int i, int j, float way) {
 float distanceOf(float depth) { return near * far / (far - depth * (far - near)); }
 
 void main() {
-    slope = slopeOf(onMap.xyz / onMap.w);
+    vec2 slope = slopeOf(onMap.xyz / onMap.w);
     float here = onMap.w;  // the distance from the lamp's plane
 
     // 1. Search: how far from the lamp are, on average, the casters in the pyramid? It is cut where the map begins.
     float sum = 0.0, found = 0.0;
     for (int j = 0; j < side; ++j) {
         for (int i = 0; i < side; ++i) {
-            float depth = casterSeen(i, j, 1.0 - near / here);
+            float depth = casterSeen(i, j, 1.0 - near / here, slope);
             if (depth == 1.0) continue;
             sum += distanceOf(depth);
             found += 1.0;
@@ -50,7 +49,7 @@ void main() {
     // 2. Estimate: all of them stand at that distance. 3. Filter: look again where the pyramid is cut there.
     float dark = 0.0, way = 1.0 - sum / found / here;
     for (int j = 0; j < side; ++j) {
-        for (int i = 0; i < side; ++i) dark += casterSeen(i, j, way) < 1.0 ? 1.0 : 0.0;
+        for (int i = 0; i < side; ++i) dark += casterSeen(i, j, way, slope) < 1.0 ? 1.0 : 0.0;
     }
     fragColor = vec4(dark / float(side * side));
 }

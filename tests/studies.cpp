@@ -58,12 +58,15 @@ TEST(StudyPages, are_there_and_fresh) {
         EXPECT_NE(fileText(folder / (name + ".svg")).find("</svg>"), std::string::npos);
         EXPECT_FALSE(demo.study->says.empty()) << "two sentences of what it says";
         std::size_t declared = 0;
-        for (const StudyLine& line : demo.study->lines) declared += line.knob.empty() ? 1 : line.values.size();
-        EXPECT_EQ(run.rows.size(), declared * demo.study->scenes.size()) << "the declaration has changed";
+        for (const StudyLine& line : demo.study->lines) {
+            const std::size_t scenes = line.scenes.empty() ? demo.study->scenes.size() : line.scenes.size();
+            declared += scenes * (line.knob.empty() ? 1 : line.values.size());
+        }
+        EXPECT_EQ(run.rows.size(), declared) << "the declaration has changed";
         ASSERT_TRUE(committedStudy(name)) << "built in, for the window";
         EXPECT_EQ(studyJson(*committedStudy(name)), studyJson(run));
         for (const StudyRow& row : run.rows) {
-            if (row.ok()) EXPECT_GE(row.rounds, 7) << row.method << " " << row.parameter;
+            EXPECT_TRUE(!row.ok() || row.rounds >= 7) << row.method << " " << row.parameter;
         }
     }
 }

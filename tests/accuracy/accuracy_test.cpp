@@ -90,8 +90,9 @@ TEST(Accuracy, above_four_ulp_has_a_reason_and_below_has_none) {
 TEST(Accuracy, every_function_of_the_headers_is_measured) {
     const std::set<std::string> computeNothing{"vectorText",     "isFinite",        "requireFinite",
                                                "refuseInfinite", "requirePositive", "requireRange",
-                                               "isOrdinary",   // comparisons
-                                               "clipVolume"};  // a constant
+                                               "isOrdinary",       // comparisons
+                                               "clipVolume",       // a constant
+                                               "jitteredSquare"};  // random points: none is right
     std::set<std::string> measured;
     for (const Function& function : functions()) measured.insert(function.name.substr(0, function.name.find(' ')));
     std::set<std::string> declared;

@@ -1,5 +1,5 @@
 // mvgl-bench: what the suite costs, as ratios of interleaved runs against the bare way of doing the same.
-//     mvgl-bench [png] [math] [frame] [process] [rays] [shadows] [--rounds N]
+//     mvgl-bench [png] [math] [frame] [process] [rays] [shadows] [volumes] [--rounds N]
 //     mvgl-bench accuracy [--write FOLDER]    the errors and times of mv/math: docs/library.* (gnuplot draws the curve)
 // Exit status 0: every bound holds; 1: one is broken, or a run was too noisy to tell.
 #include <algorithm>
@@ -16,8 +16,8 @@
 int main(int count, char** arguments) {
     using namespace mv::bench;
     const std::vector<std::pair<std::string, std::function<std::vector<Row>(int)>>> benches{
-        {"png", pngBench},         {"math", mathBench}, {"frame", frameBench},
-        {"process", processBench}, {"rays", raysBench}, {"shadows", shadowsBench}};
+        {"png", pngBench},   {"math", mathBench},       {"frame", frameBench},   {"process", processBench},
+        {"rays", raysBench}, {"shadows", shadowsBench}, {"volumes", volumeBench}};
     if (count >= 2 && std::string(arguments[1]) == "accuracy") {
         if (count != 2 && (count != 4 || std::string(arguments[2]) != "--write")) {
             std::cerr << "error: accuracy: takes --write FOLDER or nothing\n";
@@ -43,7 +43,7 @@ int main(int count, char** arguments) {
         for (const auto& bench : benches) known |= bench.first == word;
         if (!known) {
             std::cerr << "error: " << word
-                      << ": must be accuracy, png, math, frame, process, rays, shadows or --rounds N\n";
+                      << ": must be accuracy, png, math, frame, process, rays, shadows, volumes or --rounds N\n";
             return 2;
         }
         wanted.push_back(word);

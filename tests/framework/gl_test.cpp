@@ -203,7 +203,9 @@ TEST_F(Gl, a_target_of_floats_is_added_to_and_read_by_a_later_draw) {
     add.use();
     add.set("m", mat4(1));
     add.set("c", vec4(1.0 / 1024));
-    const Mesh cover(MeshData{.positions = {{-1, -1, 0}, {3, -1, 0}, {-1, 3, 0}}}, "cover");
+    MeshData wholePicture;
+    wholePicture.positions = {{-1, -1, 0}, {3, -1, 0}, {-1, 3, 0}};
+    const Mesh cover(wholePicture, "cover");
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     glEnable(GL_BLEND);

@@ -13,8 +13,6 @@ using namespace mv::test;
 
 namespace {
 
-constexpr double edgeAt = 0.3;  // of the picture's width; on no boundary of 2^k cells
-
 const char* const quadShader =
     "void main() { gl_Position = vec4(2.0 * vec2(gl_VertexID & 1, gl_VertexID >> 1) - 1.0, 0.0, 1.0); }\n";
 const char* const stepShader = R"(
@@ -31,6 +29,7 @@ void main() {
 // Light to the right of a line, shadow to the left, known only to the middles of `cells` cells.
 struct Step final : Demo {
     Whole cells{this, "cells", 8, {1, 4096}, "cells across"};
+    Real edge{this, "edge", 0.3, {0, 1}, "of the picture's width; 0.3 is on no boundary of 2^k cells"};
     Toggle broken{this, "broken", false, "light and shadow exchanged"};
     Toggle refused{this, "refused", false, "a setting that makes no picture"};
     Toggle nowhere{this, "nowhere", false, "nothing is measured"};
@@ -50,7 +49,7 @@ struct Step final : Demo {
         if (nowhere) return;
         program.use();
         program.set("cells", double(cells));
-        program.set("edge", edgeAt);
+        program.set("edge", double(edge));
         program.set("width", double(frame.width()));
         program.set("broken", broken ? 1.0 : 0.0);
         program.set("measuring", frame.measuring());
@@ -61,7 +60,7 @@ struct Step final : Demo {
     Reference reference(const Frame& frame, const std::function<void(double)>& progress) const override {
         Reference right;
         for (int y = 0; y < frame.height(); ++y) {
-            for (int x = 0; x < frame.width(); ++x) right.values.push_back((x + 0.5) / frame.width() > edgeAt ? 1 : 0);
+            for (int x = 0; x < frame.width(); ++x) right.values.push_back((x + 0.5) / frame.width() > edge ? 1 : 0);
         }
         right.regions.assign(right.values.size(), 0);
         progress(1);
@@ -78,7 +77,9 @@ Study stepStudy() {
     study.lines = {{"cells", {}, "cells", {"4", "16", "64", "256", "1024"}},
                    {"broken", {{"broken", "on"}}, "cells", {"1024"}},
                    {"refused", {{"refused", "on"}}},
-                   {"nowhere", {{"nowhere", "on"}}}};
+                   {"nowhere", {{"nowhere", "on"}}},
+                   {"edges", {{"cells", "1024"}}, "edge", {"0.1", "0.5", "0.9"}, true},
+                   {"edges, one reference", {{"cells", "1024"}}, "edge", {"0.9"}}};
     study.axis = ErrorAxis::fraction;
     study.width = 1000;
     study.height = 4;
@@ -167,9 +168,30 @@ TEST(StudyRun, a_broken_method_shows) {
     EXPECT_LT(row(run, "cells", "1024").all.fraction, 0.002);
 }
 
+// A knob that changes what is right is judged by a reference for each of its values.
+TEST(StudyRun, each_value_may_have_its_reference) {
+    const StudyRun run = stepRun();
+    for (const char* edge : {"0.1", "0.5", "0.9"}) EXPECT_LT(row(run, "edges", edge).all.fraction, 0.002) << edge;
+    EXPECT_NEAR(row(run, "edges, one reference", "0.9").all.fraction, 0.6, 0.002) << "judged by the line at 0.3";
+}
+
+TEST(StudyRun, a_line_may_keep_to_some_scenes) {
+    static const DemoInfo made = infoOf<Step>("step", stepStudy());
+    Study study = stepStudy();
+    study.scenes = {{"left", {{"edge", "0.2"}}}, {"right", {{"edge", "0.7"}}}};
+    study.lines = {{"cells", {}, "cells", {"64"}}, {"finer", {}, "cells", {"1024"}, false, {"right"}}};
+    stage().open(made, 10, 10);
+    const StudyRun run = runStudy(stage(), study, {.timed = false});
+    stage().close();
+    ASSERT_EQ(run.rows.size(), 3U);
+    EXPECT_EQ(run.rows[2].scene, "right");
+    EXPECT_EQ(run.rows[2].method, "finer");
+    for (const StudyRow& each : run.rows) EXPECT_LT(each.all.fraction, 0.02) << each.scene;
+}
+
 TEST(StudyRun, failures_stay_as_rows) {
     const StudyRun run = stepRun();
-    EXPECT_EQ(run.rows.size(), 8U);
+    EXPECT_EQ(run.rows.size(), 12U);
     EXPECT_EQ(row(run, "refused").status, "--refused: must be off");
     EXPECT_NE(row(run, "nowhere").status.find("must have values to compare"), std::string::npos);
     const std::string table = studyTable(run);

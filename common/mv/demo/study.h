@@ -16,6 +16,9 @@ struct StudyLine {
     std::vector<KnobSetting> settings;  // of all points of the line
     std::string knob = {};              // the knob that moves along the line; "" for a single point
     std::vector<std::string> values = {};
+    // The knob changes what is right (the number of lights, say): each value gets a reference of its own.
+    bool changesReference = false;
+    std::vector<std::string> scenes = {};  // that it is measured in, by name; empty: all
 };
 
 // A scene in which every line is measured, against a reference of its own.

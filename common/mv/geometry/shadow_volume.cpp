@@ -120,11 +120,17 @@ ShadowVolume shadowVolume(const ClosedMesh& mesh, const vec4& light, Extrude ext
     }
     const auto thrown = [&](std::uint32_t i) { return atInfinity ? count : count + i; };
 
-    // Sides: a facing triangle runs its edge a, b; its neighbour in the surface, the side, runs it b, a
+    // Sides: a facing triangle runs its edge a, b; its neighbour in the surface, the side, runs it b, a. The two sides that
+    // facing neighbours draw out from one edge cancel; so they are the same two triangles, each the other way round.
     std::vector<std::uint32_t>& indices = volume.indices;
     const auto addSide = [&](std::uint32_t a, std::uint32_t b) {
-        indices.insert(indices.end(), {b, a, thrown(a)});
-        if (!atInfinity) indices.insert(indices.end(), {b, thrown(a), thrown(b)});
+        if (atInfinity) {
+            indices.insert(indices.end(), {b, a, thrown(a)});
+        } else if (a < b) {
+            indices.insert(indices.end(), {b, a, thrown(a), b, thrown(a), thrown(b)});
+        } else {
+            indices.insert(indices.end(), {b, a, thrown(b), thrown(b), a, thrown(a)});
+        }
         ++volume.edges;
     };
     const auto& triangles = mesh.triangles();

@@ -199,15 +199,27 @@ class Recorder {
         known->second = value;
         pending_.insert(key);
     }
-    std::string uniformName(GLint at) const {
+    struct Uniform {
+        std::string name;
+        GLenum type;
+        GLint location;
+    };
+    std::vector<Uniform> activeUniforms() const {
         GLint count = 0;
         below.GetProgramiv(program_, GL_ACTIVE_UNIFORMS, &count);
+        std::vector<Uniform> uniforms;
         for (GLint i = 0; i < count; ++i) {
             char name[128] = {};
             GLint size = 0;
             GLenum type = 0;
             below.GetActiveUniform(program_, static_cast<GLuint>(i), sizeof name, nullptr, &size, &type, name);
-            if (below.GetUniformLocation(program_, name) == at) return "uniform " + std::string(name);
+            uniforms.push_back({name, type, below.GetUniformLocation(program_, name)});
+        }
+        return uniforms;
+    }
+    std::string uniformName(GLint at) const {
+        for (const Uniform& uniform : activeUniforms()) {
+            if (uniform.location == at) return "uniform " + uniform.name;
         }
         return "uniform at " + std::to_string(at);
     }
@@ -382,15 +394,9 @@ TriangleCount Recorder::triangles(GLenum mode, GLsizei count, const Draw& draw) 
 void Recorder::noteSampled() {
     const auto [known, isNew] = samplers_.try_emplace(program_);
     if (isNew) {
-        GLint count = 0;
-        below.GetProgramiv(program_, GL_ACTIVE_UNIFORMS, &count);
-        for (GLint i = 0; i < count; ++i) {
-            char name[128] = {};
-            GLint size = 0;
-            GLenum type = 0;
-            below.GetActiveUniform(program_, static_cast<GLuint>(i), sizeof name, nullptr, &size, &type, name);
-            if (type == GL_SAMPLER_2D || type == GL_SAMPLER_2D_SHADOW) {
-                known->second.push_back(below.GetUniformLocation(program_, name));
+        for (const Uniform& uniform : activeUniforms()) {
+            if (uniform.type == GL_SAMPLER_2D || uniform.type == GL_SAMPLER_2D_SHADOW) {
+                known->second.push_back(uniform.location);
             }
         }
     }

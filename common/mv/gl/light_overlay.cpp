@@ -70,10 +70,11 @@ void LightOverlay::drawMap(const Frame& frame, const DepthMap& map, const LightV
     const double most = 0.3 * std::min(frame.width(), frame.height());
     const double width = std::min(most, most * aspect), height = width / aspect;
     // Words first: drawText switches off what would be in the way of the map, too
-    constexpr int lineHeight = 14;
+    TextStyle style;
+    style.height = 14;
     const std::string size = std::to_string(map.size());
-    drawText(frame, 0, frame.height() - int(std::lround(height)) - lineHeight, "map " + size + " x " + size,
-             {.height = lineHeight});
+    drawText(frame, 0, frame.height() - int(std::lround(height)) - textHeight(style), "map " + size + " x " + size,
+             style);
     corner_.use();
     corner_.set("map", 0);
     map.bind(0, DepthLookup::depth);

@@ -118,8 +118,9 @@ Target::Target(int width, int height, Buffers buffers, const std::string& label)
         glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, singleColor_.id());
         requireComplete(label + " resolved");
         labelObject(GL_FRAMEBUFFER, single_.id(), label + " resolved");
+        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
     }
-    bind();
+    glViewport(0, 0, width, height);
 }
 
 void Target::bind() const {

@@ -180,6 +180,8 @@ int textWidth(std::string_view text, const TextStyle& style) {
     return static_cast<int>(std::ceil(width)) + 2 * padding;
 }
 
+int textHeight(const TextStyle& style) { return style.height + 2 * padding; }
+
 void showImage(const Frame& frame, int x, int y, const Picture& picture) { drawQuad(frame, x, y, picture); }
 
 void forgetText() { quad().reset(); }

@@ -19,6 +19,8 @@ void drawText(const Frame& frame, int x, int y, std::string_view text, const Tex
 
 // The width in pixels that drawText needs for the text, its box included.
 int textWidth(std::string_view text, const TextStyle& style = {});
+// The height in pixels of a line with its box.
+int textHeight(const TextStyle& style = {});
 
 // Draws a picture with its upper left corner at (x, y), one pixel to a pixel, in pixels from the upper left corner.
 // Changes the same state as drawText.

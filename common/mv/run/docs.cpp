@@ -12,16 +12,10 @@
 #include "mv/run/audit.h"
 #include "mv/run/render.h"
 #include "mv/run/study.h"
+#include "mv/run/words.h"
 
 namespace mv {
 namespace {
-
-// A cell of a table: a bar would end it.
-std::string cell(const std::string& text) {
-    std::string escaped;
-    for (const char c : text) escaped += c == '|' ? std::string("\\|") : std::string(1, c);
-    return escaped;
-}
 
 std::string signedText(double value) { return (value > 0 ? "+" : "") + numberText(value); }
 
@@ -49,14 +43,14 @@ std::string tables(const DemoInfo& info) {
         for (const Option& option : knob->options()) {
             if (!option.meaning.empty()) help += "<br>`" + option.word + "`: " + option.meaning;
         }
-        text += "| `--" + knob->name() + "` | " + cell(knob->range()) +
-                (knob->unit().empty() ? "" : " " + knob->unit()) + " | " + knob->initialText() + " | " + cell(help) +
-                " |\n";
+        text += "| `--" + knob->name() + "` | " + tableCell(knob->range()) +
+                (knob->unit().empty() ? "" : " " + knob->unit()) + " | " + knob->initialText() + " | " +
+                tableCell(help) + " |\n";
     }
     if (!demo->readouts().empty()) {
         text += "\n| readout | unit | what it says |\n|---|---|---|\n";
         for (const Readout* readout : demo->readouts()) {
-            text += "| `" + readout->name() + "` | " + readout->unit() + " | " + cell(readout->help()) + " |\n";
+            text += "| `" + readout->name() + "` | " + readout->unit() + " | " + tableCell(readout->help()) + " |\n";
         }
     }
     if (!demo->bindings().empty()) {

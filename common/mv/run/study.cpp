@@ -12,6 +12,7 @@
 
 #include "mv/image/file.h"
 #include "mv/run/render.h"
+#include "mv/run/words.h"
 
 namespace mv {
 namespace {
@@ -20,12 +21,6 @@ using Clock = std::chrono::steady_clock;
 
 double milliseconds(Clock::time_point from) {
     return std::chrono::duration<double, std::milli>(Clock::now() - from).count();
-}
-
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    const std::size_t half = values.size() / 2;
-    return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
 }
 
 std::string processorName() {
@@ -119,10 +114,44 @@ std::vector<KnobSetting> presentSettings(const Demo& demo) {
     return settings;
 }
 
+// The settings that the references of the rows are made for; rows with the same ones share a reference.
+using References = std::vector<std::vector<KnobSetting>>;
+
+bool same(const std::vector<KnobSetting>& a, const std::vector<KnobSetting>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](const KnobSetting& x, const KnobSetting& y) { return x.name == y.name && x.text == y.text; });
+}
+
+// Of the row: its scene's, and the value of a knob that changes what is right.
+std::vector<KnobSetting> referenceSettings(const Study& study, const StudyRow& row) {
+    std::vector<KnobSetting> settings;
+    for (const StudyScene& scene : study.scenes) {
+        if (scene.name == row.scene) settings = scene.settings;
+    }
+    for (const StudyLine& line : study.lines) {
+        if (line.method == row.method && line.changesReference) settings.push_back({line.knob, row.parameter});
+    }
+    return settings;
+}
+
+References referencesOf(const Study& study, const std::vector<StudyRow>& rows) {
+    References references;
+    for (const StudyRow& row : rows) {
+        const auto wanted = referenceSettings(study, row);
+        const bool known =
+            std::any_of(references.begin(), references.end(), [&](const auto& each) { return same(each, wanted); });
+        if (!known) references.push_back(wanted);
+    }
+    return references;
+}
+
 std::vector<StudyRow> rowsOf(const Study& study) {
     std::vector<StudyRow> rows;
     for (const StudyScene& scene : study.scenes) {
         for (const StudyLine& line : study.lines) {
+            const bool here = line.scenes.empty() ||
+                              std::find(line.scenes.begin(), line.scenes.end(), scene.name) != line.scenes.end();
+            if (!here) continue;
             StudyRow row;
             row.scene = scene.name;
             row.method = line.method;
@@ -190,6 +219,16 @@ void countWork(Stage& stage, const Study& study, StudyRow& row) {
     row.counts.insert(row.counts.end(), stage.notes().counts.begin(), stage.notes().counts.end());
 }
 
+// A scene with several references is known as well as the worst of them.
+void noteOwnError(StudyRun& run, const std::string& scene, double error) {
+    for (auto& [name, worst] : run.referenceErrors) {
+        if (name != scene) continue;
+        worst = std::max(worst, error);
+        return;
+    }
+    run.referenceErrors.emplace_back(scene, error);
+}
+
 // A frame that takes this long does not notice what the last setting left in the caches.
 constexpr double slowMs = 300;
 
@@ -246,30 +285,35 @@ StudyRun runStudy(Stage& stage, const Study& study, const StudyOptions& options)
     };
 
     if (!study.ofValues) stage.resize(study.width, study.height);
-    for (const StudyScene& scene : study.scenes) {
+    for (const std::vector<KnobSetting>& settings : referencesOf(study, run.rows)) {
+        std::vector<StudyRow*> rows;
+        for (StudyRow& row : run.rows) {
+            if (row.ok() && same(referenceSettings(study, row), settings)) rows.push_back(&row);
+        }
+        if (rows.empty()) continue;
+        const std::string& scene = rows.front()->scene;
         applyKnobs(demo, before);
-        applyKnobs(demo, scene.settings);
+        applyKnobs(demo, settings);
         FrameNotes notes;
         const Reference reference = demo.reference(
             Frame(study.frame, study.width, study.height, notes, {.ownError = options.timed}), [&](double part) {
-                tell(at("reference " + scene.name + " " + std::to_string(std::lround(100 * part)) + " %"));
+                tell(at("reference " + scene + " " + std::to_string(std::lround(100 * part)) + " %"));
             });
         if (!study.ofValues && reference.values.size() != static_cast<std::size_t>(study.width * study.height)) {
             throw Error("reference", "must have a value for each pixel", std::to_string(reference.values.size()));
         }
-        if (reference.ownError >= 0) run.referenceErrors.emplace_back(scene.name, reference.ownError);
+        if (reference.ownError >= 0) noteOwnError(run, scene, reference.ownError);
         const std::vector<bool> band = edgeBand(reference, study.width, study.height, study.wrongBeyond);
-        for (StudyRow& row : run.rows) {
-            if (row.scene != scene.name || !row.ok()) continue;
-            tell(at("errors of " + nameOf(row)));
+        for (StudyRow* row : rows) {
+            tell(at("errors of " + nameOf(*row)));
             ++step;
             try {
                 applyKnobs(demo, before);
-                applyKnobs(demo, row.settings);
-                measureErrors(row, measuredValues(stage, study), reference, band, study);
-                countWork(stage, study, row);
+                applyKnobs(demo, row->settings);
+                measureErrors(*row, measuredValues(stage, study), reference, band, study);
+                countWork(stage, study, *row);
             } catch (const Error& error) {
-                row.status = error.what();
+                row->status = error.what();
             }
         }
     }

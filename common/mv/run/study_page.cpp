@@ -4,30 +4,19 @@
 
 #include "mv/error.h"
 #include "mv/run/study.h"
+#include "mv/run/words.h"
 
 namespace mv {
 namespace {
-
-std::string formatted(const char* format, double value) {
-    char text[64];
-    std::snprintf(text, sizeof text, format, value);
-    return text;
-}
-
-std::string cell(const std::string& text) {
-    std::string escaped;
-    for (const char c : text) escaped += c == '|' ? std::string("\\|") : std::string(1, c);
-    return escaped;
-}
 
 std::string errorTable(const StudyRun& run) {
     std::string text =
         "| scene | method | p | rms | max | wrong % | beside the edges % | ms | MAD | best |\n"
         "|---|---|---:|---:|---:|---:|---:|---:|---:|---|\n";
     for (const StudyRow& row : run.rows) {
-        text += "| " + cell(row.scene) + " | " + cell(row.method) + " | " + cell(row.parameter) + " | ";
+        text += "| " + tableCell(row.scene) + " | " + tableCell(row.method) + " | " + tableCell(row.parameter) + " | ";
         if (!row.ok()) {
-            text += "failed: " + cell(row.status) + " | | | | | | |\n";
+            text += "failed: " + tableCell(row.status) + " | | | | | | |\n";
             continue;
         }
         text += errorText(row.all.rms) + " | " + errorText(row.all.max) + " | " + errorText(100 * row.all.fraction) +
@@ -52,7 +41,7 @@ std::string countTable(const StudyRun& run) {
     }
     for (const StudyRow& row : run.rows) {
         if (!row.ok()) continue;
-        text += "| " + cell(row.scene) + " | " + cell(row.method) + " | " + cell(row.parameter) + " |";
+        text += "| " + tableCell(row.scene) + " | " + tableCell(row.method) + " | " + tableCell(row.parameter) + " |";
         for (const std::string& name : names) {
             const auto found = std::find_if(row.counts.begin(), row.counts.end(),
                                             [&](const auto& count) { return count.first == name; });

@@ -9,15 +9,10 @@
 #include "mv/error.h"
 #include "mv/image/file.h"
 #include "mv/run/study.h"
+#include "mv/run/words.h"
 
 namespace mv {
 namespace {
-
-std::string formatted(const char* format, double value) {
-    char text[64];
-    std::snprintf(text, sizeof text, format, value);
-    return text;
-}
 
 // Columns of text, each as wide as its widest cell; the first `left` of them flush left.
 std::string aligned(const std::vector<std::vector<std::string>>& rows, std::size_t left) {
@@ -231,23 +226,25 @@ std::string studySvg(const StudyRun& run) {
     const std::string folder = scratch.path().string();
     const int height = 520 * static_cast<int>(scenes.size()) + 60;
     std::string script =
-        "set terminal svg size 980," + std::to_string(height) +
+        "set terminal svg size 1150," + std::to_string(height) +
         " dynamic font 'DejaVu Sans,11' background rgb 'white'\n"
         "set output '" +
         folder +
         "/plot.svg'\n"
-        "set logscale xy\nset grid lc rgb '#dddddd'\nset key outside right top Left reverse noenhanced\n"
+        "set logscale xy\nset grid lc rgb '#dddddd'\nset key at screen 0.65, graph 1 left top Left reverse noenhanced\n"
         "set format x '10^{%T}'\nset format y '%g'\n";
     script += run.width > 0 ? "set ylabel 'milliseconds a frame'\n" : "set ylabel 'milliseconds'\n";
     const double foot = 60.0 / height;
-    script += "set multiplot layout " + std::to_string(scenes.size()) + ",1 margins 0.09,0.68," +
+    script += "set multiplot layout " + std::to_string(scenes.size()) + ",1 margins 0.08,0.63," +
               formatted("%.4f", foot + 60.0 / height) + "," + formatted("%.4f", 1 - 40.0 / height) + " spacing " +
               formatted("%.4f", 100.0 / height) + "\n";
     script += "set label 1 " + quoted("Reference: " + referenceText(run)) + " at screen 0.01, screen " +
               formatted("%.4f", 34.0 / height) + " font ',9' noenhanced\n";
     script += "set label 2 " + quoted("Measured on: " + machineText(run)) + " at screen 0.01, screen " +
               formatted("%.4f", 14.0 / height) + " font ',9' noenhanced\n";
-    for (const std::string& scene : scenes) script += plotScript(run, scene);
+    for (const std::string& scene : scenes) {
+        script += plotScript(run, scene) + "unset label 1\nunset label 2\n";  // once is enough
+    }
     script += "unset multiplot\nset output\n";
     writeFileAtomically(folder + "/plot.gp", std::string_view(script));
     const std::string command = "gnuplot '" + folder + "/plot.gp' 2>'" + folder + "/errors' >&2";

@@ -1,4 +1,5 @@
 #include "mv/host/window/panel_parts.h"
+#include "mv/run/words.h"
 
 #include <algorithm>
 #include <array>
@@ -8,12 +9,6 @@
 
 namespace mv {
 namespace {
-
-std::string formatted(const char* format, double value) {
-    char text[64];
-    std::snprintf(text, sizeof text, format, value);
-    return text;
-}
 
 // A number of a matrix as it is written on paper: four digits after the point, none where it is whole. `after` is the
 // part from the point on, so that numbers of a column can stand with their points under each other.

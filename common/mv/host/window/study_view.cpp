@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mv/run/study.h"
+#include "mv/run/words.h"
 
 namespace mv {
 namespace {
@@ -16,12 +17,6 @@ constexpr std::array<ImU32, 8> colors{IM_COL32(105, 170, 245, 255), IM_COL32(255
                                       IM_COL32(120, 210, 120, 255), IM_COL32(245, 120, 120, 255),
                                       IM_COL32(190, 155, 245, 255), IM_COL32(240, 225, 100, 255),
                                       IM_COL32(100, 215, 215, 255), IM_COL32(245, 155, 205, 255)};
-
-std::string formatted(const char* format, double value) {
-    char text[64];
-    std::snprintf(text, sizeof text, format, value);
-    return text;
-}
 
 void drawMarker(ImDrawList& list, ImVec2 at, std::size_t method, float size) {
     const ImU32 color = colors[method % colors.size()];

@@ -1,0 +1,6 @@
+uniform mat4 clipFromObject;
+in vec4 position;  // w = 1: a point; w = 0: at infinity
+
+invariant gl_Position;  // as in shadow-methods.vert
+
+void main() { gl_Position = clipFromObject * position; }
