@@ -82,9 +82,9 @@ struct ZBuffer final : Demo {
     Readout misordered{this, "misordered", "pairs of points, separation apart, whose depths do not tell the nearer",
                        "%"};
 
-    Program byMatrix, byLogarithm, show;
+    Program byMatrix, show;
+    std::optional<Program> byLogarithm;
     Target drawn;
-    Format drawnFormat{};
     Mesh plate, cover;
     std::vector<double> cuts;  // of the plate that is uploaded
     bool clipControl = false;
@@ -97,7 +97,6 @@ struct ZBuffer final : Demo {
 
     void init() override {
         byMatrix = Program("z-buffer");
-        byLogarithm = Program("z-buffer", "logarithmic");
         show = Program("z-buffer", "show");
         MeshData triangle;
         triangle.positions = {{-1, -1, 0}, {3, -1, 0}, {-1, 3, 0}};
@@ -115,19 +114,7 @@ struct ZBuffer final : Demo {
         const mat4 clip = clipFromView(frame.aspect(), zeroToOne());
         frame.show("clipFromView", clip);
 
-        // A depth buffer of the format to be tried, and colours beside it
-        if (drawn.width() != frame.width() || drawn.height() != frame.height() || drawnFormat != format) {
-            const GLenum formats[] = {GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT32F};
-            drawn = Target(frame.width(), frame.height(),
-                           {.depth = true,
-                            .texture = true,
-                            .depthFormat = formats[static_cast<std::size_t>(Format(format))],
-                            .depthTexture = true},
-                           "scene");
-            drawnFormat = format;
-        } else {
-            drawn.bind();
-        }
+        prepare(frame);
         drawPlates(plates, clip);
         if (frame.readouts()) measure(frame, plates, clip);
 
@@ -142,6 +129,21 @@ struct ZBuffer final : Demo {
             drawn.bindColor(0);
         }
         cover.draw();
+    }
+
+    // A depth buffer of the format to be tried, and colours beside it. The picture's own target needs none.
+    void prepare(const Frame& frame) {
+        constexpr GLenum formats[] = {GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT32F};
+        const GLenum wanted = formats[static_cast<std::size_t>(Format(format))];
+        const bool read = shown == Shown::depth;
+        const Target::Buffers& has = drawn.buffers();
+        if (drawn.width() == frame.width() && drawn.height() == frame.height() && has.depthFormat == wanted &&
+            has.depthTexture == read) {
+            drawn.bind();
+            return;
+        }
+        const Target::Buffers buffers{.depth = true, .texture = true, .depthFormat = wanted, .depthTexture = read};
+        drawn = Target(frame.width(), frame.height(), buffers, "scene");
     }
 
     void drawPlates(const std::array<Plate, 3>& plates, const mat4& clip) {
@@ -166,7 +168,8 @@ struct ZBuffer final : Demo {
         }
         glDisable(GL_CULL_FACE);
 
-        const Program& program = mapping == Mapping::logarithmic ? byLogarithm : byMatrix;
+        if (mapping == Mapping::logarithmic && !byLogarithm) byLogarithm.emplace("z-buffer", "logarithmic");
+        const Program& program = mapping == Mapping::logarithmic ? *byLogarithm : byMatrix;
         program.use();
         program.set("clipFromView", clip);
         if (mapping == Mapping::logarithmic) program.set("far", far);
@@ -337,6 +340,8 @@ const bool added = addDemo<ZBuffer>({
     .number = 8,
     .width = 600,
     .height = 600,
+    .waste = {{"repeated-pass", "pass into 'scene'", "what the depth test costs in every frame is the lesson"},
+              {"state-again", "glViewport", "the scene is as large as the picture, and a target sets its own"}},
     .study =
         Study{.quantity = "pairs of points at distances z and z (1 + separation) whose depths are not in order",
               .reference = "which of the two is nearer, as they were made",

@@ -172,6 +172,9 @@ TEST(ZBuffer, depth_as_grey) {
     }
     // Half of the range lies between near and twice near: nearly all of the picture is nearly white.
     EXPECT_GE(run.set("near", 2.5).set("far", 1000).set("mapping", "standard").picture().at(32, 32).red, 128);
+    // A slide's "with far 1000 near, the first 2 % of the distances take 98 % of the depths": they take 95.3.
+    const double near = d / (1 + 0.02 * 999);
+    EXPECT_EQ(run.set("near", near).set("far", 1000 * near).picture().at(32, 32).red, 243);
     // Without the depth test nothing is written.
     EXPECT_EQ(run.set("depth-test", "off").picture().at(32, 32).red, 255);
 }
