@@ -158,7 +158,7 @@ TEST(Program, hosts_that_are_missing_are_named) {
 // What a driver lacks is said by name, and the picture is the one that the sentence promises.
 TEST(Program, missing_clip_control_is_named) {
     const TemporaryFolder folder;
-    const std::string reversed = folder.path + "/reversed.png", flipped = folder.path + "/flipped.png";
+    const std::string reversed = folder.path() / "reversed.png", flipped = folder.path() / "flipped.png";
     const std::vector<std::string> road{program("z-buffer"), "--scene", "road", "--format", "d32f",
                                         "--separation",      "1e-6"};
     const auto run = [&](std::vector<std::string> more, const ProcessOptions& options) {
