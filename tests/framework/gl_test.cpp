@@ -175,6 +175,27 @@ TEST_F(Gl, words_stand_in_the_picture) {
     forgetText();
 }
 
+TEST_F(Gl, lines_of_words_together_are_the_lines_one_by_one) {
+    const Target target(120, 60, {}, "words");
+    FrameNotes notes;
+    const Frame frame(1, 120, 60, notes);
+    const std::array lines{TextLine{3, 2, "above"},
+                           TextLine{8, 30, "below", {.height = 20, .color = vec4(1, 0, 0, 1)}}};
+    glClearColor(0, 1, 1, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    for (const TextLine& line : lines) drawText(frame, line.x, line.y, line.text, line.style);
+    const Picture one = target.read();
+    glClear(GL_COLOR_BUFFER_BIT);
+    drawText(frame, lines);
+    EXPECT_EQ(target.read(), one);
+    EXPECT_GT(countColors(one), 5);
+    // One that cannot be: none is drawn
+    glClear(GL_COLOR_BUFFER_BIT);
+    EXPECT_THROW(drawText(frame, std::array{lines[0], TextLine{0, 0, "x", {.height = 2}}}), Error);
+    EXPECT_EQ(countColors(target.read()), 1);
+    forgetText();
+}
+
 TEST_F(Gl, an_image_is_shown_pixel_by_pixel) {
     Picture image(3, 2);
     image.set(0, 0, {255, 0, 0, 255});

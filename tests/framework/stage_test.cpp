@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 
 #include "mv/gl/gl.h"
@@ -12,6 +13,45 @@ using namespace mv;
 using namespace mv::test;
 
 namespace {
+
+TEST(Panes, share_the_picture_without_overlap) {
+    FrameNotes notes;
+    for (int count = 1; count <= 10; ++count) {
+        for (const auto& [width, height] : {std::pair{960, 720}, {101, 37}, {40, 300}}) {
+            const auto panes = Frame(1, width, height, notes).panes(count);
+            ASSERT_EQ(panes.size(), std::size_t(count));
+            std::vector<int> owner(std::size_t(width) * std::size_t(height), -1);
+            long owned = 0;
+            for (int i = 0; i < count; ++i) {
+                const Pane& pane = panes[std::size_t(i)];
+                EXPECT_EQ(std::pair(pane.width, pane.height), std::pair(panes[0].width, panes[0].height));
+                for (int y = pane.y; y < pane.y + pane.height; ++y) {
+                    for (int x = pane.x; x < pane.x + pane.width; ++x) {
+                        ASSERT_TRUE(x >= 0 && y >= 0 && x < width && y < height);
+                        int& pixel = owner[std::size_t(y) * std::size_t(width) + std::size_t(x)];
+                        ASSERT_EQ(pixel, -1) << i << " of " << count;
+                        pixel = i;
+                        ++owned;
+                    }
+                }
+            }
+            // Lines of 1 pixel, a rest of less than a row or column of panes, and the cells that are left over
+            const int columns = int(std::ceil(std::sqrt(count))), rows = (count + columns - 1) / columns;
+            const long cells = long(columns) * rows - count;
+            EXPECT_GE(owned + cells * panes[0].width * panes[0].height,
+                      long(width - 2 * columns) * (height - 2 * rows));
+        }
+    }
+    const Frame frame(1, 21, 11, notes);
+    const auto four = frame.panes(4);  // row by row from the upper left, y counted from below
+    EXPECT_EQ(std::pair(four[0].x, four[0].y), std::pair(0, 6));
+    EXPECT_EQ(std::pair(four[1].x, four[1].y), std::pair(11, 6));
+    EXPECT_EQ(std::pair(four[2].x, four[2].y), std::pair(0, 0));
+    EXPECT_EQ(std::pair(four[3].x, four[3].y), std::pair(11, 0));
+    EXPECT_EQ(frame.panes(1)[0].width, 21);
+    EXPECT_EQ(Frame(1, 1, 1, notes).panes(4)[3].width, 1);
+    EXPECT_THROW(frame.panes(0), Error);
+}
 
 Picture freshPicture(const std::string& name) { return DemoRun(name).picture(); }
 

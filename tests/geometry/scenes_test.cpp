@@ -7,6 +7,7 @@
 #include "../math/support.h"
 #include "mv/geometry/check.h"
 #include "mv/geometry/ray_caster.h"
+#include "mv/geometry/shapes.h"
 #include "mv/math/transform.h"
 
 using namespace mv;
@@ -128,6 +129,64 @@ TEST(Scenes, RoomsMeetInAnEdge) {
     }
     EXPECT_EQ(cubeInRoom().objects.size(), 3U);
     EXPECT_EQ(stillLifeInRoom().objects.size(), 6U);
+}
+
+TEST(Scenes, TheHouseIsClosedStandsUprightAndHasSixDifferentSides) {
+    const Scene scene = house();
+    EXPECT_EQ(scene.objects.size(), 10U);
+    for (const SceneObject& object : scene.objects) {
+        EXPECT_TRUE(isClosed(object.mesh)) << object.name;
+        EXPECT_GT(signedVolume(object.mesh), 0) << object.name;
+        for (const vec3& p : worldPositions(object)) {
+            EXPECT_GE(p.y, 0) << object.name;
+            EXPECT_LT(glm::length(p - vec3(1.5, 3, 0)), 8) << object.name;
+        }
+    }
+    // A normal leans the way the corners run round it
+    const MeshData mesh = meshOf(scene);
+    for (std::size_t i = 0; i < mesh.positions.size(); i += 3) {
+        const vec3 a(mesh.positions[i]), b(mesh.positions[i + 1]), c(mesh.positions[i + 2]);
+        EXPECT_GT(glm::dot(glm::normalize(glm::cross(b - a, c - a)), vec3(mesh.normals[i])), 0.999);
+    }
+    // Seen along the axes, no mirror image of the house is the house: some corner has no counterpart
+    for (int axis = 0; axis < 3; ++axis) {
+        double low = HUGE_VAL, high = -HUGE_VAL;
+        for (const fvec3& p : mesh.positions) {
+            low = std::min(low, double(p[axis]));
+            high = std::max(high, double(p[axis]));
+        }
+        bool alike = true;
+        for (fvec3 mirrored : mesh.positions) {
+            mirrored[axis] = float(low + high) - mirrored[axis];
+            alike &= std::any_of(mesh.positions.begin(), mesh.positions.end(),
+                                 [&](const fvec3& p) { return glm::length(p - mirrored) < 1e-3F; });
+        }
+        EXPECT_FALSE(alike) << "axis " << axis;
+    }
+}
+
+TEST(Scenes, AreOneMeshInWorldSpace) {
+    Scene scene;
+    scene.objects = {{.name = "a", .mesh = square(), .worldFromObject = translate(0, 1, 0), .color = {1, 0, 0}},
+                     {.name = "b", .mesh = sphere(1, 8, 4), .worldFromObject = scale(1, 2, 1), .color = {0, 0, 1}}};
+    const MeshData mesh = meshOf(scene);
+    validate(mesh);
+    ASSERT_EQ(mesh.positions.size(), 6 + 3 * triangleCount(scene.objects[1].mesh));
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+        EXPECT_EQ(mesh.colors[i], i < 6 ? fvec4(1, 0, 0, 1) : fvec4(0, 0, 1, 1));
+        EXPECT_NEAR(glm::length(mesh.normals[i]), 1, 1e-6);
+        if (i < 6) {
+            EXPECT_EQ(mesh.positions[i].y, 1);
+        } else {
+            // On the ellipsoid the normal is (x, y/4, z), made longer
+            const fvec3 normal = glm::normalize(mesh.positions[i] * fvec3(1, 0.25F, 1));
+            EXPECT_LT(glm::length(mesh.normals[i] - normal), 1e-6);
+        }
+    }
+    scene.objects[0].mesh.normals.clear();
+    EXPECT_TRUE(meshOf(scene).normals.empty());
+    scene.objects[0].mesh = wireCube();
+    EXPECT_EQ(refusal([&] { meshOf(scene); }), "object a: must be made of triangles");
 }
 
 TEST(Scenes, RefuseAnAspectThatIsNone) {

@@ -24,6 +24,13 @@ struct FrameMode {
     std::function<void()> bindTarget = {};
 };
 
+// A part of the picture that shows a view of its own. In pixels from the lower left corner, as glViewport and glScissor
+// count.
+struct Pane {
+    int x, y, width, height;
+    double aspect() const { return double(width) / height; }
+};
+
 class Frame {
   public:
     Frame(int index, int width, int height, FrameNotes& notes, FrameMode mode = {})
@@ -37,6 +44,10 @@ class Frame {
     int width() const { return width_; }
     int height() const { return height_; }
     double aspect() const { return double(width_) / height_; }
+    // The picture divided into panes of one size, row by row from the upper left, in as many columns as rows or one more.
+    // Between them, and where the division leaves a rest, there is a line of single pixels that belongs to none. In a picture
+    // too small for that a pane has 1 pixel a side and may lie outside. Refused: a count below 1.
+    std::vector<Pane> panes(int count) const;
     // Whether anybody reads the readouts of this frame. One that costs draws of its own (a count of triangles, say) is
     // left out where nobody does; the picture is the same either way.
     bool readouts() const { return mode_.readouts; }

@@ -35,4 +35,9 @@ struct Scene {
     mat4 clipFromWorld() const { return clipFromView * viewFromWorld; }
 };
 
+// All objects of a scene as one mesh in world space, for a scene that does not move in itself: one draw instead of many.
+// Triangles without indices, with positions and colors, and with unit normals where every object has them. Refused: an
+// object that is not made of triangles, and what validate refuses.
+MeshData meshOf(const Scene& scene);
+
 }  // namespace mv

@@ -1,6 +1,7 @@
 #include "mv/geometry/scenes.h"
 
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <string>
 
 #include "mv/geometry/shapes.h"
@@ -24,6 +25,29 @@ SceneObject solid(const std::string& name, MeshData mesh, const mat4& worldFromO
 // A box that stands on y = 0.
 MeshData standingBox(double sizeX, double sizeY, double sizeZ) {
     return box({-sizeX / 2, 0, -sizeZ / 2}, {sizeX / 2, sizeY, sizeZ / 2});
+}
+
+// The prism over a convex polygon from x0 to x1: corners (z, y), counter-clockwise seen from -x, where z is to the right.
+MeshData prismAlongX(const std::vector<vec2>& corners, double x0, double x1) {
+    MeshData mesh;
+    const auto add = [&](const vec3& a, const vec3& b, const vec3& c) {
+        for (const vec3& p : {a, b, c}) {
+            mesh.positions.emplace_back(p);
+            mesh.normals.emplace_back(glm::normalize(glm::cross(b - a, c - a)));
+        }
+    };
+    const auto at = [&](double x, std::size_t i) {
+        const vec2& corner = corners[i % corners.size()];
+        return vec3(x, corner.y, corner.x);
+    };
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        add(at(x0, i), at(x1, i), at(x0, i + 1));
+        add(at(x1, i), at(x1, i + 1), at(x0, i + 1));
+        if (i == 0 || i + 1 == corners.size()) continue;
+        add(at(x0, 0), at(x0, i), at(x0, i + 1));
+        add(at(x1, 0), at(x1, i + 1), at(x1, i));
+    }
+    return mesh;
 }
 
 // A projection of `fovy` degrees that is as wide as a picture of 4:3 at least: a narrower one gains above and below.
@@ -156,6 +180,36 @@ Scene stillLifeInRoom() {
             translate(0, 0, roomFloorZ) * roomFromUpright * scale(-roomWallX / 1.6) * object.worldFromObject;
     }
     addRoom(scene);
+    return scene;
+}
+
+Scene house() {
+    constexpr double eaves = 3, ridge = 6, halfDepth = 3, overhang = 0.5, thickness = 0.25;
+    // The roof's underside starts at the ridge and touches the walls' upper edges
+    const double slope = (ridge - thickness - eaves) / halfDepth, low = eaves - slope * overhang;
+    const double edge = halfDepth + overhang;
+    const vec3 plaster{0.93, 0.88, 0.76}, tiles{0.78, 0.36, 0.26}, glass{0.62, 0.78, 0.88}, wood{0.42, 0.56, 0.44};
+    Scene scene;
+    scene.objects = {
+        solid("walls",
+              prismAlongX(
+                  {{-halfDepth, 0}, {halfDepth, 0}, {halfDepth, eaves}, {0, ridge - thickness}, {-halfDepth, eaves}},
+                  -4, 4),
+              mat4(1), plaster),
+        solid("roof front",
+              prismAlongX({{0, ridge - thickness}, {edge, low}, {edge, low + thickness}, {0, ridge}}, -4.5, 4.5),
+              mat4(1), tiles),
+        solid("roof back",
+              prismAlongX({{0, ridge}, {-edge, low + thickness}, {-edge, low}, {0, ridge - thickness}}, -4.5, 4.5),
+              mat4(1), tiles),
+        solid("chimney", box({1.9, 4, -1.9}, {2.8, 6.75, -1}), mat4(1), {0.72, 0.48, 0.40}),
+        solid("garage", box({4, 0, -3}, {7, 2.5, 1}), mat4(1), {0.80, 0.80, 0.76}),
+        solid("gate", box({4.4, 0, 1}, {6.6, 2, 1.05}), mat4(1), wood),
+        solid("door", box({-3.1, 0, 3}, {-2.1, 2.1, 3.05}), mat4(1), wood),
+        solid("window 1", box({-1.2, 0.9, 3}, {0.3, 2.2, 3.05}), mat4(1), glass),
+        solid("window 2", box({1.5, 0.9, 3}, {3, 2.2, 3.05}), mat4(1), glass),
+        solid("window 3", box({4, 3.1, -0.6}, {4.05, 4.3, 0.6}), mat4(1), glass),
+    };
     return scene;
 }
 

@@ -31,4 +31,10 @@ Scene table(double aspect);
 Scene cubeInRoom();
 Scene stillLifeInRoom();
 
+// A small house, 8 m wide and 6 m deep, with a garage on its right (+x), a chimney behind the ridge and its door on the
+// left of the front (+z): no two of its six sides look alike. It stands on y = 0, with its ridge along x; there is
+// neither floor nor light nor camera. All of it lies within 8 m of (1.5, 3, 0). Objects: walls, roof front, roof back,
+// chimney, garage, gate, door, window 1 to window 3.
+Scene house();
+
 }  // namespace mv

@@ -1,6 +1,7 @@
 #include "mv/gl/text.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <vector>
@@ -144,34 +145,46 @@ out vec4 fragColor;
 void main() { fragColor = texture(picture, coordinate); }
 )";
 
-void drawQuad(const Frame& frame, int x, int y, const Picture& picture) {
+// Sets the state for drawQuad, which is to be called for each picture, and makes its program the current one.
+void beginQuads() {
     if (!quad()) {
         quad() = std::make_unique<Quad>();
         quad()->program = Program::fromText("image", quadVertex, quadFragment);
         quad()->vertexArray = makeVertexArray();
     }
-    const Texture texture(picture, GL_NEAREST, "image");
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     quad()->program.use();
     quad()->program.set("picture", 0);
+    glBindVertexArray(quad()->vertexArray.id());
+}
+
+void drawQuad(const Frame& frame, int x, int y, const Picture& picture) {
+    const Texture texture(picture, GL_NEAREST, "image");
     quad()->program.set("rectangle", vec4(2.0 * x / frame.width() - 1, 1 - 2.0 * (y + picture.height) / frame.height(),
                                           2.0 * (x + picture.width) / frame.width() - 1, 1 - 2.0 * y / frame.height()));
-    glBindVertexArray(quad()->vertexArray.id());
     texture.bind(0);
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
-    glDisable(GL_BLEND);
 }
+
+void endQuads() { glDisable(GL_BLEND); }
 
 }  // namespace
 
 void drawText(const Frame& frame, int x, int y, std::string_view text, const TextStyle& style) {
-    if (style.height < 6 || style.height > 512) {
-        throw Error("drawText", "height must be 6 .. 512 px", std::to_string(style.height));
+    drawText(frame, std::array{TextLine{x, y, std::string(text), style}});
+}
+
+void drawText(const Frame& frame, std::span<const TextLine> lines) {
+    for (const TextLine& line : lines) {
+        const int height = line.style.height;
+        if (height < 6 || height > 512) throw Error("drawText", "height must be 6 .. 512 px", std::to_string(height));
     }
-    drawQuad(frame, x, y, textPicture(text, style));
+    beginQuads();
+    for (const TextLine& line : lines) drawQuad(frame, line.x, line.y, textPicture(line.text, line.style));
+    endQuads();
 }
 
 int textWidth(std::string_view text, const TextStyle& style) {
@@ -182,7 +195,11 @@ int textWidth(std::string_view text, const TextStyle& style) {
 
 int textHeight(const TextStyle& style) { return style.height + 2 * padding; }
 
-void showImage(const Frame& frame, int x, int y, const Picture& picture) { drawQuad(frame, x, y, picture); }
+void showImage(const Frame& frame, int x, int y, const Picture& picture) {
+    beginQuads();
+    drawQuad(frame, x, y, picture);
+    endQuads();
+}
 
 void forgetText() { quad().reset(); }
 

@@ -1,5 +1,7 @@
 // Words and pictures in the picture itself, headless too.
 #pragma once
+#include <span>
+#include <string>
 #include <string_view>
 
 #include "mv/demo/frame.h"
@@ -16,6 +18,16 @@ struct TextStyle {
 // Draws a line of UTF-8 text in DejaVu Sans with its upper left corner at (x, y), in pixels from the upper left corner
 // of the picture. Changes the current program, and switches depth test, culling and blending off.
 void drawText(const Frame& frame, int x, int y, std::string_view text, const TextStyle& style = {});
+
+// A line of text for drawText: its upper left corner, in pixels from the upper left corner of the picture.
+struct TextLine {
+    int x, y;
+    std::string text;
+    TextStyle style = {};
+};
+
+// The same for several lines, in their order; state is set once for all of them.
+void drawText(const Frame& frame, std::span<const TextLine> lines);
 
 // The width in pixels that drawText needs for the text, its box included.
 int textWidth(std::string_view text, const TextStyle& style = {});

@@ -1,0 +1,32 @@
+#include "mv/geometry/scene.h"
+
+#include <algorithm>
+#include <array>
+#include <glm/geometric.hpp>
+
+#include "mv/error.h"
+#include "mv/geometry/check.h"
+#include "mv/math/transform.h"
+
+namespace mv {
+
+MeshData meshOf(const Scene& scene) {
+    const bool normals = std::none_of(scene.objects.begin(), scene.objects.end(),
+                                      [](const SceneObject& object) { return object.mesh.normals.empty(); });
+    MeshData all;
+    for (const SceneObject& object : scene.objects) {
+        const auto triangles = trianglesOf(object.mesh);
+        if (triangles.empty()) throw Error("object " + object.name, "must be made of triangles");
+        const mat3 worldNormal = normals ? normalMatrix(object.worldFromObject) : mat3(1);
+        for (const std::array<std::uint32_t, 3>& corners : triangles) {
+            for (const std::uint32_t i : corners) {
+                all.positions.emplace_back(object.worldFromObject * vec4(vec3(object.mesh.positions[i]), 1));
+                all.colors.emplace_back(vec4(object.color, 1));
+                if (normals) all.normals.emplace_back(glm::normalize(worldNormal * vec3(object.mesh.normals[i])));
+            }
+        }
+    }
+    return all;
+}
+
+}  // namespace mv
