@@ -18,6 +18,7 @@
 #include <string_view>
 
 #include "mv/demo/demo.h"
+#include "mv/demo/depth_order.h"
 #include "mv/demo/plates.h"
 #include "mv/gl/gl.h"
 #include "mv/math/projection.h"
@@ -28,12 +29,9 @@ using namespace mv;
 namespace {
 
 enum class Place { cycle, road, panes };
-enum class Format { d16, d24, d32f };
 enum class Mapping { standard, infinite, reversed, flipped, logarithmic };
 enum class Shown { colors, depth };
 
-// The plates, in this order: red, green, blue.
-const vec3 colors[] = {vec3(0.9, 0.33, 0.24), vec3(0.36, 0.68, 0.36), vec3(0.28, 0.47, 0.85)};
 const vec3 background(0.95, 1, 1);
 
 // A run of cells of a plate, drawn by one call.
@@ -57,11 +55,11 @@ struct ZBuffer final : Demo {
     Whole pieces{this, "pieces", 1, {1, 8}, "parts that a bar or pane is cut into (the road has its own cells)"};
     Toggle depthTest{this, "depth-test", true, "let each pixel keep what is nearest"};
     Choice<Shown> shown{this, "show", Shown::colors, {{"colors"}, {"depth", "0 black, 1 white"}}, "which buffer"};
-    Choice<Format> format{this,
-                          "format",
-                          Format::d24,
-                          {{"d16", "16 bits"}, {"d24", "24 bits"}, {"d32f", "32 bits, floating point"}},
-                          "of the depth buffer"};
+    Choice<DepthFormat> format{this,
+                               "format",
+                               DepthFormat::d24,
+                               {{"d16", "16 bits"}, {"d24", "24 bits"}, {"d32f", "32 bits, floating point"}},
+                               "of the depth buffer"};
     Choice<Mapping> mapping{this,
                             "mapping",
                             Mapping::standard,
@@ -114,7 +112,13 @@ struct ZBuffer final : Demo {
         const mat4 clip = clipFromView(frame.aspect(), zeroToOne());
         frame.show("clipFromView", clip);
 
-        prepare(frame);
+        // A depth buffer of the format to be tried, and colours beside it. The picture's own target needs none.
+        constexpr GLenum formats[] = {GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT32F};
+        const Target::Buffers buffers{.depth = true,
+                                      .texture = true,
+                                      .depthFormat = formats[static_cast<std::size_t>(DepthFormat(format))],
+                                      .depthTexture = shown == Shown::depth};
+        if (!drawn.fit(frame.width(), frame.height(), buffers, "scene")) drawn.bind();
         drawPlates(plates, clip);
         if (frame.readouts()) measure(frame, plates, clip);
 
@@ -123,49 +127,26 @@ struct ZBuffer final : Demo {
         show.use();
         show.set("drawn", 0);
         show.set("grey", shown == Shown::depth);
-        if (shown == Shown::depth) {
+        if (shown == Shown::depth)
             drawn.bindDepth(0);
-        } else {
+        else
             drawn.bindColor(0);
-        }
         cover.draw();
-    }
-
-    // A depth buffer of the format to be tried, and colours beside it. The picture's own target needs none.
-    void prepare(const Frame& frame) {
-        constexpr GLenum formats[] = {GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT32F};
-        const GLenum wanted = formats[static_cast<std::size_t>(Format(format))];
-        const bool read = shown == Shown::depth;
-        const Target::Buffers& has = drawn.buffers();
-        if (drawn.width() == frame.width() && drawn.height() == frame.height() && has.depthFormat == wanted &&
-            has.depthTexture == read) {
-            drawn.bind();
-            return;
-        }
-        const Target::Buffers buffers{.depth = true, .texture = true, .depthFormat = wanted, .depthTexture = read};
-        drawn = Target(frame.width(), frame.height(), buffers, "scene");
     }
 
     void drawPlates(const std::array<Plate, 3>& plates, const mat4& clip) {
         // Near is 0 and the smaller depth wins, or near is 1 and the larger one does
-        const bool nearIsOne = mapping == Mapping::reversed || mapping == Mapping::flipped;
-        const float farthest = nearIsOne ? 0 : 1;
+        const float farthest = nearIsOne() ? 0 : 1;
         glClearColor(float(background.r), float(background.g), float(background.b), 1);
         glClear(GL_COLOR_BUFFER_BIT);
         glClearBufferfv(GL_DEPTH, 0, &farthest);
-        if (depthTest) {
-            glEnable(GL_DEPTH_TEST);
-        } else {
-            glDisable(GL_DEPTH_TEST);
-        }
-        glDepthFunc(nearIsOne ? GL_GREATER : GL_LESS);
+        if (depthTest) glEnable(GL_DEPTH_TEST);
+        if (!depthTest) glDisable(GL_DEPTH_TEST);
+        glDepthFunc(nearIsOne() ? GL_GREATER : GL_LESS);
         if (zeroToOne()) glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
-        if (opacity < 1) {
-            glEnable(GL_BLEND);
-            glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-        } else {
-            glDisable(GL_BLEND);
-        }
+        if (opacity < 1) glEnable(GL_BLEND);
+        if (opacity == 1) glDisable(GL_BLEND);
+        glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
         glDisable(GL_CULL_FACE);
 
         if (mapping == Mapping::logarithmic && !byLogarithm) byLogarithm.emplace("z-buffer", "logarithmic");
@@ -173,7 +154,10 @@ struct ZBuffer final : Demo {
         program.use();
         program.set("clipFromView", clip);
         if (mapping == Mapping::logarithmic) program.set("far", far);
-        cutPlate();
+        if (cuts != cutsOf()) {
+            cuts = cutsOf();
+            plate = Mesh(plateMesh(cuts), "plate");
+        }
         std::optional<std::size_t> current;
         for (const Part& part : partsInOrder(plates)) {
             if (part.plate != current) {
@@ -191,43 +175,25 @@ struct ZBuffer final : Demo {
     }
 
     bool zeroToOne() const { return mapping == Mapping::reversed && clipControl; }
+    bool nearIsOne() const { return mapping == Mapping::reversed || mapping == Mapping::flipped; }
 
     // Only the third row of the matrix has to do with depth.
     mat4 clipFromView(double aspect, bool zeroToOne) const {
         const double n = near, f = far;
         if (mapping == Mapping::infinite) return infinitePerspective(50, aspect, n);
         mat4 m = perspective(50, aspect, n, f);
-        if (mapping == Mapping::reversed || mapping == Mapping::flipped) {
+        if (nearIsOne()) {
             m[2][2] = zeroToOne ? n / (f - n) : (f + n) / (f - n);
             m[3][2] = zeroToOne ? f * n / (f - n) : 2 * f * n / (f - n);
         }
         return m;
     }
 
-    // ---- The scenes
-
     std::array<Plate, 3> platesOf() const {
-        const mat4 turned = translate(0, 0, -5) * rotateX(spinX) * rotateY(spinY);
-        const mat4 down = rotateZ(-12) * rotateX(18);  // looking down on the road, the head a little on one side
-        std::array<Plate, 3> plates;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const auto k = double(i);
-            plates[i].color = colors[i];
-            if (place == Place::cycle) {  // along a side of a triangle, its right end tilted towards the eye
-                plates[i].viewFromPlate = translate(-0.1, -0.35, 0) * turned * rotateZ(120 * k) *
-                                          translate(0, -0.75, 0) * rotateY(-18) * scale(3.5, 0.62, 1) *
-                                          translate(-0.5, 0, 0);
-            } else if (place == Place::panes) {
-                plates[i].viewFromPlate = turned * translate(0.55 * (k - 1), 0.4 * (1 - k), -5 * k * separation) *
-                                          scale(2.2, 2.2, 1) * translate(-0.5, 0, 0);
-            } else {  // the mark 1 below the eye, on the road, on the ground: on each ray the distances are in proportion
-                const double height = i == 0 ? 1 : i == 2 ? 1 + separation : (1 + separation) * (1 + separation);
-                const double width = i == 0 ? 0.12 : i == 2 ? 1.6 : 100;
-                plates[i].viewFromPlate =
-                    down * translate(0, -height, 0) * rotateX(-90) * rotateZ(90) * scale(far, width, 1);
-            }
-        }
-        return plates;
+        const mat4 viewFromThings = translate(0, 0, -5) * rotateX(spinX) * rotateY(spinY);
+        if (place == Place::cycle) return barsInACycle(viewFromThings * translate(-0.1, -0.35, 0));
+        if (place == Place::panes) return panes(viewFromThings, 5 * separation);
+        return roadOnGround(far, separation);
     }
 
     // Where a plate is cut. The road in cells of a quarter of their distance: over a cell depth is interpolated in float,
@@ -241,18 +207,6 @@ struct ZBuffer final : Demo {
         }
         ends.push_back(1);
         return ends;
-    }
-
-    void cutPlate() {
-        if (cuts == cutsOf()) return;
-        cuts = cutsOf();
-        MeshData cells;
-        for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
-            const auto a = float(cuts[i]), b = float(cuts[i + 1]);
-            for (const fvec2& corner : {fvec2(a, -0.5), {b, -0.5}, {b, 0.5}, {a, -0.5}, {b, 0.5}, {a, 0.5}})
-                cells.positions.emplace_back(corner, 0);
-        }
-        plate = Mesh(cells, "plate");
     }
 
     std::vector<Part> partsInOrder(const std::array<Plate, 3>& plates) const {
@@ -288,40 +242,20 @@ struct ZBuffer final : Demo {
         misordered = 100 * std::accumulate(pairs.begin(), pairs.end(), 0.0) / pairCount;
     }
 
-    // ---- The study: of pairs of points, one the part `separation` farther than the other, those out of order
-
+    // The study: of pairs of points, one the part `separation` farther away, those whose depths are equal or the wrong
+    // way round.
     static constexpr int pairCount = 100000;
-
-    // The depth that is stored of a point at this distance, in float as the GPU computes it from the rounded matrix.
-    double storedDepth(const fmat4& clip, float distance) const {
-        const float clipZ = clip[2][2] * -distance + clip[3][2], ndc = clipZ / distance;
-        float depth = mapping == Mapping::reversed ? ndc : 0.5F * ndc + 0.5F;
-        if (mapping == Mapping::logarithmic) depth = std::log2(1 + distance) / std::log2(1 + float(far));
-        depth = std::clamp(depth, 0.0F, 1.0F);
-        if (format == Format::d32f) return depth;
-        const double steps = format == Format::d16 ? 0xFFFF : 0xFFFFFF;
-        return std::round(depth * steps) / steps;
-    }
-
-    // 1 for each pair whose depths are equal or the wrong way round, else 0. Distances in equal ratios from near to far.
     std::vector<double> values() const override {
-        const fmat4 m(clipFromView(1, mapping == Mapping::reversed));
-        const bool nearIsOne = mapping == Mapping::reversed || mapping == Mapping::flipped;
-        const double ratio = std::pow(far / (1 + separation) / near, 1.0 / pairCount);
-        std::vector<double> wrong;
-        wrong.reserve(pairCount);
-        double distance = near * std::sqrt(ratio);
-        for (int i = 0; i < pairCount; ++i, distance *= ratio) {
-            const double front = storedDepth(m, float(distance));
-            const double back = storedDepth(m, float(distance * (1 + separation)));
-            wrong.push_back((nearIsOne ? front > back : front < back) ? 0 : 1);
-        }
-        return wrong;
+        const bool clipsToOne = mapping == Mapping::reversed;
+        const fmat4 clip(clipFromView(1, clipsToOne));
+        return misorderedPairs(near, far, separation, pairCount, [&](float distance) {
+            const float depth = mapping == Mapping::logarithmic ? std::log2(1 + distance) / std::log2(1 + float(far))
+                                                                : windowDepth(clip, distance, clipsToOne);
+            return (nearIsOne() ? -1 : 1) * keptDepth(format, depth);
+        });
     }
-
-    // Which of a pair is nearer is known: none is misordered.
     Reference reference(const Frame&, const std::function<void(double)>&) const override {
-        return {.values = std::vector<double>(pairCount, 0)};
+        return {.values = std::vector<double>(pairCount, 0)};  // it is known which of a pair is nearer
     }
 };
 
@@ -329,7 +263,7 @@ StudyLine line(const std::string& method, const std::string& format, const std::
     return {.method = method,
             .settings = {{"format", format}, {"mapping", mapping}},
             .knob = "far",
-            .values = {"10", "100", "1e3", "1e4", "1e5", "1e6"}};
+            .values = {"100", "1e4", "1e6"}};
 }
 
 const bool added = addDemo<ZBuffer>({
@@ -354,6 +288,10 @@ const bool added = addDemo<ZBuffer>({
                         line("D32F flipped", "d32f", "flipped"), line("D16 logarithmic", "d16", "logarithmic"),
                         line("D24 logarithmic", "d24", "logarithmic"), line("D32F logarithmic", "d32f", "logarithmic")},
               .axis = ErrorAxis::fraction,
+              .says =
+                  "Only the float with reversed depth and glClipControl has every pair in order; with standard depth "
+                  "it is no better than 24 bits, which gain a point or two by reversing. The times are those of this "
+                  "model on a CPU and say nothing of a GPU's.",
               .ofValues = true},
 });
 

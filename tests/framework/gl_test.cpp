@@ -262,11 +262,11 @@ TEST_F(Gl, a_depth_buffer_has_the_format_asked_for_and_is_read_by_a_later_draw) 
     MeshData wholePicture;
     wholePicture.positions = {{-1, -1, 0}, {3, -1, 0}, {-1, 3, 0}};
     const Mesh cover(wholePicture, "cover");
-    const float third = 1.0F / 3;  // a window depth that no format holds exactly
+    const float cleared = 2.0F / 11;  // in steps of 16 and 24 bits 11915.45 and 3050402.7
     for (const auto& [format, steps] :
          {std::pair{GL_DEPTH_COMPONENT16, 65535.0}, {GL_DEPTH_COMPONENT24, 16777215.0}, {GL_DEPTH_COMPONENT32F, 0.0}}) {
         const Target scene(3, 2, {.depth = true, .depthFormat = GLenum(format), .depthTexture = true}, "scene");
-        glClearBufferfv(GL_DEPTH, 0, &third);
+        glClearBufferfv(GL_DEPTH, 0, &cleared);
         const Target depths(3, 2, {.color = GL_R32F}, "depths");
         scene.bindDepth(0);
         glDisable(GL_DEPTH_TEST);
@@ -277,10 +277,10 @@ TEST_F(Gl, a_depth_buffer_has_the_format_asked_for_and_is_read_by_a_later_draw) 
         // Rounded to the nearest step, which is then a float again; a driver may be a step off (GL's rule).
         const float read = depths.readRed()[0];
         if (steps > 0) {
-            EXPECT_NEAR(read * steps, std::round(third * steps), steps * 6e-8 + 1);
-            EXPECT_EQ(std::abs(read - third) > 1e-6, steps < 1e6);
+            EXPECT_NEAR(read * steps, std::round(cleared * steps), steps * 6e-8 + 1);
+            EXPECT_EQ(std::abs(read - cleared) > 1e-6, steps < 1e6);
         } else {
-            EXPECT_EQ(read, third);
+            EXPECT_EQ(read, cleared);
         }
     }
     const Target plain(3, 2, {.depth = true}, "plain");
@@ -290,6 +290,21 @@ TEST_F(Gl, a_depth_buffer_has_the_format_asked_for_and_is_read_by_a_later_draw) 
               "no depth: must have a depth buffer without samples to have it as a texture");
     EXPECT_EQ(errorOf([] { Target(3, 2, {.stencil = true, .depthFormat = GL_DEPTH_COMPONENT16}, "both"); }),
               "both: must have 24 bits of depth, not in a texture, where it has a stencil buffer");
+}
+
+TEST_F(Gl, a_target_is_made_anew_only_where_it_would_be_another) {
+    const Target::Buffers buffers{.color = GL_R32F};
+    Target target;
+    EXPECT_TRUE(target.fit(3, 2, buffers));
+    glClearColor(0.25F, 0, 0, 0);
+    glClear(GL_COLOR_BUFFER_BIT);
+    EXPECT_FALSE(target.fit(3, 2, buffers));
+    EXPECT_EQ(target.readRed(), std::vector<float>(6, 0.25F));  // what was drawn is still there
+    EXPECT_TRUE(target.fit(4, 2, buffers));
+    EXPECT_EQ(target.width(), 4);
+    const long objects = liveObjects();
+    EXPECT_TRUE(target.fit(4, 2, {.depth = true, .color = GL_R32F}));
+    EXPECT_EQ(liveObjects(), objects + 1);  // the depth buffer; of the old one nothing is left
 }
 
 // A demo of 3.3 may ask for glClipControl; the next one starts without it.

@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <limits>
+#include <span>
 
 #include "mv/error.h"
 #include "mv/math/transform.h"
@@ -75,6 +79,63 @@ TEST(Plates, near_far_the_eye_and_equal_distances) {
     const auto equal = colorsByRays(std::array{facing(red, 2, 1), facing(blue, 2, 3)}, view());
     EXPECT_FALSE(middle(equal));
     EXPECT_EQ(equal[10 * 20 + 4], blue);  // beside the smaller one
+}
+
+TEST(Plates, the_scenes_are_what_they_say) {
+    const auto seen = [](std::span<const Plate> plates) {
+        return colorsByRays(plates, {.tangents = {0.4, 0.4},
+                                     .near = 0.1,
+                                     .far = 1e6,
+                                     .opacity = 1,
+                                     .background = white,
+                                     .width = 200,
+                                     .height = 200});
+    };
+    const auto one = [&](const std::array<Plate, 3>& plates, std::size_t i) { return seen(std::span(&plates[i], 1)); };
+    // Of each two bars that overlap one is in front, and in a cycle: each wins once.
+    const auto bars = barsInACycle(translate(0, 0, -5));
+    const auto all = seen(bars);
+    std::array<std::array<long, 3>, 3> over{};
+    for (std::size_t front = 0; front < 3; ++front) {
+        for (std::size_t back = 0; back < 3; ++back) {
+            const auto a = one(bars, front), b = one(bars, back);
+            for (std::size_t i = 0; i < all.size(); ++i)
+                over[front][back] += front != back && a[i] != white && b[i] != white && all[i] == a[i] ? 1 : 0;
+        }
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_GT(over[i][(i + 2) % 3] + over[i][(i + 1) % 3], 100);
+        EXPECT_EQ(over[i][(i + 1) % 3] > 100, over[(i + 1) % 3][i] == 0);
+        EXPECT_EQ(over[i][(i + 1) % 3] > 100, over[(i + 1) % 3][(i + 2) % 3] > 100);  // all the same way round
+    }
+    // The distances of mark, road and ground on one ray: as 1, 1 + s and (1 + s)^2.
+    const double s = 0.25;
+    const auto road = roadOnGround(100, s);
+    const auto nearness = [&](std::size_t i, const vec3& ray) {
+        const mat4& m = road[i].viewFromPlate;
+        return (glm::inverse(mat3(vec3(m[0]), vec3(m[1]), vec3(m[3]))) * ray).z;
+    };
+    for (const vec3& ray : {vec3(0.1, -0.2, -1), vec3(-0.3, 0.1, -1)}) {
+        EXPECT_NEAR(nearness(0, ray) / nearness(2, ray), 1 + s, 1e-12);
+        EXPECT_NEAR(nearness(0, ray) / nearness(1, ray), (1 + s) * (1 + s), 1e-12);
+    }
+    // The panes: `step` apart along the gaze.
+    const auto three = panes(translate(0, 0, -5), 0.5);
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(three[i].viewFromPlate[3].z, -5 - 0.5 * double(i));
+}
+
+TEST(Plates, cells_cover_the_plate_between_the_cuts) {
+    const MeshData mesh = plateMesh(std::array{0.0, 0.25, 1.0});
+    ASSERT_EQ(mesh.positions.size(), 12U);
+    double area = 0;
+    for (std::size_t i = 0; i < mesh.positions.size(); i += 3) {
+        const vec3 a(mesh.positions[i]), b(mesh.positions[i + 1]), c(mesh.positions[i + 2]);
+        const vec3 cross = glm::cross(b - a, c - a);
+        EXPECT_GT(cross.z, 0);  // counter-clockwise, seen from +z
+        area += cross.z / 2;
+        for (const vec3& p : {a, b, c}) EXPECT_TRUE(i < 6 ? p.x <= 0.25 : p.x >= 0.25);
+    }
+    EXPECT_EQ(area, 1);
 }
 
 TEST(Plates, wrong_pixels_are_counted_beside_the_edges) {

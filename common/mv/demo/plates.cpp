@@ -6,9 +6,12 @@
 #include <glm/matrix.hpp>
 
 #include "mv/error.h"
+#include "mv/math/transform.h"
 
 namespace mv {
 namespace {
+
+const vec3 red(0.9, 0.33, 0.24), green(0.36, 0.68, 0.36), blue(0.28, 0.47, 0.85);
 
 struct Met {
     double nearness;  // 1 / distance along -z
@@ -26,6 +29,40 @@ std::optional<vec3> laidOver(const vec3& background, std::vector<Met> met, doubl
 }
 
 }  // namespace
+
+std::array<Plate, 3> barsInACycle(const mat4& viewFromBars) {
+    // Along a side of a triangle, its right end tilted towards the eye
+    const mat4 side = translate(0, -0.75, 0) * rotateY(-18) * scale(3.5, 0.62, 1) * translate(-0.5, 0, 0);
+    return {{{red, viewFromBars * side},
+             {green, viewFromBars * rotateZ(120) * side},
+             {blue, viewFromBars * rotateZ(240) * side}}};
+}
+
+std::array<Plate, 3> panes(const mat4& viewFromPanes, double step) {
+    const mat4 square = scale(2.2, 2.2, 1) * translate(-0.5, 0, 0);
+    return {{{red, viewFromPanes * translate(-0.55, 0.4, 0) * square},
+             {green, viewFromPanes * translate(0, 0, -step) * square},
+             {blue, viewFromPanes * translate(0.55, -0.4, -2 * step) * square}}};
+}
+
+std::array<Plate, 3> roadOnGround(double far, double separation) {
+    const mat4 down = rotateZ(-12) * rotateX(18);  // the eye looks down on it, the head a little on one side
+    const auto below = [&](double height, double width) {
+        return down * translate(0, -height, 0) * rotateX(-90) * rotateZ(90) * scale(far, width, 1);
+    };
+    const double next = 1 + separation;
+    return {{{red, below(1, 0.12)}, {green, below(next * next, 100)}, {blue, below(next, 1.6)}}};
+}
+
+MeshData plateMesh(std::span<const double> cuts) {
+    MeshData cells;
+    for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+        const auto a = float(cuts[i]), b = float(cuts[i + 1]);
+        for (const fvec2& corner : {fvec2(a, -0.5), {b, -0.5}, {b, 0.5}, {a, -0.5}, {b, 0.5}, {a, 0.5}})
+            cells.positions.emplace_back(corner, 0);
+    }
+    return cells;
+}
 
 std::vector<std::optional<vec3>> colorsByRays(std::span<const Plate> plates, const PlateView& view) {
     // The ray d (x, y, -1) meets the plate where M (x', y', 0, 1) is; with M's third column left out, the inverse takes

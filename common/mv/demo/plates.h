@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "mv/geometry/mesh_data.h"
 #include "mv/image/picture.h"
 #include "mv/math/types.h"
 
@@ -16,6 +17,18 @@ struct Plate {
     mat4 viewFromPlate;
 };
 inline constexpr double plateRim = 0.42;
+
+// Red, green and blue plates; +z is towards the eye.
+// Bars round a triangle about the origin, each with its right end over the next one: no order sorts them.
+std::array<Plate, 3> barsInACycle(const mat4& viewFromBars);
+// Squares side by side and one over another, red in front, then green and blue, `step` apart.
+std::array<Plate, 3> panes(const mat4& viewFromPanes, double step);
+// A mark on a road on the ground, from below the eye to `far`: 1, 1 + separation and (1 + separation)^2 below the eye, so
+// that on each ray the distances of mark, road and ground are in that proportion.
+std::array<Plate, 3> roadOnGround(double far, double separation);
+
+// A plate as triangles: a cell of six vertices, two triangles, between each two of `cuts`, which rise from 0 to 1.
+MeshData plateMesh(std::span<const double> cuts);
 
 struct PlateView {
     vec2 tangents;     // of half the angle of view, across and upwards

@@ -123,6 +123,12 @@ Target::Target(int width, int height, Buffers buffers, const std::string& label)
     glViewport(0, 0, width, height);
 }
 
+bool Target::fit(int width, int height, const Buffers& buffers, const std::string& label) {
+    if (framebuffer_ && width_ == width && height_ == height && buffers_ == buffers) return false;
+    *this = Target(width, height, buffers, label);
+    return true;
+}
+
 void Target::bind() const {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
     glViewport(0, 0, width_, height_);

@@ -20,6 +20,7 @@ class Target {
         bool texture = false;                       // the colours can be read by a later draw: bindColor()
         GLenum depthFormat = GL_DEPTH_COMPONENT24;  // or GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT32F; without stencil
         bool depthTexture = false;                  // the depths can be read by a later draw: bindDepth()
+        bool operator==(const Buffers&) const = default;
     };
     Target() = default;
     // Error: a size the driver cannot make, a number of samples it does not have.
@@ -28,6 +29,10 @@ class Target {
     int width() const { return width_; }
     int height() const { return height_; }
     const Buffers& buffers() const { return buffers_; }
+
+    // Makes it anew, as the constructor does, unless it has this size and these buffers already. True where it was made: then
+    // nothing is drawn in it yet, and it is the one that is bound.
+    bool fit(int width, int height, const Buffers& buffers, const std::string& label = "target");
 
     // Draws go here from now on, the viewport covering all of it.
     void bind() const;
