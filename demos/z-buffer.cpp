@@ -201,7 +201,11 @@ struct ZBuffer final : Demo {
     std::vector<double> cutsOf() const {
         std::vector<double> ends{0};
         if (place == Place::road) {
-            for (double along = 1 / far; along < 1; along *= 1.25) ends.push_back(along);
+            double along = 1 / far;
+            while (along < 1) {
+                ends.push_back(along);
+                along *= 1.25;
+            }
         } else {
             for (int i = 1; i < pieces; ++i) ends.push_back(double(i) / pieces);
         }

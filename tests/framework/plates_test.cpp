@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <limits>
@@ -39,7 +40,7 @@ Picture painted(const std::vector<std::optional<vec3>>& colors) {
     for (std::size_t i = 0; i < colors.size(); ++i) {
         for (std::size_t channel = 0; channel < 3; ++channel) {
             const double value = (*colors[i])[static_cast<int>(channel)];
-            picture.rgba[4 * i + channel] = static_cast<unsigned char>(255 * value + 0.5);
+            picture.rgba[4 * i + channel] = static_cast<unsigned char>(std::lround(255 * value));
         }
     }
     return picture;
