@@ -115,7 +115,7 @@ Row triangleRow(int rounds) {
 
 Row threadsRow(int rounds) {
     const RayCaster caster(stillLife(4.0 / 3));
-    const auto cast = [&](int threads) { (void)caster.lit(320, 240, {.threads = threads}); };
+    const auto cast = [&](int threads) { (void)caster.lit(640, 480, {.threads = threads}); };
     return {"rays caster: 2 threads / 1", interleaved([&] { cast(2); }, [&] { cast(1); }, rounds), 1 / 1.8};
 }
 

@@ -576,7 +576,7 @@ comparePanel() {
 study() {
     local integral=("$launcher" integral --size 400x1000 --report=json)
     learnPlaces 'mvgl: integral' "${integral[@]}"
-    equal "where it was measured" "Committed, measured on: no driver, a machine of long ago, 1 threads." "$(reported study)"
+    equal "where it was measured" "Committed, measured on: no driver, a machine of long ago, 1 thread." "$(reported study)"
     equal "the row of the present settings" "trapezia 4" "$(reported here)"
     # A longer time stands higher, a smaller error further left, an error of 0 left of all; what has failed nowhere.
     local x4 y4 x64 y64 x0

@@ -113,23 +113,25 @@ std::string lessonPage(const std::string& page, const DemoInfo& info) {
 
 Picture pictureStrip() {
     HeadlessStage headless;
-    constexpr int side = 150, gap = 6;
+    constexpr int side = 150, gap = 6, across = 7;
     const int count = static_cast<int>(catalogue().size());
-    Picture strip(count * side + (count - 1) * gap, side);
+    const int columns = std::min(count, across), rows = (count + across - 1) / across;
+    Picture strip(columns * side + (columns - 1) * gap, rows * side + (rows - 1) * gap);
     std::fill(strip.rgba.begin(), strip.rgba.end(), std::uint8_t{200});  // grey between the pictures: some are white
     for (std::size_t i = 3; i < strip.rgba.size(); i += 4) strip.rgba[i] = 255;
-    int left = 0;
+    int index = 0;
     for (const DemoInfo& info : catalogue()) {
         headless.stage.open(info, info.width, info.height);
         strikePose(headless.stage.demo(), info);
         headless.stage.draw(1);
+        const int left = index % across * (side + gap), top = index / across * (side + gap);
+        ++index;
         const Picture small = shrink(headless.stage.picture(), side, side);
         for (int y = 0; y < small.height; ++y) {
             for (int x = 0; x < small.width; ++x) {
-                strip.set(left + (side - small.width) / 2 + x, (side - small.height) / 2 + y, small.at(x, y));
+                strip.set(left + (side - small.width) / 2 + x, top + (side - small.height) / 2 + y, small.at(x, y));
             }
         }
-        left += side + gap;
     }
     headless.stage.close();
     return strip;

@@ -18,7 +18,7 @@ std::string lessonPage(const std::string& page, const DemoInfo& info);
 // source tree.
 void writeDocs(const std::string& root);
 
-// All demos in their poses at frame 1, in one row, for the README.
+// All demos in their poses at frame 1, in rows of seven, for the README.
 
 Picture pictureStrip();
 
