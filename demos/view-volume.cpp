@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "mv/demo/demo.h"
+#include "mv/geometry/bounds.h"
 #include "mv/geometry/scenes.h"
 #include "mv/geometry/shapes.h"
 #include "mv/gl/gl.h"
@@ -35,26 +36,27 @@ constexpr double fovy = 50, aspect = 1;
 const vec4 nearColor(0.10, 0.25, 0.90, 1), farColor(0.80, 0.10, 0.10, 1);
 const vec3 eye(0, 3, 0);  // of the camera, which looks along -z when pan is 0
 
-// What is culled as a whole: a mesh, where it stands, and the corners of a box around it, in world space.
-struct Thing {
-    std::size_t mesh;
-    mat4 worldFromObject;
-    std::array<vec3, 8> corners;
-};
+// Lines on the ground, 4 m apart, from below the camera to the last trees.
+MeshData groundLines() {
+    MeshData mesh;
+    mesh.primitive = Primitive::lines;
+    const auto add = [&](const vec3& from, const vec3& to) {
+        mesh.positions.insert(mesh.positions.end(), {fvec3(from), fvec3(to)});
+    };
+    for (int z = 0; z <= 40; z += 4) add({-16, 0, -z}, {16, 0, -z});
+    for (int x = -16; x <= 16; x += 4) add({x, 0, 0}, {x, 0, -40});
+    mesh.normals.assign(mesh.positions.size(), fvec3(0, 1, 0));
+    mesh.colors.assign(mesh.positions.size(), fvec4(0.60F, 0.66F, 0.56F, 1));
+    return mesh;
+}
 
-std::array<vec3, 8> cornersAround(const MeshData& mesh, const mat4& worldFromObject) {
-    fvec3 low = mesh.positions.front(), high = low;
-    for (const fvec3& p : mesh.positions) {
-        low = glm::min(low, p);
-        high = glm::max(high, p);
-    }
-    std::array<vec3, 8> corners;
-    for (unsigned i = 0; i < 8; ++i) {
-        const vec3 corner((i & 1U) != 0 ? high.x : low.x, (i & 2U) != 0 ? high.y : low.y,
-                          (i & 4U) != 0 ? high.z : low.z);
-        corners[i] = vec3(worldFromObject * vec4(corner, 1));
-    }
-    return corners;
+// From the eye to the corners of the near plane, as seen through a window from -1 to 1 at z = -1.
+MeshData linesOfSight() {
+    MeshData mesh;
+    mesh.primitive = Primitive::lines;
+    for (const fvec2& corner : {fvec2(-1, -1), fvec2(1, -1), fvec2(1, 1), fvec2(-1, 1)})
+        mesh.positions.insert(mesh.positions.end(), {fvec3(0), fvec3(corner, -1)});
+    return mesh;
 }
 
 // The planes of Gribb and Hartmann as they are mostly copied: sums of the matrix's rows, all in float. A normal that has
@@ -98,9 +100,9 @@ struct ViewVolume final : Demo {
     Readout planeError{this, "plane-error", "largest error of a plane: of its normal, and of its distance over far"};
 
     Program faces, lines;
-    std::array<Mesh, 2> meshes;
-    std::vector<Thing> things;
-    Mesh wire, pyramid;
+    const Scene scene = garden();
+    std::vector<std::array<vec3, 8>> boxes;  // the corners of one around each object, in world space
+    Mesh house, tree, ground, wire, sight;
 
     ViewVolume() {
         bindDrag(turn, -0.5, tilt, 0.5);
@@ -112,28 +114,15 @@ struct ViewVolume final : Demo {
     void init() override {
         faces = Program("view-volume");
         lines = Program("view-volume", "lines");
-        Scene tree;
-        tree.objects = {{.name = "trunk", .mesh = box({-0.2, 0, -0.2}, {0.2, 1.2, 0.2}), .color = {0.45, 0.32, 0.22}},
-                        {.name = "crown",
-                         .mesh = lathe(std::vector<vec2>{{0, 1}, {1.3, 1}, {0, 5}}, 24),
-                         .color = {0.30, 0.55, 0.32}}};
-        // A house in a garden of trees, which stand in rows at 4, 10, 16 ... 40 m before the camera
-        const std::array<MeshData, 2> shapes{meshOf(house()), meshOf(tree)};
-        meshes[0] = Mesh(shapes[0], "house");
-        meshes[1] = Mesh(shapes[1], "tree");
-        const auto add = [&](std::size_t mesh, const mat4& worldFromObject) {
-            things.push_back({mesh, worldFromObject, cornersAround(shapes[mesh], worldFromObject)});
-        };
-        add(0, translate(-1.5, 0, -20));
-        for (int row = 0; row < 7; ++row) {
-            for (const double x : {-13.0, -7.5, 7.5, 13.0}) add(1, translate(x, 0, -4.0 - 6 * row));
-        }
+        house = Mesh(scene.objects[0].mesh, "house");
+        tree = Mesh(scene.objects[1].mesh, "tree");
+        ground = Mesh(groundLines(), "ground");
         wire = Mesh(wireCube(), "view volume");
-        MeshData toNear;
-        toNear.primitive = Primitive::lines;
-        for (const fvec2& corner : {fvec2(-1, -1), fvec2(1, -1), fvec2(1, 1), fvec2(-1, 1)})
-            toNear.positions.insert(toNear.positions.end(), {fvec3(0), fvec3(corner, -1)});
-        pyramid = Mesh(toNear, "lines of sight");
+        sight = Mesh(linesOfSight(), "lines of sight");
+        for (const SceneObject& object : scene.objects) {
+            boxes.push_back(boundsOf(object.mesh).corners());
+            for (vec3& corner : boxes.back()) corner = vec3(object.worldFromObject * vec4(corner, 1));
+        }
     }
 
     void check() const override {
@@ -164,24 +153,11 @@ struct ViewVolume final : Demo {
                 vec4(0, -1, 0, h),         vec4(0, 0, -1, -nearUsed()), vec4(0, 0, 1, far)};
     }
 
-    // How far the thing's box reaches: of the plane that it is least inside of, the farthest corner inside (below 0: the
-    // thing is outside), and of all planes the farthest corner outside.
-    struct Reach {
-        double inside = HUGE_VAL, outside = HUGE_VAL;
-    };
-    Reach reachOf(const Thing& thing, const SixPlanes& six) const {
-        Reach reach;
-        for (const vec4& plane : six) {
-            if (plane == vec4(0)) continue;
-            double most = -HUGE_VAL;
-            for (const vec3& corner : thing.corners) {
-                const double inside = glm::dot(plane, cameraFromWorld() * vec4(corner, 1));
-                most = std::max(most, inside);
-                reach.outside = std::min(reach.outside, inside);
-            }
-            reach.inside = std::min(reach.inside, most);
-        }
-        return reach;
+    // How many of the corners of an object's box are outside of a plane of camera space.
+    std::ptrdiff_t cornersOutside(std::size_t object, const vec4& plane) const {
+        return std::count_if(boxes[object].begin(), boxes[object].end(), [&](const vec3& corner) {
+            return glm::dot(plane, cameraFromWorld() * vec4(corner, 1)) < 0;
+        });
     }
 
     void draw(const Frame& frame) override {
@@ -192,18 +168,19 @@ struct ViewVolume final : Demo {
         glDepthFunc(GL_LESS);
         glEnable(GL_SCISSOR_TEST);
 
-        // Leave out what is whole outside
+        // Leave out what is whole outside of one plane
         const SixPlanes six = cameraPlanes();
+        std::vector<std::size_t> kept;
+        int cut = 0;
+        for (std::size_t i = 0; i < boxes.size(); ++i) {
+            std::ptrdiff_t most = 0;
+            for (const vec4& plane : six) most = std::max(most, cornersOutside(i, plane));
+            if (cull && most == 8) continue;
+            kept.push_back(i);
+            cut += most > 0 ? 1 : 0;
+        }
         if (std::count(six.begin(), six.end(), vec4(0)) > 0)
             frame.say("A plane's normal has cancelled to 0 in float: that plane culls nothing.");
-        std::vector<const Thing*> kept;
-        int cut = 0;
-        for (const Thing& thing : things) {
-            const Reach reach = reachOf(thing, six);
-            if (cull && reach.inside < 0) continue;
-            kept.push_back(&thing);
-            if (reach.outside < 0) ++cut;
-        }
 
         // The camera's matrix, and on the right one more that looks at what it makes. Clip space counts depth away from
         // the camera, so it is mirrored before it is turned.
@@ -226,7 +203,7 @@ struct ViewVolume final : Demo {
             lines.set("color", vec4(0.6, 0.6, 0.6, 1));
             lines.set("paneFromModel",
                       outside * glm::inverse(cameraFromWorld()) * scale(top * aspect, top, nearUsed()));
-            pyramid.draw();
+            sight.draw();
         }
         faces.use();
         drawPane(panes[1], kept, cube * clipFromWorld, cube, true);
@@ -234,13 +211,13 @@ struct ViewVolume final : Demo {
 
         glViewport(0, 0, frame.width(), frame.height());
         const std::string counts =
-            std::to_string(kept.size()) + " drawn, " + std::to_string(things.size() - kept.size()) + " culled";
+            std::to_string(kept.size()) + " drawn, " + std::to_string(boxes.size() - kept.size()) + " culled";
         drawText(frame, std::array{TextLine{6, 6, "world", {.height = 18}}, TextLine{6, frame.height() - 30, counts},
                                    TextLine{panes[1].x + 6, 6, "after projection and division", {.height = 18}},
                                    TextLine{panes[1].x + 6, frame.height() - 30, "near: z = -1", {.color = nearColor}},
                                    TextLine{panes[1].x + 110, frame.height() - 30, "far: z = 1", {.color = farColor}}});
         drawn = double(kept.size());
-        culled = double(things.size() - kept.size());
+        culled = double(boxes.size() - kept.size());
         clipped = cut;
         ratio = far / nearUsed();
         if (frame.readouts()) {
@@ -252,17 +229,19 @@ struct ViewVolume final : Demo {
         }
     }
 
-    void drawPane(const Pane& pane, const std::vector<const Thing*>& kept, const mat4& paneFromWorld,
+    void drawPane(const Pane& pane, const std::vector<std::size_t>& kept, const mat4& paneFromWorld,
                   const mat4& paneFromClip, bool cutOpen) {
         glViewport(pane.x, pane.y, pane.width, pane.height);
         glScissor(pane.x, pane.y, pane.width, pane.height);
         glClear(GL_COLOR_BUFFER_BIT);
         faces.set("paneFromWorld", paneFromWorld);
         faces.set("cutOpen", cutOpen);
-        for (const Thing* thing : kept) {
-            faces.set("worldFromObject", thing->worldFromObject);
-            meshes[thing->mesh].draw();
+        for (const std::size_t i : kept) {
+            faces.set("worldFromObject", scene.objects[i].worldFromObject);
+            (i == 0 ? house : tree).draw();
         }
+        faces.set("worldFromObject", mat4(1));
+        ground.draw();
         // The canonical cube's own edges, or where they come from: far's, near's, and those between
         lines.use();
         lines.set("paneFromModel", paneFromClip * scale(2));

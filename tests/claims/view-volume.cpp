@@ -10,7 +10,6 @@
 
 #include "mv/geometry/ray_caster.h"
 #include "mv/geometry/scenes.h"
-#include "mv/geometry/shapes.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
 #include "mv/run/audit.h"
@@ -45,19 +44,6 @@ std::vector<Pixel> cubePane(const Picture& picture) {
     return pixels;
 }
 
-Scene garden() {
-    Scene tree, scene;
-    tree.objects = {{.name = "trunk", .mesh = box({-0.2, 0, -0.2}, {0.2, 1.2, 0.2})},
-                    {.name = "crown", .mesh = lathe(std::vector<vec2>{{0, 1}, {1.3, 1}, {0, 5}}, 24)}};
-    scene.objects.push_back({.name = "house", .mesh = meshOf(house()), .worldFromObject = translate(-1.5, 0, -20)});
-    for (int row = 0; row < 7; ++row) {
-        for (const double x : {-13.0, -7.5, 7.5, 13.0})
-            scene.objects.push_back(
-                {.name = "tree", .mesh = meshOf(tree), .worldFromObject = translate(x, 0, -4.0 - 6 * row)});
-    }
-    return scene;
-}
-
 }  // namespace
 
 TEST(ViewVolume, planes_are_the_clip_volume) {
@@ -81,7 +67,8 @@ TEST(ViewVolume, planes_are_the_clip_volume) {
                     least = std::min(least, glm::dot(normal, point) + 30 * numbers[p + 3]);
                 }
                 if (std::abs(least) < 1e-4) continue;  // float: 1e-7 of up to 40 m, a few times over
-                const bool inside = std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w && std::abs(clip.z) <= clip.w;
+                const bool inside =
+                    std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w && std::abs(clip.z) <= clip.w;
                 EXPECT_EQ(least > 0, inside) << projection << ", " << planes;
                 ++(inside ? in : out);
             }
@@ -118,9 +105,10 @@ TEST(ViewVolume, orange_is_clipped) {
                     met(x, y + 1) != here)
                     continue;
                 const Pixel pixel = picture.at(x, y);
-                const bool line = std::max({pixel.red, pixel.green, pixel.blue}) -
-                                          std::min({pixel.red, pixel.green, pixel.blue}) == 0 ||
-                                  pixel == Pixel{26, 64, 230} || pixel == Pixel{204, 26, 26};
+                const bool line =
+                    std::max({pixel.red, pixel.green, pixel.blue}) - std::min({pixel.red, pixel.green, pixel.blue}) ==
+                        0 ||
+                    pixel == Pixel{26, 64, 230} || pixel == Pixel{204, 26, 26};
                 if (line) continue;
                 EXPECT_EQ(isOrange(pixel), here == 2) << x << ", " << y;
                 ++(here == 2 ? orange : plain);
@@ -218,7 +206,9 @@ TEST(ViewVolume, parameters_never_cancel) {
         EXPECT_NEAR(run.readout("far-over-near"), farOverNear, 1e-9 * farOverNear);
         // What is left of the far plane's normal is 2 near/far, beside the roundings of numbers near 1
         EXPECT_LT(error("matrix", closer), 3e-16 * farOverNear + 1e-15);
-        if (closer <= 6) EXPECT_LT(error("float-matrix", closer), 1.2e-7 * farOverNear);
+        if (closer <= 6) {
+            EXPECT_LT(error("float-matrix", closer), 1.2e-7 * farOverNear);
+        }
     }
     EXPECT_GT(error("float-matrix", 6), 1e-2);  // X07
     EXPECT_GT(error("matrix", 8), 1e-12);
@@ -236,6 +226,7 @@ TEST(ViewVolume, near_below_far) {
     EXPECT_EQ(run.set("far", 20.5).refusal(), "");
     // Planes from the matrix, beyond what double leaves of them
     run.set("near", 0.5).set("far", 60).set("closer", 8).set("planes", "matrix");
-    EXPECT_EQ(run.refusal().rfind("--closer: must leave the matrix its planes; planesFromClip: the far plane's", 0), 0U);
+    EXPECT_EQ(run.refusal().rfind("--closer: must leave the matrix its planes; planesFromClip: the far plane's", 0),
+              0U);
     EXPECT_EQ(run.set("planes", "parameters").refusal(), "");
 }

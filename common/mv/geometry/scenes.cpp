@@ -1,5 +1,6 @@
 #include "mv/geometry/scenes.h"
 
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <string>
@@ -210,6 +211,23 @@ Scene house() {
         solid("window 2", box({1.5, 0.9, 3}, {3, 2.2, 3.05}), mat4(1), glass),
         solid("window 3", box({4, 3.1, -0.6}, {4.05, 4.3, 0.6}), mat4(1), glass),
     };
+    return scene;
+}
+
+Scene garden() {
+    Scene tree;
+    tree.objects = {
+        solid("trunk", standingBox(0.4, 1.2, 0.4), mat4(1), {0.45, 0.32, 0.22}),
+        solid("crown", lathe(std::vector<vec2>{{0, 1}, {1.3, 1}, {0, 5}}, 24), mat4(1), {0.30, 0.55, 0.32}),
+    };
+    const MeshData treeMesh = meshOf(tree);
+    Scene scene;
+    scene.objects = {solid("house", meshOf(house()), translate(-1.5, 0, -20), vec3(1))};
+    for (int i = 0; i < 28; ++i) {
+        const std::array<double, 4> columns{-13, -7.5, 7.5, 13};
+        scene.objects.push_back(solid("tree " + std::to_string(i + 1), treeMesh,
+                                      translate(columns[std::size_t(i % 4)], 0, -4.0 - 6 * (i / 4)), vec3(1)));
+    }
     return scene;
 }
 
