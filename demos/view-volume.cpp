@@ -73,14 +73,15 @@ SixPlanes planesInFloat(const mat4& clipFromWorld) {
 }
 
 struct ViewVolume final : Demo {
-    Choice<Projection> projection{this,
-                                  "projection",
-                                  Projection::perspective,
-                                  {{"perspective", "a pyramid with its top cut off"}, {"orthographic", "a box"}},
-                                  "the shape of the view volume"};
+    Choice<Projection> projection{
+        this, "projection", Projection::perspective, {{"perspective"}, {"orthographic"}}, "of the camera"};
     Real near{this, "near", 8, {0.5, 25}, "where it begins, in front of the camera", "m"};
     Real far{this, "far", 30, {2, 60}, "where it ends", "m"};
-    Whole closer{this, "closer", 0, {0, 8}, "how many times near is divided by ten"};
+    Choice<int> closer{this,
+                       "closer",
+                       0,
+                       {{"1"}, {"10"}, {"100"}, {"1e3"}, {"1e4"}, {"1e5"}, {"1e6"}, {"1e7"}, {"1e8"}},
+                       "by what near is divided"};
     Real pan{this, "pan", 0, {-90, 90}, "how far the camera looks to the left", "deg"};
     Toggle cull{this, "cull", true, "leave out each object that is whole outside one plane"};
     Choice<Planes> planes{this,
@@ -134,7 +135,7 @@ struct ViewVolume final : Demo {
         }
     }
 
-    double nearUsed() const { return near / std::pow(10.0, closer); }
+    double nearUsed() const { return near / std::pow(10.0, int(closer)); }
     // The box of the parallel projection is as wide as the pyramid at 16 m
     double boxHalf() const { return 16 * std::tan(radians(fovy / 2)); }
     mat4 clipFromCamera() const {
@@ -153,13 +154,6 @@ struct ViewVolume final : Demo {
                 vec4(0, -1, 0, h),         vec4(0, 0, -1, -nearUsed()), vec4(0, 0, 1, far)};
     }
 
-    // How many of the corners of an object's box are outside of a plane of camera space.
-    std::ptrdiff_t cornersOutside(std::size_t object, const vec4& plane) const {
-        return std::count_if(boxes[object].begin(), boxes[object].end(), [&](const vec3& corner) {
-            return glm::dot(plane, cameraFromWorld() * vec4(corner, 1)) < 0;
-        });
-    }
-
     void draw(const Frame& frame) override {
         glClearColor(0.5F, 0.5F, 0.5F, 1);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -168,13 +162,18 @@ struct ViewVolume final : Demo {
         glDepthFunc(GL_LESS);
         glEnable(GL_SCISSOR_TEST);
 
-        // Leave out what is whole outside of one plane
+        // Leave out what is whole outside of one plane. A matrix takes points from the right, and planes back from the left
         const SixPlanes six = cameraPlanes();
+        SixPlanes worldPlanes = six;
+        for (vec4& plane : worldPlanes) plane = plane * cameraFromWorld();
         std::vector<std::size_t> kept;
         int cut = 0;
         for (std::size_t i = 0; i < boxes.size(); ++i) {
-            std::ptrdiff_t most = 0;
-            for (const vec4& plane : six) most = std::max(most, cornersOutside(i, plane));
+            std::ptrdiff_t most = 0;  // of its box's eight corners that are outside of the same plane
+            for (const vec4& plane : worldPlanes) {
+                const auto outside = [&](const vec3& corner) { return glm::dot(plane, vec4(corner, 1)) < 0; };
+                most = std::max(most, std::count_if(boxes[i].begin(), boxes[i].end(), outside));
+            }
             if (cull && most == 8) continue;
             kept.push_back(i);
             cut += most > 0 ? 1 : 0;
@@ -187,26 +186,26 @@ struct ViewVolume final : Demo {
         const std::vector<Pane> panes = frame.panes(2);
         const mat4 clipFromWorld = clipFromCamera() * cameraFromWorld();
         const mat4 turned = rotateX(tilt) * rotateY(-turn);
-        const mat4 outside =
+        const mat4 outsideFromWorld =
             perspective(40, panes[0].aspect(), 1, 200) * translate(0, 0, -68) * turned * translate(0, -2, 19);
         const double half = 1.9 / std::min(1.0, panes[1].aspect());
-        const mat4 cube =
+        const mat4 cubeFromClip =
             ortho(-half * panes[1].aspect(), half * panes[1].aspect(), -half, half, -4, 4) * turned * scale(1, 1, -1);
         frame.show("clipFromWorld", clipFromWorld);
-        frame.show("outsideFromWorld", outside);
-        frame.show("cubeFromClip", cube);
+        frame.show("outsideFromWorld", outsideFromWorld);
+        frame.show("cubeFromClip", cubeFromClip);
         faces.use();
         faces.set("clipFromWorld", clipFromWorld);
-        drawPane(panes[0], kept, outside, outside * glm::inverse(clipFromWorld), false);
+        drawPane(panes[0], kept, outsideFromWorld, outsideFromWorld * glm::inverse(clipFromWorld), false);
         if (projection == Projection::perspective) {
             const double top = nearUsed() * std::tan(radians(fovy / 2));
             lines.set("color", vec4(0.6, 0.6, 0.6, 1));
             lines.set("paneFromModel",
-                      outside * glm::inverse(cameraFromWorld()) * scale(top * aspect, top, nearUsed()));
+                      outsideFromWorld * glm::inverse(cameraFromWorld()) * scale(top * aspect, top, nearUsed()));
             sight.draw();
         }
         faces.use();
-        drawPane(panes[1], kept, cube * clipFromWorld, cube, true);
+        drawPane(panes[1], kept, cubeFromClip * clipFromWorld, cubeFromClip, true);
         glDisable(GL_SCISSOR_TEST);
 
         glViewport(0, 0, frame.width(), frame.height());
@@ -253,12 +252,10 @@ struct ViewVolume final : Demo {
         }
     }
 
-    std::vector<double> values() const override { return numbersOf(cameraPlanes()); }
-
-    // A plane's normal, and its distance as a part of far.
-    std::vector<double> numbersOf(const SixPlanes& six) const {
+    // Of each plane its normal, and its distance as a part of far.
+    std::vector<double> values() const override {
         std::vector<double> numbers;
-        for (const vec4& plane : six) {
+        for (const vec4& plane : cameraPlanes()) {
             if (plane == vec4(0)) throw Error("plane", "must have a normal: it has cancelled to 0 in float");
             numbers.insert(numbers.end(), {plane.x, plane.y, plane.z, plane.w / far});
         }
@@ -293,7 +290,7 @@ StudyLine lineOf(const std::string& method, const std::string& planes) {
     return {.method = method,
             .settings = {{"planes", planes}},
             .knob = "closer",
-            .values = {"0", "1", "2", "3", "4", "5", "6", "7", "8"},
+            .values = {"1", "10", "100", "1e3", "1e4", "1e5", "1e6", "1e7", "1e8"},
             .changesReference = true};
 }
 
@@ -306,14 +303,18 @@ const bool added = addDemo<ViewVolume>({
     .width = 960,
     .height = 480,
     .needs = {.depth = true},
-    .study = Study{.quantity = "the six planes of the view volume: normals, and distances over far",
-                   .reference = "planes through three corners of the volume each, in long double",
-                   .scenes = {{"perspective", {{"near", "6"}, {"far", "60"}}}},
-                   .lines = {lineOf("parameters", "parameters"), lineOf("matrix, double", "matrix"),
-                             lineOf("matrix, float", "float-matrix")},
-                   .wrongBeyond = 1e-6,
-                   .says = "",
-                   .ofValues = true},
+    .study =
+        Study{.quantity = "the six planes of the view volume: normals, and distances over far",
+              .reference = "planes through three corners of the volume each, in long double",
+              .scenes = {{"perspective", {{"near", "6"}, {"far", "60"}}}},
+              .lines = {lineOf("parameters", "parameters"), lineOf("matrix, double", "matrix"),
+                        lineOf("matrix, float", "float-matrix")},
+              .wrongBeyond = 1e-6,
+              .says =
+                  "Taken from near and far themselves the planes are right to the last place at any far/near, "
+                  "and in less time. Sums of the matrix's rows lose a digit of the far plane for each decade: in "
+                  "double it is still known to 3e-8 at 1e9, in float it is off by 16 % at 1e7 and gone from 1e8 on.",
+              .ofValues = true},
 });
 
 }  // namespace

@@ -23,6 +23,7 @@ namespace {
 
 constexpr int width = 479, height = 480;  // of a pane: 960 less the line between, halved
 const vec3 eye(0, 3, 0);
+const std::array<std::string, 9> powers{"1", "10", "100", "1e3", "1e4", "1e5", "1e6", "1e7", "1e8"};
 
 // Clipped things are drawn four fifths orange; nothing else has such a colour.
 bool isOrange(const Pixel& p) { return p.red > 205 && p.green > 115 && p.green < 185 && p.blue < 100; }
@@ -134,13 +135,21 @@ TEST(ViewVolume, culled_is_not_drawn) {
             EXPECT_EQ(run.readout("culled"), 0);
             EXPECT_EQ(cubePane(with), cubePane(without));
             EXPECT_GT(orangeIn(without, 0), orangeIn(with, 0));
-            // And the audit counts that: each is left out of two panes
-            const auto draws = [&](const char* cull) {
+            // And the audit shows it: each is left out of two panes, and of what is drawn all is seen somewhere
+            const auto audited = [&](const char* cull) {
                 return auditDemo(stage(), findDemo("view-volume"),
-                                 {{"projection", projection}, {"pan", pan}, {"cull", cull}}, 1)
-                    .steady.draws;
+                                 {{"projection", projection}, {"pan", pan}, {"cull", cull}}, 1);
             };
-            EXPECT_EQ(draws("off") - draws("on"), 2 * long(culled));
+            const AuditReport all = audited("off"), kept = audited("on");
+            EXPECT_EQ(all.steady.draws - kept.steady.draws, 2 * long(culled));
+            const auto unseen = [](const AuditReport& report) {
+                return std::any_of(report.findings.begin(), report.findings.end(),
+                                   [](const Finding& finding) { return finding.kind == waste::noSample; });
+            };
+            EXPECT_TRUE(unseen(all));
+            if (pan == std::string("0")) {
+                EXPECT_FALSE(unseen(kept));
+            }
         }
     }
 }
@@ -175,8 +184,8 @@ TEST(ViewVolume, cube_is_the_picture) {
 TEST(ViewVolume, near_takes_the_cube) {
     DemoRun run("view-volume");
     // The house stands 20 m before the camera; z from there to the far plane
-    const auto left = [&](double near, int closer) {
-        run.set("near", near).set("closer", closer).picture();
+    const auto left = [&](double near, std::size_t closer) {
+        run.set("near", near).set("closer", powers[closer]).picture();
         return 1 - ndcFromClip(run.matrix("clipFromWorld") * vec4(0, 3, -20, 1)).z;
     };
     double before = 2;
@@ -196,12 +205,12 @@ TEST(ViewVolume, near_takes_the_cube) {
 TEST(ViewVolume, parameters_never_cancel) {
     DemoRun run("view-volume");
     run.set("near", 6).set("far", 60);
-    const auto error = [&](const char* planes, int closer) {
-        run.set("planes", planes).set("closer", closer).picture();
+    const auto error = [&](const char* planes, std::size_t closer) {
+        run.set("planes", planes).set("closer", powers[closer]).picture();
         return run.readout("plane-error");
     };
-    for (int closer = 0; closer <= 8; ++closer) {
-        const double farOverNear = std::pow(10.0, closer + 1);
+    for (std::size_t closer = 0; closer <= 8; ++closer) {
+        const double farOverNear = std::pow(10.0, double(closer) + 1);
         EXPECT_LT(error("parameters", closer), 3e-16);  // an ulp of 1
         EXPECT_NEAR(run.readout("far-over-near"), farOverNear, 1e-9 * farOverNear);
         // What is left of the far plane's normal is 2 near/far, beside the roundings of numbers near 1
@@ -214,7 +223,7 @@ TEST(ViewVolume, parameters_never_cancel) {
     EXPECT_GT(error("matrix", 8), 1e-12);
     EXPECT_TRUE(run.messages().empty());
     // From 1e8 on nothing is left in float: said, and no number is made up
-    run.set("planes", "float-matrix").set("closer", 7).picture();
+    run.set("planes", "float-matrix").set("closer", "1e7").picture();
     ASSERT_EQ(run.messages().size(), 1U);
     EXPECT_NE(run.messages()[0].find("cancelled to 0 in float"), std::string::npos);
     EXPECT_THROW(run.demo().values(), Error);
@@ -225,7 +234,7 @@ TEST(ViewVolume, near_below_far) {
     EXPECT_EQ(run.set("near", 20).set("far", 20).refusal(), "--near: must be less than --far 20, 20");
     EXPECT_EQ(run.set("far", 20.5).refusal(), "");
     // Planes from the matrix, beyond what double leaves of them
-    run.set("near", 0.5).set("far", 60).set("closer", 8).set("planes", "matrix");
+    run.set("near", 0.5).set("far", 60).set("closer", "1e8").set("planes", "matrix");
     EXPECT_EQ(run.refusal().rfind("--closer: must leave the matrix its planes; planesFromClip: the far plane's", 0),
               0U);
     EXPECT_EQ(run.set("planes", "parameters").refusal(), "");

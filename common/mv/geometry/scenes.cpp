@@ -1,6 +1,5 @@
 #include "mv/geometry/scenes.h"
 
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <string>
@@ -223,10 +222,11 @@ Scene garden() {
     const MeshData treeMesh = meshOf(tree);
     Scene scene;
     scene.objects = {solid("house", meshOf(house()), translate(-1.5, 0, -20), vec3(1))};
-    for (int i = 0; i < 28; ++i) {
-        const std::array<double, 4> columns{-13, -7.5, 7.5, 13};
-        scene.objects.push_back(solid("tree " + std::to_string(i + 1), treeMesh,
-                                      translate(columns[std::size_t(i % 4)], 0, -4.0 - 6 * (i / 4)), vec3(1)));
+    for (int row = 0; row < 7; ++row) {
+        for (const double x : {-13.0, -7.5, 7.5, 13.0}) {
+            scene.objects.push_back(solid("tree " + std::to_string(scene.objects.size()), treeMesh,
+                                          translate(x, 0, -4.0 - 6 * row), vec3(1)));
+        }
     }
     return scene;
 }
