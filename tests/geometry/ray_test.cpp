@@ -256,6 +256,18 @@ TEST(IntersectTriangle, TakesSmallAndThinOnesAndPassesOverThoseWithoutArea) {
     EXPECT_FALSE(intersectTriangle(ray, p, p, q));
     EXPECT_FALSE(intersectTriangle(ray, p, q, 0.5 * (p + q)));
     EXPECT_FALSE(intersectTriangle(ray, p, vec3(0, 0, -3), vec3(0, 1, -3)));
+    EXPECT_EQ(hitsOfNothing([](const Ray& r, const vec3& a, const vec3& b, const vec3& c) {
+                  return intersectTriangle(r, a, b, c);
+              }),
+              0);
+    // The next number beside a line is an area, and is hit
+    const vec3 beside(1, std::nextafter(1.0, 2.0), -2);
+    int found = 0;
+    for (int i = -3; i <= 3; ++i) {
+        const vec3 towards(0.5, 0.5 + i * 0x1p-54, -2);
+        found += intersectTriangle(Ray{{0.5, 0.5, 1}, towards - vec3(0.5, 0.5, 1)}, p, vec3(1, 1, -2), beside) ? 1 : 0;
+    }
+    EXPECT_GT(found, 0);
 }
 
 TEST(IntersectTriangle, MeetsNothingBehindItAndNothingThatIsNoNumber) {

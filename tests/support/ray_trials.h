@@ -139,4 +139,24 @@ int missedRays(Aim aim, Intersect intersect) {
     return count;
 }
 
+// How many of 3000 rays towards points of triangles without area hit them: the corners are on a line of whole numbers, all
+// different (one in three), two of them the same, or all.
+template <typename Intersect>
+int hitsOfNothing(Intersect intersect) {
+    Random random(22);
+    const auto whole = [&] {
+        const vec3 p = random.point(100);
+        return vec3(std::floor(p.x), std::floor(p.y), std::floor(p.z));
+    };
+    int hits = 0;
+    for (int i = 0; i < 3000; ++i) {
+        const vec3 a = whole(), along = whole(), from = random.point(10) + vec3(0, 0, 400);
+        const double second = i % 3 == 2 ? 0 : 1, third = i % 3 == 0 ? 3 : second;
+        const vec3 towards = a + random.number(0, third) * along;
+        const Ray ray{from, towards - from};
+        hits += intersect(ray, a, a + second * along, a + third * along).has_value() ? 1 : 0;
+    }
+    return hits;
+}
+
 }  // namespace mv::test
