@@ -325,7 +325,7 @@ const bool added = addDemo<Pipeline>({
                         line("one product, double matrices", "once")},
               .says =
                   "Far from the origin a matrix has large numbers that cancel, and in float what is left of them is "
-                  "wrong by the distance times 1e-7: a twentieth of a pixel at 1e4, whole pixels at 1e6. "
+                  "wrong by the distance times 1e-7: a tenth of a pixel at 1e4, whole pixels at 1e6. "
                   "Multiplied in double they cancel before they are rounded, and the picture is everywhere the one "
                   "at the origin, to 3e-5 pixels.",
               .ofValues = true},
