@@ -152,6 +152,28 @@ TEST_F(Gl, hostile_shader_files_are_named) {
     EXPECT_TRUE(has(errorOf([] { Program("hostile"); }), "hostile.frag: must be a file that exists and may be read"));
 }
 
+TEST_F(Gl, vertices_are_read_back_in_their_order) {
+    const Program program = Program::fromText("plain", plainVertex, plainFragment);
+    program.use();
+    program.set("c", vec4(1));
+    program.set("m", translate(1, 2, 3) * scale(2));  // exact in binary
+    MeshData corners;
+    corners.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.5F, 0.25F, -4}};
+    const auto went = [&](std::size_t i) { return fvec4(fvec3(1, 2, 3) + 2.0F * corners.positions[i], 1); };
+    const std::vector<fvec4> inOrder{went(0), went(1), went(2), went(3)};
+    const Counters before = counters();
+    corners.primitive = Primitive::points;
+    EXPECT_EQ(transformedPositions(Mesh(corners, "points")), inOrder);
+    corners.primitive = Primitive::lines;
+    EXPECT_EQ(transformedPositions(Mesh(corners, "lines")), inOrder);
+    corners.primitive = Primitive::triangleStrip;
+    EXPECT_EQ(transformedPositions(Mesh(corners, "strip")).size(), 6U);
+    corners.primitive = Primitive::triangles;
+    corners.indices = {3, 0, 1};
+    EXPECT_EQ(transformedPositions(Mesh(corners, "indexed")), (std::vector<fvec4>{went(3), went(0), went(1)}));
+    EXPECT_EQ(counters().draws, before.draws);
+}
+
 TEST_F(Gl, triangles_are_counted_where_they_went) {
     const Program program = Program::fromText("plain", plainVertex, plainFragment);
     const Mesh ball(sphere(1, 24, 12), "ball");
