@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -73,12 +72,6 @@ View oblique(const std::string& name, double angle, double length, double half) 
 
 View perspective(const std::string& name, const mat4& turnedFromWorld, double distance, double half) {
     return {name, translate(0, 0, -distance) * turnedFromWorld, half, vec3(0), distance};
-}
-
-std::string rounded(const char* format, double value) {
-    std::array<char, 64> text{};
-    std::snprintf(text.data(), text.size(), format, value);
-    return text.data();
 }
 
 // Corner i of the walls: bits 0, 1, 2 of i choose the high end of x, y, z.

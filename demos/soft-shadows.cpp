@@ -13,7 +13,6 @@
 #include <functional>
 #include <glm/geometric.hpp>
 #include <optional>
-#include <tuple>
 #include <utility>
 
 #include "mv/demo/demo.h"
@@ -183,16 +182,8 @@ struct SoftShadows final : Demo {
                                       .stencil = method == Method::matrix,
                                       .color = sum == Sum::floats ? GLenum(GL_R32F) : GLenum(GL_R8),
                                       .texture = true};
-        const auto make = [&](Target& target, int across, int upwards, const char* label) {
-            const Target::Buffers& have = target.buffers();
-            if (std::tuple(target.width(), target.height(), have.color, have.stencil) ==
-                std::tuple(across, upwards, buffers.color, buffers.stencil))
-                return;
-            target = Target(across, upwards, buffers, label);
-            frame.bindTarget();
-        };
-        make(picture, frame.width(), frame.height(), "darkness");
-        if (frame.readouts()) make(line, 1024, 1, "darkness along a line");
+        if (picture.fit(frame.width(), frame.height(), buffers, "darkness")) frame.bindTarget();
+        if (frame.readouts() && line.fit(1024, 1, buffers, "darkness along a line")) frame.bindTarget();
         if (method != Method::matrix && map.size() != 256 << resolution) map = DepthMap(256 << resolution, "map");
     }
 

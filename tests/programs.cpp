@@ -155,6 +155,30 @@ TEST(Program, hosts_that_are_missing_are_named) {
     EXPECT_FALSE(fs::exists(picture));
 }
 
+// What a driver lacks is said by name, and the picture is the one that the sentence promises.
+TEST(Program, missing_clip_control_is_named) {
+    const TemporaryFolder folder;
+    const std::string reversed = folder.path() / "reversed.png", flipped = folder.path() / "flipped.png";
+    const std::vector<std::string> road{program("z-buffer"), "--scene", "road", "--format", "d32f",
+                                        "--separation",      "1e-6"};
+    const auto run = [&](std::vector<std::string> more, const ProcessOptions& options) {
+        std::vector<std::string> command = road;
+        command.insert(command.end(), more.begin(), more.end());
+        const ProcessResult result = runProcess(command, options);
+        EXPECT_EQ(result.status, 0) << result.err;
+        return result.err;
+    };
+    const ProcessOptions without{.environment = {"MESA_GL_VERSION_OVERRIDE=3.3", "MESA_GLSL_VERSION_OVERRIDE=330",
+                                                 "MESA_EXTENSION_OVERRIDE=-GL_ARB_clip_control"}};
+    EXPECT_TRUE(has(run({"--mapping", "reversed", "--shot", reversed}, without), "has no glClipControl"));
+    EXPECT_FALSE(has(run({"--mapping", "flipped", "--shot", flipped}, without), "glClipControl"));
+    EXPECT_EQ(loadPicture(reversed), loadPicture(flipped));
+    // As an extension of 3.3 it is used.
+    const ProcessOptions extension{.environment = {"MESA_GL_VERSION_OVERRIDE=3.3", "MESA_GLSL_VERSION_OVERRIDE=330"}};
+    EXPECT_FALSE(has(run({"--mapping", "reversed", "--shot", reversed}, extension), "glClipControl"));
+    EXPECT_NE(loadPicture(reversed), loadPicture(flipped));
+}
+
 // The window system is no part of a run without a window: neither GLFW nor libX11 nor the window module is mapped.
 TEST(Program, a_headless_run_maps_no_window_system) {
     TemporaryFolder folder;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
@@ -151,6 +152,28 @@ TEST_F(Gl, hostile_shader_files_are_named) {
     EXPECT_TRUE(has(errorOf([] { Program("hostile"); }), "hostile.frag: must be a file that exists and may be read"));
 }
 
+TEST_F(Gl, vertices_are_read_back_in_their_order) {
+    const Program program = Program::fromText("plain", plainVertex, plainFragment);
+    program.use();
+    program.set("c", vec4(1));
+    program.set("m", translate(1, 2, 3) * scale(2));  // exact in binary
+    MeshData corners;
+    corners.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.5F, 0.25F, -4}};
+    const auto went = [&](std::size_t i) { return fvec4(fvec3(1, 2, 3) + 2.0F * corners.positions[i], 1); };
+    const std::vector<fvec4> inOrder{went(0), went(1), went(2), went(3)};
+    const Counters before = counters();
+    corners.primitive = Primitive::points;
+    EXPECT_EQ(transformedPositions(Mesh(corners, "points")), inOrder);
+    corners.primitive = Primitive::lines;
+    EXPECT_EQ(transformedPositions(Mesh(corners, "lines")), inOrder);
+    corners.primitive = Primitive::triangleStrip;
+    EXPECT_EQ(transformedPositions(Mesh(corners, "strip")).size(), 6U);
+    corners.primitive = Primitive::triangles;
+    corners.indices = {3, 0, 1};
+    EXPECT_EQ(transformedPositions(Mesh(corners, "indexed")), (std::vector<fvec4>{went(3), went(0), went(1)}));
+    EXPECT_EQ(counters().draws, before.draws);
+}
+
 TEST_F(Gl, triangles_are_counted_where_they_went) {
     const Program program = Program::fromText("plain", plainVertex, plainFragment);
     const Mesh ball(sphere(1, 24, 12), "ball");
@@ -278,6 +301,75 @@ TEST_F(Gl, a_target_of_floats_is_added_to_and_read_by_a_later_draw) {
               "target: must be made with Buffers::texture to be read by a draw");
     EXPECT_EQ(errorOf([] { Target(3, 2, {.samples = 4, .texture = true}, "both"); }),
               "both: must be a texture or have samples, not both, 4");
+}
+
+TEST_F(Gl, a_depth_buffer_has_the_format_asked_for_and_is_read_by_a_later_draw) {
+    const Program show = Program::fromText(
+        "show", plainVertex,
+        "uniform sampler2D depths;\nout vec4 fragColor;\n"
+        "void main() { fragColor = vec4(texelFetch(depths, ivec2(gl_FragCoord.xy), 0).r, 0.0, 0.0, 1.0); }\n");
+    MeshData wholePicture;
+    wholePicture.positions = {{-1, -1, 0}, {3, -1, 0}, {-1, 3, 0}};
+    const Mesh cover(wholePicture, "cover");
+    const float cleared = 2.0F / 11;  // in steps of 16 and 24 bits 11915.45 and 3050402.7
+    for (const auto& [format, steps] :
+         {std::pair{GL_DEPTH_COMPONENT16, 65535.0}, {GL_DEPTH_COMPONENT24, 16777215.0}, {GL_DEPTH_COMPONENT32F, 0.0}}) {
+        const Target scene(3, 2, {.depth = true, .depthFormat = GLenum(format), .depthTexture = true}, "scene");
+        glClearBufferfv(GL_DEPTH, 0, &cleared);
+        const Target depths(3, 2, {.color = GL_R32F}, "depths");
+        scene.bindDepth(0);
+        glDisable(GL_DEPTH_TEST);
+        show.use();
+        show.set("m", mat4(1));
+        show.set("depths", 0);
+        cover.draw();
+        // Rounded to the nearest step, which is then a float again; a driver may be a step off (GL's rule).
+        const float read = depths.readRed()[0];
+        if (steps > 0) {
+            EXPECT_NEAR(read * steps, std::round(cleared * steps), steps * 6e-8 + 1);
+            EXPECT_EQ(std::abs(read - cleared) > 1e-6, steps < 1e6);
+        } else {
+            EXPECT_EQ(read, cleared);
+        }
+    }
+    const Target plain(3, 2, {.depth = true}, "plain");
+    EXPECT_EQ(errorOf([&] { plain.bindDepth(0); }),
+              "target: must be made with Buffers::depthTexture to be read by a draw");
+    EXPECT_EQ(errorOf([] { Target(3, 2, {.depthTexture = true}, "no depth"); }),
+              "no depth: must have a depth buffer without samples to have it as a texture");
+    EXPECT_EQ(errorOf([] { Target(3, 2, {.stencil = true, .depthFormat = GL_DEPTH_COMPONENT16}, "both"); }),
+              "both: must have 24 bits of depth, not in a texture, where it has a stencil buffer");
+}
+
+TEST_F(Gl, a_target_is_made_anew_only_where_it_would_be_another) {
+    const Target::Buffers buffers{.color = GL_R32F};
+    Target target;
+    EXPECT_TRUE(target.fit(3, 2, buffers));
+    glClearColor(0.25F, 0, 0, 0);
+    glClear(GL_COLOR_BUFFER_BIT);
+    EXPECT_FALSE(target.fit(3, 2, buffers));
+    EXPECT_EQ(target.readRed(), std::vector<float>(6, 0.25F));  // what was drawn is still there
+    EXPECT_TRUE(target.fit(4, 2, buffers));
+    EXPECT_EQ(target.width(), 4);
+    const long objects = liveObjects();
+    EXPECT_TRUE(target.fit(4, 2, {.depth = true, .color = GL_R32F}));
+    EXPECT_EQ(liveObjects(), objects + 1);  // the depth buffer; of the old one nothing is left
+}
+
+// A demo of 3.3 may ask for glClipControl; the next one starts without it.
+TEST_F(Gl, clip_control_is_called_only_where_it_was_asked_for) {
+    allowVersion(33);
+    EXPECT_FALSE(clipControlAllowed());
+    EXPECT_TRUE(has(errorOf([] { glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE); }), "needs OpenGL 4.5"));
+    ASSERT_TRUE(allowClipControl()) << "llvmpipe has it";
+    EXPECT_TRUE(clipControlAllowed());
+    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    resetState();
+    GLint depth = 0;
+    glGetIntegerv(GL_CLIP_DEPTH_MODE, &depth);
+    EXPECT_EQ(depth, GL_NEGATIVE_ONE_TO_ONE);
+    allowVersion(33);
+    EXPECT_TRUE(has(errorOf([] { glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE); }), "needs OpenGL 4.5"));
 }
 
 TEST_F(Gl, objects_are_moved_and_deleted) {

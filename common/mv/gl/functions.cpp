@@ -26,6 +26,7 @@ GLuint vertexArray = 0;
 bool newPass = true;  // nothing was drawn yet into the framebuffer that is bound
 long live = 0;
 int allowed = 33;
+bool clipControl = false;  // allowed beside that version
 bool es = false;
 std::vector<std::string> debugMessages;
 std::function<void()> extraLayer;
@@ -142,6 +143,19 @@ void layCountersOver() {
     glDeleteShader = countedDeleteShader;
 }
 
+// What may be called now, then what counts, then what listens.
+void fillTable() {
+#define X(name, TYPE, version) \
+    gl##name = version <= allowed ? driver.name : &Refusal<facts##name, PFNGL##TYPE##PROC>::call;
+#include "mv/gl/function_list.inc"
+#undef X
+    if (clipControl) glClipControl = driver.ClipControl;
+    layCountersOver();
+    if (extraLayer) extraLayer();
+    // ES 3.0 lacks a few functions of desktop GL; those stay null there and no demo that claims ES calls them.
+    if (!glGetString || !glDrawArrays) throw Error("OpenGL", "has no functions; is a driver installed?");
+}
+
 // ---- KHR_debug, outside the table: it belongs to the framework, and it is newer than the floor.
 
 void onDebugMessage(GLenum, GLenum, GLuint, GLenum severity, GLsizei, const GLchar* message, const void*) {
@@ -195,19 +209,26 @@ void loadFunctions(const std::function<void*(const char*)>& address) {
 
 void allowVersion(int newest) {
     allowed = newest;
-#define X(name, TYPE, version) \
-    gl##name = version <= allowed ? driver.name : &Refusal<facts##name, PFNGL##TYPE##PROC>::call;
-#include "mv/gl/function_list.inc"
-#undef X
-    layCountersOver();
-    if (extraLayer) extraLayer();
-    // ES 3.0 lacks a few functions of desktop GL; those stay null there and no demo that claims ES calls them.
-    if (!glGetString || !glDrawArrays) throw Error("OpenGL", "has no functions; is a driver installed?");
+    clipControl = false;
+    fillTable();
 }
 int allowedVersion() { return allowed; }
+
+bool allowClipControl() {
+    GLint major = 0, minor = 0;
+    glGetIntegerv(GL_MAJOR_VERSION, &major);
+    glGetIntegerv(GL_MINOR_VERSION, &minor);
+    const bool there = 10 * major + minor >= 45 || hasExtension("GL_ARB_clip_control");
+    clipControl = !es && there && driver.ClipControl != nullptr;
+    fillTable();
+    return clipControl;
+}
+
+bool clipControlAllowed() { return clipControl || (allowed >= 45 && driver.ClipControl); }
+
 void setLayer(std::function<void()> layOver) {
     extraLayer = std::move(layOver);
-    allowVersion(allowed);
+    fillTable();
 }
 bool isEs() { return es; }
 

@@ -34,10 +34,7 @@ LitDifference::Found LitDifference::show(const Scene& scene, const Frame& frame,
 }
 
 std::vector<float> LitDifference::drawn(const Frame& frame, const std::function<void()>& draw) {
-    if (target_.width() != frame.width() || target_.height() != frame.height()) {
-        target_ =
-            Target(frame.width(), frame.height(), {.depth = true, .stencil = true, .color = GL_R32F}, "lit fraction");
-    }
+    target_.fit(frame.width(), frame.height(), {.depth = true, .stencil = true, .color = GL_R32F}, "lit fraction");
     target_.bind();
     draw();
     std::vector<float> lit = target_.readRed();

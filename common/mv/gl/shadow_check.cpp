@@ -12,9 +12,7 @@ FalseShadows ShadowCheck::compare(const Scene& scene, const Frame& frame, const 
     const double scale = std::min(1.0, mostSide / std::max(frame.width(), frame.height()));
     const int width = std::max(1, int(std::lround(scale * frame.width())));
     const int height = std::max(1, int(std::lround(scale * frame.height())));
-    if (target_.width() != width || target_.height() != height) {
-        target_ = Target(width, height, {.depth = true, .stencil = true, .color = GL_R32F}, "shadow check");
-    }
+    target_.fit(width, height, {.depth = true, .stencil = true, .color = GL_R32F}, "shadow check");
     target_.bind();
     draw();
     const std::vector<float> drawn = target_.readRed();

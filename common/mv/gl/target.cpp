@@ -25,18 +25,29 @@ Renderbuffer storage(GLenum format, int samples, int width, int height) {
 }
 
 // One texel for each pixel, read as it is. Stored by glTexImage2D, which wants a layout of data even where none is given.
-TextureObject colorTexture(GLenum format, int width, int height, const std::string& label) {
+TextureObject texelPerPixel(GLenum format, GLenum channels, GLenum type, int width, int height,
+                            const std::string& label) {
     TextureObject texture = makeTexture();
     glBindTexture(GL_TEXTURE_2D, texture.id());
-    const bool red = format == GL_R8 || format == GL_R32F, floats = format == GL_R32F || format == GL_RGBA32F;
-    glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format), width, height, 0, red ? GL_RED : GL_RGBA,
-                 floats ? GL_FLOAT : GL_UNSIGNED_BYTE, nullptr);
+    glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format), width, height, 0, channels, type, nullptr);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     labelObject(GL_TEXTURE, texture.id(), label);
     return texture;
+}
+
+TextureObject colorTexture(GLenum format, int width, int height, const std::string& label) {
+    const bool red = format == GL_R8 || format == GL_R32F, floats = format == GL_R32F || format == GL_RGBA32F;
+    return texelPerPixel(format, red ? GL_RED : GL_RGBA, floats ? GL_FLOAT : GL_UNSIGNED_BYTE, width, height, label);
+}
+
+TextureObject depthTexture(GLenum format, int width, int height, const std::string& label) {
+    const GLenum type = format == GL_DEPTH_COMPONENT16    ? GL_UNSIGNED_SHORT
+                        : format == GL_DEPTH_COMPONENT32F ? GL_FLOAT
+                                                          : GL_UNSIGNED_INT;
+    return texelPerPixel(format, GL_DEPTH_COMPONENT, type, width, height, label + " depth");
 }
 
 void requireComplete(const std::string& label) {
@@ -72,6 +83,12 @@ Target::Target(int width, int height, Buffers buffers, const std::string& label)
     if (buffers.texture && buffers.samples > 0) {
         throw Error(label, "must be a texture or have samples, not both", std::to_string(buffers.samples));
     }
+    if (buffers.stencil && (buffers.depthTexture || buffers.depthFormat != GL_DEPTH_COMPONENT24)) {
+        throw Error(label, "must have 24 bits of depth, not in a texture, where it has a stencil buffer");
+    }
+    if (buffers.depthTexture && (!buffers.depth || buffers.samples > 0)) {
+        throw Error(label, "must have a depth buffer without samples to have it as a texture");
+    }
     framebuffer_ = makeFramebuffer();
     if (buffers.texture) {
         colorTexture_ = colorTexture(buffers.color, width, height, label);
@@ -82,10 +99,13 @@ Target::Target(int width, int height, Buffers buffers, const std::string& label)
         glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
         glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color_.id());
     }
-    if (buffers.depth || buffers.stencil) {
+    if (buffers.depthTexture) {
+        depthTexture_ = depthTexture(buffers.depthFormat, width, height, label);
+        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depthTexture_.id(), 0);
+    } else if (buffers.depth || buffers.stencil) {
         // Stencil alone is not a format every driver completes; beside depth it always is.
         depthStencil_ =
-            storage(buffers.stencil ? GL_DEPTH24_STENCIL8 : GL_DEPTH_COMPONENT24, buffers.samples, width, height);
+            storage(buffers.stencil ? GL_DEPTH24_STENCIL8 : buffers.depthFormat, buffers.samples, width, height);
         glFramebufferRenderbuffer(GL_FRAMEBUFFER, buffers.stencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT,
                                   GL_RENDERBUFFER, depthStencil_.id());
     }
@@ -101,6 +121,12 @@ Target::Target(int width, int height, Buffers buffers, const std::string& label)
         glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
     }
     glViewport(0, 0, width, height);
+}
+
+bool Target::fit(int width, int height, const Buffers& buffers, const std::string& label) {
+    if (framebuffer_ && width_ == width && height_ == height && buffers_ == buffers) return false;
+    *this = Target(width, height, buffers, label);
+    return true;
 }
 
 void Target::bind() const {
@@ -120,6 +146,12 @@ void Target::bindColor(int unit) const {
     if (!colorTexture_) throw Error("target", "must be made with Buffers::texture to be read by a draw");
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
     glBindTexture(GL_TEXTURE_2D, colorTexture_.id());
+}
+
+void Target::bindDepth(int unit) const {
+    if (!depthTexture_) throw Error("target", "must be made with Buffers::depthTexture to be read by a draw");
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glBindTexture(GL_TEXTURE_2D, depthTexture_.id());
 }
 
 Picture Target::read() const {

@@ -16,8 +16,11 @@ class Target {
         bool depth = false;
         bool stencil = false;
         int samples = 0;
-        GLenum color = GL_RGBA8;  // or GL_R32F, for a quantity instead of a picture
-        bool texture = false;     // the colours can be read by a later draw: bindColor()
+        GLenum color = GL_RGBA8;                    // or GL_R32F, for a quantity instead of a picture
+        bool texture = false;                       // the colours can be read by a later draw: bindColor()
+        GLenum depthFormat = GL_DEPTH_COMPONENT24;  // or GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT32F; without stencil
+        bool depthTexture = false;                  // the depths can be read by a later draw: bindDepth()
+        bool operator==(const Buffers&) const = default;
     };
     Target() = default;
     // Error: a size the driver cannot make, a number of samples it does not have.
@@ -27,11 +30,17 @@ class Target {
     int height() const { return height_; }
     const Buffers& buffers() const { return buffers_; }
 
+    // Makes it anew, as the constructor does, unless it has this size and these buffers already. True where it was made: then
+    // nothing is drawn in it yet, and it is the one that is bound.
+    bool fit(int width, int height, const Buffers& buffers, const std::string& label = "target");
+
     // Draws go here from now on, the viewport covering all of it.
     void bind() const;
     // Binds the colours to a texture unit, for a target made with Buffers::texture; a shader reads them with texelFetch or
     // texture() (nearest texel, edges clamped). Error: made without. Trap: not while draws go into this same target.
     void bindColor(int unit) const;
+    // The same for the depths, 0..1 in red, for a target made with Buffers::depthTexture.
+    void bindDepth(int unit) const;
     // The colours as a picture, samples resolved. Leaves the target bound.
     Picture read() const;
     // Red as numbers, the upper row first, for a target of floats without samples. Leaves the target bound.
@@ -45,7 +54,7 @@ class Target {
     Buffers buffers_;
     Framebuffer framebuffer_, single_;
     Renderbuffer color_, depthStencil_, singleColor_;
-    TextureObject colorTexture_;  // instead of color_
+    TextureObject colorTexture_, depthTexture_;  // instead of color_ and of depthStencil_
 };
 
 }  // namespace mv

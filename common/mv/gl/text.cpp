@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <memory>
 #include <vector>
 
@@ -191,6 +192,12 @@ int textWidth(std::string_view text, const TextStyle& style) {
     double width = 0;
     layOut(text, stbtt_ScaleForPixelHeight(&font(), static_cast<float>(style.height)), width);
     return static_cast<int>(std::ceil(width)) + 2 * padding;
+}
+
+std::string rounded(const char* format, double value) {
+    std::array<char, 64> text{};
+    std::snprintf(text.data(), text.size(), format, value);
+    return text.data();
 }
 
 int textHeight(const TextStyle& style) { return style.height + 2 * padding; }

@@ -29,6 +29,9 @@ struct TextLine {
 // The same for several lines, in their order; state is set once for all of them.
 void drawText(const Frame& frame, std::span<const TextLine> lines);
 
+// A number as words: printf's format for one double, "%.3f px".
+std::string rounded(const char* format, double value);
+
 // The width in pixels that drawText needs for the text, its box included.
 int textWidth(std::string_view text, const TextStyle& style = {});
 // The height in pixels of a line with its box.

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "mv/error.h"
+#include "mv/gl/feedback.h"
 #include "mv/math/types.h"
 
 namespace mv {
@@ -36,28 +37,6 @@ bool culledByState(double area, bool culling, GLint face, GLint front) {
     return (face == GL_FRONT) == facesFront;
 }
 
-std::vector<fvec4> captureClipPositions(const Mesh& mesh) {
-    // The feedback expands strips and fans into separate triangles.
-    const GLsizei perPrimitive = mesh.primitive() == GL_TRIANGLES ? mesh.count() : (mesh.count() - 2) * 3;
-    std::vector<fvec4> positions(static_cast<std::size_t>(perPrimitive));
-    const auto bytes = static_cast<GLsizeiptr>(positions.size() * sizeof(fvec4));
-    const Buffer buffer = makeBuffer();
-    glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffer.id());
-    glBufferData(GL_TRANSFORM_FEEDBACK_BUFFER, bytes, nullptr, GL_STREAM_READ);
-    glEnable(GL_RASTERIZER_DISCARD);
-    glBeginTransformFeedback(GL_TRIANGLES);
-    mesh.draw();
-    glEndTransformFeedback();
-    glDisable(GL_RASTERIZER_DISCARD);
-    const void* mapped = glMapBufferRange(GL_TRANSFORM_FEEDBACK_BUFFER, 0, bytes, GL_MAP_READ_BIT);
-    if (!mapped) throw Error("countTriangles", "must read back the vertices; the driver maps no feedback buffer");
-    const auto first = static_cast<const fvec4*>(mapped);
-    positions.assign(first, first + positions.size());
-    glUnmapBuffer(GL_TRANSFORM_FEEDBACK_BUFFER);
-    glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, 0);
-    return positions;
-}
-
 }  // namespace
 
 TriangleCount sortTriangles(const std::vector<fvec4>& corners) {
@@ -85,10 +64,7 @@ TriangleCount countTriangles(const Mesh& mesh) {
     if (p != GL_TRIANGLES && p != GL_TRIANGLE_STRIP && p != GL_TRIANGLE_FAN) {
         throw Error("countTriangles", "needs a mesh of triangles");
     }
-    const Counters before = counters();  // a count is no part of the frame it counts
-    const std::vector<fvec4> positions = captureClipPositions(mesh);
-    resetCounters(before);
-    return sortTriangles(positions);
+    return sortTriangles(transformedPositions(mesh));
 }
 
 }  // namespace mv

@@ -113,7 +113,7 @@ std::string lessonPage(const std::string& page, const DemoInfo& info) {
 
 Picture pictureStrip() {
     HeadlessStage headless;
-    constexpr int side = 150, gap = 6, across = 7;
+    constexpr int side = 150, gap = 6, across = 8;
     const int count = static_cast<int>(catalogue().size());
     const int columns = std::min(count, across), rows = (count + across - 1) / across;
     Picture strip(columns * side + (columns - 1) * gap, rows * side + (rows - 1) * gap);
@@ -151,6 +151,12 @@ static void writeStudyDocs(const std::string& root) {
 }
 
 void writeDocs(const std::string& root) {
+    std::string missing;
+    for (const DemoInfo& info : catalogue()) {
+        const std::string page = "demos/" + info.name + ".md";
+        if (!std::filesystem::exists(root + "/" + page)) missing.append(missing.empty() ? "" : ", ").append(page);
+    }
+    if (!missing.empty()) throw Error("docs in " + root, "each demo must have its page", "missing: " + missing);
     writeFileAtomically(root + "/docs/demos.md", std::string_view(cataloguePage()));
     std::cout << root << "/docs/demos.md\n";
     for (const DemoInfo& info : catalogue()) {

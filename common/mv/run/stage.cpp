@@ -33,6 +33,7 @@ void resetState() {
         glClearDepth(1);
         glDepthRange(0, 1);
     }
+    if (clipControlAllowed()) glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
     glBlendEquation(GL_FUNC_ADD);
     glBlendFunc(GL_ONE, GL_ZERO);
     glClearColor(0, 0, 0, 0);
@@ -84,8 +85,8 @@ void Stage::open(const DemoInfo& info, int width, int height) {
                     versionText(driver_.glVersion) + " (" + driver_.renderer + ")");
     }
     info_ = &info;
-    allowVersion(info.needs.gl);
     resetState();
+    allowVersion(info.needs.gl);
     takeErrors();
     makeTargets(width, height);
     auto demo = info.make();

@@ -1,0 +1,334 @@
+// pipeline: one vertex of a cube on its way through model, world, camera, clip and device space to its pixel.
+//
+// Claims (each is a test in tests/claims/pipeline.cpp):
+// - [same-as-gpu] The products shown are the GPU's: transform feedback gives the same, bit for bit on llvmpipe.
+// - [within-the-bound] However a GPU adds up, it is within 4 2^-24 sum |m v|, though many of the last bits differ.
+// - [marked-where-computed] GL marks the vertex at the pixel that the numbers say.
+// - [w-is-the-distance] w is how far the vertex is in front of the eye; behind the eye it is negative.
+// - [behind-is-mirrored] Behind the eye GL draws nothing; the division alone would show it, mirrored through the middle.
+// - [depth-both-ranges] Device depth is from -1 at near to 1 at far, the depth that is stored from 0 to 1.
+// - [rows-for-columns] A slide's matrix has the position in its last row: it moves row vectors, and distorts columns.
+// - [slide-of-projection] A slide's projection has w < 0 for all that the camera sees, and nothing is left to draw.
+// - [one-product-far-out] Far from the origin one product, multiplied in double and rounded once, keeps the picture.
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "mv/demo/demo.h"
+#include "mv/demo/gpu_product.h"
+#include "mv/geometry/shapes.h"
+#include "mv/gl/gl.h"
+#include "mv/math/projection.h"
+#include "mv/math/transform.h"
+
+using namespace mv;
+
+namespace {
+
+enum class Products { shader, single, once };
+enum class Matrices { right, slideModel, slideProjection };
+
+const vec3 gaze = vec3(-3, -2, -6) / 7.0;  // unit length
+constexpr double half = 0.6;               // of the cube's edge
+constexpr int textColumn = 600;            // pixels on the right
+
+// clip = clipFromCamera * camera, say.
+struct Step {
+    std::string to, from;
+    mat4 uploaded;  // what the GPU is given, before it is rounded to float
+    mat4 exact;
+};
+
+std::string matrixName(const Step& step) {
+    return step.to + "From" + char(std::toupper(step.from[0])) + step.from.substr(1);
+}
+
+struct Pipeline final : Demo {
+    Whole vertex{this, "vertex", 7, {0, 7}, "which corner: bits 0, 1, 2 choose the high end of x, y, z"};
+    Angle spinX{this, "spin-x", 20, "turn the cube about its x axis"};
+    Angle spinY{this, "spin-y", -15, "turn it about the y axis"};
+    Real distance{this, "distance", 3, {-3, 8}, "from the cube's middle back to the eye; below 0 the eye is past it"};
+    Real near{this, "near", 0.5, {0.1, 2}, "where the view begins"};
+    Real far{this, "far", 10, {5, 100}, "where it ends"};
+    Real offset{this, "offset", 0, {0, 1e8}, "how far along x cube and eye are from the origin of the world"};
+    Choice<Products> products{this,
+                              "products",
+                              Products::shader,
+                              {{"shader", "each vertex by three matrices"},
+                               {"single", "by one, multiplied in float"},
+                               {"once", "by one, multiplied in double and rounded once"}},
+                              "how a vertex comes to clip space"};
+    Choice<Matrices> matrices{this,
+                              "matrices",
+                              Matrices::right,
+                              {{"right"},
+                               {"slide-model", "the position in the last row"},
+                               {"slide-projection", "for an eye that looks along +z"}},
+                              "the right ones, or one of them as on a slide"};
+
+    Readout w{this, "w", "of the vertex in clip space: how far it is in front of the eye"};
+    Readout pixelX{this, "pixel-x", "where it falls in the view, from the left", "px"};
+    Readout pixelY{this, "pixel-y", "where it falls in the view, from below", "px"};
+    Readout depth{this, "depth", "what the depth buffer gets"};
+    Readout floatError{this, "float-error", "how far off it falls by the roundings to float", "px"};
+    Readout gpuOff{this, "gpu-off",
+                   "largest difference of transform feedback from the products shown, in 2^-24 sum |m v|"};
+    Readout fused{this, "fused-differ", "numbers in the products that fused multiply-adds would make others"};
+    Readout roundedOnce{this, "once-differ", "numbers in them that sums in double, rounded once, would make others"};
+
+    Program byThree, byOne;
+    Mesh cube, corners;
+
+    Pipeline() {
+        bindDrag(spinY, 1, spinX, 1);
+        bindWheel(distance, 0.1);
+        bindKeys(Key::left, Key::right, vertex, 1);
+        bindKeys(Key::up, Key::down, distance, 0.1);
+    }
+
+    void init() override {
+        MeshData faces = colorCube();  // of edge 1
+        for (fvec3& position : faces.positions) position *= float(2 * half);
+        cube = Mesh(faces, "cube");
+        MeshData eight;
+        eight.primitive = Primitive::points;
+        for (int i = 0; i < 8; ++i) eight.positions.emplace_back(corner(i));
+        eight.colors.assign(8, fvec4(0, 0, 0, 1));
+        corners = Mesh(eight, "corners");
+    }
+
+    static vec3 corner(int i) { return half * (2.0 * vec3(i & 1, i >> 1 & 1, i >> 2 & 1) - 1.0); }
+
+    // From the cube's own space into the world: turned, then moved.
+    mat4 worldFromModel() const {
+        const mat4 m = translate(offset + 0.2, 0.1, 0) * rotateX(spinX) * rotateY(spinY);
+        return matrices == Matrices::slideModel ? glm::transpose(m) : m;
+    }
+    // The eye looks along `gaze` wherever it is, so it can pass the cube.
+    mat4 cameraFromWorld() const {
+        const vec3 eye = vec3(offset, 0, 0) - gaze * double(distance);
+        return lookAt(eye, eye + gaze, vec3(0, 1, 0));
+    }
+    // x and y scaled by the angle of view, z from near and far to -1 and 1 times w, and -z as w.
+    mat4 clipFromCamera(double aspect) const {
+        mat4 m = perspective(50, aspect, near, far);
+        if (matrices == Matrices::slideProjection) {  // rows (0, 0, f/(f-n), n f/(n-f)) and (0, 0, 1, 0)
+            m[2] = vec4(0, 0, far / (far - near), 1);
+            m[3] = vec4(0, 0, near * far / (near - far), 0);
+        }
+        return m;
+    }
+
+    std::vector<Step> steps(double aspect) const {
+        const mat4 m = worldFromModel(), v = cameraFromWorld(), p = clipFromCamera(aspect), all = p * v * m;
+        if (products == Products::shader)
+            return {{"world", "model", m, m}, {"camera", "world", v, v}, {"clip", "camera", p, p}};
+        return {{"clip", "model", products == Products::once ? all : mat4(fmat4(p) * fmat4(v) * fmat4(m)), all}};
+    }
+
+    void draw(const Frame& frame) override {
+        // The view is on the left, the numbers on the right
+        const Pane pane{0, 0, std::max(1, frame.width() - textColumn), frame.height()};
+        glDisable(GL_SCISSOR_TEST);
+        glClearColor(1, 1, 1, 1);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        glEnable(GL_SCISSOR_TEST);
+        glScissor(pane.x, pane.y, pane.width, pane.height);
+        glClearColor(0.92F, 0.95F, 0.98F, 1);
+        glClear(GL_COLOR_BUFFER_BIT);
+        glDisable(GL_SCISSOR_TEST);
+        glViewport(pane.x, pane.y, pane.width, pane.height);
+        glEnable(GL_DEPTH_TEST);
+        glDepthFunc(GL_LESS);
+        glDisable(GL_CULL_FACE);
+        glEnable(GL_PROGRAM_POINT_SIZE);
+
+        const std::vector<Step> way = steps(pane.aspect());
+        const bool three = products == Products::shader;
+        Program& program = three ? byThree : byOne;
+        if (program.id() == 0) program = Program("pipeline", three ? "" : "once");
+        program.use();
+        for (const Step& step : way) {
+            frame.show(matrixName(step), step.uploaded);
+            program.set(matrixName(step).c_str(), step.uploaded);
+        }
+        if (frame.readouts()) measure(program, way);
+        if (three) program.set("wanted", 2);
+        cube.draw();
+        glDepthFunc(GL_ALWAYS);  // the mark is seen through the cube
+        corners.draw(std::size_t(vertex), 1);
+        glDisable(GL_PROGRAM_POINT_SIZE);
+
+        glViewport(0, 0, frame.width(), frame.height());
+        write(frame, pane, way);
+    }
+
+    // Each product from what the GPU had before it, by transform feedback.
+    void measure(const Program& program, const std::vector<Step>& way) {
+        fvec4 before(corner(vertex), 1);
+        double most = 0;
+        int fusedCount = 0, onceCount = 0;
+        for (std::size_t i = 0; i < way.size(); ++i) {
+            if (products == Products::shader) program.set("wanted", int(i));
+            const fvec4 captured = transformedPositions(corners)[std::size_t(vertex)];
+            const fmat4 m(way[i].uploaded);
+            const fvec4 mine = gpuProduct(m, before), other = fusedProduct(m, before);
+            const fvec4 once(mat4(m) * vec4(before));
+            const vec4 unit = productUnit(m, before);
+            for (int row = 0; row < 4; ++row) {
+                if (captured[row] != mine[row])
+                    most = std::max(most, std::abs(double(captured[row]) - mine[row]) / unit[row]);
+                fusedCount += other[row] == mine[row] ? 0 : 1;
+                onceCount += once[row] == mine[row] ? 0 : 1;
+            }
+            before = captured;
+        }
+        gpuOff = most;
+        fused = fusedCount;
+        roundedOnce = onceCount;
+    }
+
+    // The numbers: the products as the GPU makes them, and by how much they differ from doubles all the way.
+    void write(const Frame& frame, const Pane& pane, const std::vector<Step>& way) {
+        TextColumn text(pane.width + 14, 6, 15);
+        fvec4 value(corner(vertex), 1);
+        vec4 exact(value);
+        for (const Step& step : way) {
+            const fvec4 next = gpuProduct(fmat4(step.uploaded), value);
+            const vec4 exactNext = step.exact * exact;
+            heading(text, step.to + " = " + matrixName(step) + " * " + step.from);
+            for (int row = 0; row < 4; ++row) {
+                for (int column = 0; column < 4; ++column)
+                    text.right(column < 3 ? 62 * (column + 1) : 292, tableNumber(step.uploaded[column][row]));
+                result(text, (row == 0 ? "*  " : "") + tableNumber(value[row]), next[row], exactNext[row], row == 0);
+            }
+            value = next;
+            exact = exactNext;
+        }
+        afterClip(frame, pane, text, vec4(value), exact);
+        drawText(frame, text.lines);
+    }
+
+    // What GL does after the vertex shader: clip, divide by w, and go to the pixels of the view.
+    void afterClip(const Frame& frame, const Pane& pane, TextColumn& text, const vec4& clip, const vec4& exact) {
+        w = clip.w;
+        const bool inside = std::max({std::abs(clip.x), std::abs(clip.y), std::abs(clip.z)}) <= clip.w;
+        const vec4 red(0.8, 0.1, 0.1, 1), green(0, 0.45, 0.1, 1);
+        text.left(0,
+                  inside       ? "-w <= x, y, z <= w: in view"
+                  : clip.w < 0 ? "w < 0: clipped"
+                               : "beyond -w .. w: clipped",
+                  inside ? green : red);
+        text.next();
+        if (clip.w == 0 || exact.w == 0) return;
+        const vec3 device = vec3(clip) / clip.w, exactDevice = vec3(exact) / exact.w;
+        heading(text, "device = clip / w");
+        for (int row = 0; row < 3; ++row)
+            result(text, tableNumber(clip[row]) + " / " + tableNumber(clip.w), device[row], exactDevice[row], row == 0);
+        heading(text, "pixel, depth = (device + 1) / 2 * size");
+        const vec3 size(pane.width, pane.height, 1);
+        const vec3 pixel = (device + 1.0) / 2.0 * size, exactPixel = (exactDevice + 1.0) / 2.0 * size;
+        for (int row = 0; row < 3; ++row)
+            result(text, "(" + tableNumber(device[row]) + " + 1) / 2 * " + tableNumber(size[row]), pixel[row],
+                   exactPixel[row], row == 0);
+
+        // The vertex by its name, where it is or where it would be without clipping
+        const bool inPane = pixel.x >= 0 && pixel.x < pane.width && pixel.y >= 0 && pixel.y < pane.height;
+        const int x = int(pixel.x), y = frame.height() - int(pixel.y);
+        if (inside)
+            text.lines.push_back({x + 8, y, "vertex " + vertex.text()});
+        else if (clip.w < 0 && inPane)
+            text.lines.push_back({x - 7, y - 11, "× divided by w < 0", {.color = red}});
+        if (clip.w < 0) frame.say("The vertex has w < 0, and is clipped.");
+        if (!inside) return;
+        pixelX = pixel.x;
+        pixelY = pixel.y;
+        depth = pixel.z;
+        floatError = std::hypot(pixel.x - exactPixel.x, pixel.y - exactPixel.y);
+    }
+
+    static void heading(TextColumn& text, const std::string& formula) {
+        text.next(6);
+        text.left(0, formula, vec4(0.1, 0.25, 0.7, 1));
+        text.right(574, "float - double", vec4(0.5, 0.5, 0.5, 1));
+        text.next(21);
+    }
+    static void result(TextColumn& text, const std::string& from, double value, double exact, bool first) {
+        text.right(392, from);
+        text.right(500, (first ? "=  " : "") + tableNumber(value));
+        text.right(574, value == exact ? "0" : rounded("%.2g", value - exact), vec4(0.5, 0.5, 0.5, 1));
+        text.next();
+    }
+
+    // The study: where points of the cube fall, by each way of multiplying.
+    static constexpr int side = 8, pictureSide = 560;
+    static std::vector<vec3> points() {
+        std::vector<vec3> all;
+        for (int i = 0; i < side * side * side; ++i)
+            all.push_back(half * (2.0 / (side - 1) * vec3(i % side, i / side % side, i / (side * side)) - 1.0));
+        return all;
+    }
+
+    std::vector<double> values() const override {
+        std::vector<fmat4> uploaded;
+        for (const Step& step : steps(1)) uploaded.emplace_back(step.uploaded);
+        std::vector<double> pixels;
+        for (const vec3& point : points()) {
+            fvec4 value(point, 1);
+            for (const fmat4& m : uploaded) value = gpuProduct(m, value);
+            const vec2 pixel = pixelFromNdc(ndcFromClip(vec4(value)), pictureSide, pictureSide);
+            pixels.insert(pixels.end(), {pixel.x, pixel.y});
+        }
+        return pixels;
+    }
+
+    // With 64 bits of mantissa all the way; the points are the float ones.
+    Reference reference(const Frame&, const std::function<void(double)>&) const override {
+        using Wide = glm::mat<4, 4, long double>;
+        const Wide all = Wide(clipFromCamera(1)) * Wide(cameraFromWorld()) * Wide(worldFromModel());
+        Reference right;
+        for (const vec3& point : points()) {
+            const auto clip = all * glm::vec<4, long double>(fvec3(point), 1);
+            for (int axis = 0; axis < 2; ++axis)
+                right.values.push_back(double((clip[axis] / clip.w + 1) / 2 * pictureSide));
+        }
+        return right;
+    }
+};
+
+StudyLine line(const std::string& method, const std::string& products) {
+    return {.method = method,
+            .settings = {{"products", products}},
+            .knob = "offset",
+            .values = {"0", "1e2", "1e4", "1e6", "1e7"},
+            .changesReference = true};
+}
+
+const bool added = addDemo<Pipeline>({
+    .name = "pipeline",
+    .sentence = "One vertex of a cube through model, world, camera, clip and device space to its pixel, in numbers.",
+    .lookFor = "Follow one number from product to product; then move the eye past the vertex and watch w.",
+    .chapter = "Viewing and projection",
+    .number = 24,
+    .width = 1160,
+    .height = 560,
+    .needs = {.depth = true},
+    .waste = {{"state-again", "GL_CULL_FACE",
+               "both sides are drawn where the eye is in the cube, and words switch it off"}},
+    .study =
+        Study{.quantity = "where 512 points of the cube fall, x and y in pixels of a picture 560 wide",
+              .reference = "the same matrices and points in long double, rounded nowhere else",
+              .scenes = {{"the cube at 3"}},
+              .lines = {line("three products, float", "shader"), line("one product, float matrices", "single"),
+                        line("one product, double matrices", "once")},
+              .says =
+                  "Far from the origin a matrix has large numbers that cancel, and in float what is left of them is "
+                  "wrong by the distance times 1e-7: a tenth of a pixel at 1e4, whole pixels at 1e6. "
+                  "Multiplied in double they cancel before they are rounded, and the picture is everywhere the one "
+                  "at the origin, to 3e-5 pixels.",
+              .ofValues = true},
+});
+
+}  // namespace

@@ -1,0 +1,5 @@
+in vec4 position;
+
+void main() {
+    gl_Position = position;
+}
