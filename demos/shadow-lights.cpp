@@ -19,6 +19,7 @@
 
 #include "mv/demo/demo.h"
 #include "mv/demo/lit_reference.h"
+#include "mv/geometry/bounds.h"
 #include "mv/geometry/light_view.h"
 #include "mv/geometry/scenes.h"
 #include "mv/geometry/shapes.h"
@@ -120,13 +121,8 @@ bool reaches(const Scene& scene, const vec3& light, double reach) {
         if (glm::dot(vec3(plane), light) + plane.w < -reach) return false;
     }
     return std::any_of(scene.objects.begin(), scene.objects.end(), [&](const SceneObject& object) {
-        vec3 low(HUGE_VAL), high(-HUGE_VAL);
-        for (const fvec3& p : object.mesh.positions) {
-            const vec3 point(object.worldFromObject * vec4(vec3(p), 1));
-            low = glm::min(low, point);
-            high = glm::max(high, point);
-        }
-        return glm::distance(glm::clamp(light, low, high), light) < reach;
+        const Bounds bounds = boundsOf(object.mesh, object.worldFromObject);
+        return glm::distance(glm::clamp(light, bounds.low, bounds.high), light) < reach;
     });
 }
 

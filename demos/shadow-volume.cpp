@@ -38,6 +38,8 @@ enum class Method { zPass, zPassStarted, zFail };
 enum class Show { shadow, volumes, count };
 enum class Place { outside, inVolume };
 
+constexpr double near = 0.1;  // distance from the eye where the view begins
+
 // Boxes in boxes over the cube's floor: as many volumes over one another as there are boxes.
 Scene nestedShells(double aspect, int shells) {
     Scene scene = cubeOnPlane(aspect);
@@ -72,6 +74,7 @@ struct ShadowVolumes final : Demo {
     Toggle silhouetteOnly{this, "silhouette", true, "draw out the edges of the silhouette only, else every triangle's"};
     Toggle groups{this, "groups", true, "count 127 casters at a time where more than 255 would wrap round"};
     Choice<Place> eye{this, "eye", Place::outside, {{"outside"}, {"in-volume"}}, "where the eye is"};
+    Real far{this, "far", 0, {0, 100}, "end the view this far away, and the volumes with it; 0: nowhere"};
     Angle lightTurn{this, "light-turn", 0, "turn the light about the vertical"};
     Real lightHeight{this, "light-height", 1, {0.1, 3}, "height of the light, in its first height"};
     Toggle atInfinity{this, "at-infinity", false, "a light at infinity, in the direction of this one"};
@@ -108,7 +111,11 @@ struct ShadowVolumes final : Demo {
         built.reset();
     }
 
-    // The scene as the knobs have it: the projection without a far plane, which would cut the volumes off.
+    void check() const override {
+        if (far != 0 && far <= near) throw Error("--far", "must be 0 or greater than near, 0.1", far.text());
+    }
+
+    // The scene as the knobs have it: without a far plane, unless one is to cut the volumes off.
     Scene sceneNow(double aspect) const {
         Scene now = which == Which::cube        ? cubeOnPlane(aspect)
                     : which == Which::stillLife ? stillLife(aspect)
@@ -116,7 +123,8 @@ struct ShadowVolumes final : Demo {
         vec4 light = rotateY(lightTurn) * scale(1, lightHeight, 1) * now.lights[0].position;
         if (atInfinity) light.w = 0;
         now.lights[0].position = light;
-        now.clipFromView = infinitePerspective(degrees(2 * std::atan(1 / now.clipFromView[1][1])), aspect, 0.1);
+        const double fovy = degrees(2 * std::atan(1 / now.clipFromView[1][1]));
+        now.clipFromView = far == 0 ? infinitePerspective(fovy, aspect, near) : perspective(fovy, aspect, near, far);
         const mat4 turn = rotateX(spinX) * rotateY(spinY);
         if (eye == Place::outside) {
             now.viewFromWorld = translate(0, 0, -distance) * now.viewFromWorld * turn;

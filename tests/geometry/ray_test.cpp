@@ -1,13 +1,10 @@
 #include "mv/geometry/ray.h"
 
-#include <array>
 #include <glm/geometric.hpp>
 #include <string>
-#include <vector>
 
 #include "../math/support.h"
-#include "mv/geometry/check.h"
-#include "mv/geometry/shapes.h"
+#include "support/ray_trials.h"
 #include "support/textbook_rays.h"
 
 using namespace mv;
@@ -47,82 +44,27 @@ TEST(IntersectPlane, MeetsNothingWhereThereIsNoOnePoint) {
 
 // ---- sphere
 
-struct SphereErrors {
-    int falseHits = 0, misses = 0;
-    double largestUlps = 0;  // of t, where both agree on a hit
-};
-
-// 50 000 rays from `distance` away towards a unit sphere, half of them inside half its radius and half beside it by half
-// of that: whatever rounding the float coordinates have, there is no doubt about any of them.
-template <typename Intersect>
-SphereErrors sphereErrors(float distance, Intersect intersect) {
-    Random random(18);
-    SphereErrors errors;
-    for (int i = 0; i < 50000; ++i) {
-        const vec3 towards = random.direction();
-        const vec3 across = glm::normalize(glm::cross(towards, random.direction()));
-        const bool hits = i % 2 == 0;
-        const vec3 aim = across * (hits ? random.number(0, 0.5) : random.number(1.5, 3));
-        const fvec3 origin(-static_cast<double>(distance) * towards);
-        const fvec3 direction(glm::normalize(aim - vec3(origin)));
-        // What is exact for these floats, in double: the miss distance by a cross product, which does not cancel.
-        const vec3 d(direction), f(origin);
-        const double miss = glm::length(glm::cross(f, d)) / glm::length(d);
-        if (hits != (miss < 1) || std::abs(miss - 1) < 0.25) continue;  // the float direction went astray: at 1e6
-        const double exact = (-glm::dot(f, d) - std::sqrt((1 - miss * miss) * glm::dot(d, d))) / glm::dot(d, d);
-        const auto found = intersect(RayOf<float>{origin, direction}, fvec3(0), 1.0F);
-        if (!found) {
-            errors.misses += hits ? 1 : 0;
-        } else if (!hits) {
-            ++errors.falseHits;
-        } else {
-            const auto near = static_cast<float>(exact);
-            const double ulp = std::nextafter(near, HUGE_VALF) - near;
-            errors.largestUlps = std::max(errors.largestUlps, std::abs(found->near - exact) / ulp);
-        }
-    }
-    return errors;
-}
-
 TEST(IntersectSphere, KeepsASmallSphereFarAwayWhereTheTextbookLosesIt) {
     for (const float distance : {1e1F, 1e2F, 1e3F, 1e4F, 1e5F, 1e6F}) {
-        const SphereErrors stable = sphereErrors(distance, intersectSphere<float>);
+        const SphereErrors stable = sphereErrors(sphereTrials<double>(distance, 50000), intersectSphere<float>);
         EXPECT_EQ(stable.falseHits, 0) << distance;
         EXPECT_EQ(stable.misses, 0) << distance;
         // Half an ulp for each of the roundings in b, c, q and the quotient that do not average out. Measured: 3.3.
         EXPECT_LE(stable.largestUlps, 4) << distance;
     }
     // The textbook's, in the same runs: wrong by ulps from the start, and by chance from 1e4 on.
-    EXPECT_GT(sphereErrors(1e2F, textbookSphere<float>).largestUlps, 100);
-    const SphereErrors far = sphereErrors(1e4F, textbookSphere<float>);
+    EXPECT_GT(sphereErrors(sphereTrials<double>(1e2F, 50000), textbookSphere<float>).largestUlps, 100);
+    const SphereErrors far = sphereErrors(sphereTrials<double>(1e4F, 50000), textbookSphere<float>);
     EXPECT_GT(far.falseHits + far.misses, 5000);
 }
 
 TEST(IntersectSphere, KeepsTheGroundUnderTheEye) {
-    double floatError = 0;
     for (const double radius : {1e2, 1e3, 1e4, 1e5, 1e6}) {
-        Random random(19);
-        double error = 0, textbookError = 0;
-        for (int i = 0; i < 1000; ++i) {
-            // The eye is 1 above the ground and looks down, at most 45 degrees aside.
-            const Ray ray{{0, radius + 1, 0}, {random.number(-1, 1), -1, 0}};
-            // With c = |f|^2 - r^2 = 2r + 1, exact, the smaller root is c/q.
-            const long double a = static_cast<long double>(ray.direction.x) * ray.direction.x + 1;
-            const long double b = radius + 1, c = 2 * static_cast<long double>(radius) + 1;
-            const auto exact = static_cast<double>(c / (b + std::sqrt(b * b - a * c)));
-            const auto found = intersectSphere(ray, vec3(0), radius);
-            ASSERT_TRUE(found);
-            error = std::max(error, std::abs(found->near / exact - 1));
-            const RayOf<float> rounded{fvec3(ray.origin), fvec3(ray.direction)};
-            const auto textbook = textbookSphere(rounded, fvec3(0), static_cast<float>(radius));
-            textbookError = std::max(textbookError, textbook ? std::abs(textbook->near / exact - 1) : 1);
-        }
         // The squares of these whole numbers are exact, and so is c; what is left are some roundings of products. The
         // root as (b - sqrt)/a would be off by 1e-10 at 1e6.
-        EXPECT_LT(error, 2e-15) << radius;
-        floatError = textbookError;
+        EXPECT_LT((groundError<long double, double>(radius, intersectSphere<double>)), 2e-15) << radius;
     }
-    EXPECT_GT(floatError, 1e-2);  // float, textbook, at 1e6
+    EXPECT_GT((groundError<long double, float>(1e6, textbookSphere<float>)), 1e-2);
 }
 
 TEST(IntersectSphere, ReturnsBothEnds) {
@@ -236,63 +178,17 @@ TEST(IntersectBox, TakesExtremes) {
 
 // ---- triangle
 
-struct TriangleMesh {
-    std::vector<fvec3> positions;
-    std::vector<std::array<std::uint32_t, 3>> triangles;
-};
-
-// A sphere with bumps: closed, and seen whole from everywhere within half its radius.
-TriangleMesh bumpySphere() {
-    const MeshData smooth = sphere(1, 16, 9);
-    TriangleMesh mesh{smooth.positions, trianglesOf(smooth)};
-    for (fvec3& p : mesh.positions) {
-        // Of its position alone, so that vertices at the same place stay together.
-        p *= 1 + 0.2F * std::sin(37 * p.x + 91 * p.y + 53 * p.z);
-    }
-    return mesh;
-}
-
-enum class Aim { anywhere, corner, edge };
-
-// How many of 100 000 rays from within the mesh meet none of its triangles.
-template <typename T, typename Intersect>
-int missed(Aim aim, Intersect intersect) {
-    const TriangleMesh mesh = bumpySphere();
-    Random random(20);
-    int count = 0;
-    for (int i = 0; i < 100000; ++i) {
-        const auto chosen = static_cast<std::size_t>(random.number(0, static_cast<double>(mesh.triangles.size())));
-        const auto& triangle = mesh.triangles[chosen];
-        const vec3 a(mesh.positions[triangle[0]]), b(mesh.positions[triangle[1]]);
-        const fvec3 origin(random.point(0.25));
-        const double part = random.number(0, 1);
-        const vec3 towards = aim == Aim::corner ? a : aim == Aim::edge ? a + part * (b - a) : random.point(1);
-        // As a program would: in the numbers it computes with.
-        const glm::vec<3, T> direction = glm::vec<3, T>(towards) - glm::vec<3, T>(origin);
-        const RayOf<T> ray{glm::vec<3, T>(origin), direction};
-        bool met = false;
-        for (std::size_t step = 0; step < mesh.triangles.size() && !met; ++step) {
-            const auto& [j, k, l] = mesh.triangles[(chosen + step) % mesh.triangles.size()];  // the likely one first
-            met = intersect(ray, glm::vec<3, T>(mesh.positions[j]), glm::vec<3, T>(mesh.positions[k]),
-                            glm::vec<3, T>(mesh.positions[l]))
-                      .has_value();
-        }
-        count += met ? 0 : 1;
-    }
-    return count;
-}
-
 TEST(IntersectTriangle, IsWatertightWhereTheTextbookLeaks) {
     for (const Aim aim : {Aim::anywhere, Aim::corner, Aim::edge}) {
-        EXPECT_EQ(missed<float>(aim, intersectTriangle<float>), 0);
-        EXPECT_EQ(missed<double>(aim, intersectTriangle<double>), 0);
+        EXPECT_EQ(missedRays<float>(aim, intersectTriangle<float>), 0);
+        EXPECT_EQ(missedRays<double>(aim, intersectTriangle<double>), 0);
     }
     const auto textbook = [](const auto& ray, const fvec3& a, const fvec3& b, const fvec3& c) {
         return textbookTriangle(ray, a, b, c, 0.0F);
     };
-    EXPECT_LT(missed<float>(Aim::anywhere, textbook), 10);
-    EXPECT_GT(missed<float>(Aim::corner, textbook), 1000);
-    EXPECT_GT(missed<float>(Aim::edge, textbook), 1000);
+    EXPECT_LT(missedRays<float>(Aim::anywhere, textbook), 10);
+    EXPECT_GT(missedRays<float>(Aim::corner, textbook), 1000);
+    EXPECT_GT(missedRays<float>(Aim::edge, textbook), 1000);
 }
 
 // Beside a common edge, by less than the products of the coordinates can tell: twice these differ by 1 in 2^54.
@@ -360,6 +256,18 @@ TEST(IntersectTriangle, TakesSmallAndThinOnesAndPassesOverThoseWithoutArea) {
     EXPECT_FALSE(intersectTriangle(ray, p, p, q));
     EXPECT_FALSE(intersectTriangle(ray, p, q, 0.5 * (p + q)));
     EXPECT_FALSE(intersectTriangle(ray, p, vec3(0, 0, -3), vec3(0, 1, -3)));
+    EXPECT_EQ(hitsOfNothing([](const Ray& r, const vec3& a, const vec3& b, const vec3& c) {
+                  return intersectTriangle(r, a, b, c);
+              }),
+              0);
+    // The next number beside a line is an area, and is hit
+    const vec3 beside(1, std::nextafter(1.0, 2.0), -2);
+    int found = 0;
+    for (int i = -3; i <= 3; ++i) {
+        const vec3 towards(0.5, 0.5 + i * 0x1p-54, -2);
+        found += intersectTriangle(Ray{{0.5, 0.5, 1}, towards - vec3(0.5, 0.5, 1)}, p, vec3(1, 1, -2), beside) ? 1 : 0;
+    }
+    EXPECT_GT(found, 0);
 }
 
 TEST(IntersectTriangle, MeetsNothingBehindItAndNothingThatIsNoNumber) {

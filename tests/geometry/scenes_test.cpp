@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "../math/support.h"
+#include "mv/geometry/bounds.h"
 #include "mv/geometry/check.h"
 #include "mv/geometry/ray_caster.h"
 #include "mv/geometry/shapes.h"
@@ -165,6 +166,48 @@ TEST(Scenes, TheHouseIsClosedStandsUprightAndHasSixDifferentSides) {
     }
 }
 
+TEST(Scenes, TheGardenStandsInRows) {
+    const Scene scene = garden();
+    ASSERT_EQ(scene.objects.size(), 29U);
+    std::set<std::string> names;
+    for (const SceneObject& object : scene.objects) {
+        EXPECT_TRUE(names.insert(object.name).second) << object.name;
+        EXPECT_TRUE(isClosed(object.mesh)) << object.name;
+        EXPECT_GT(signedVolume(object.mesh), 0) << object.name;
+        EXPECT_EQ(object.mesh.colors.size(), object.mesh.positions.size());
+        for (const vec3& p : worldPositions(object)) EXPECT_GE(p.y, 0) << object.name;
+    }
+    EXPECT_EQ(vec3(scene.objects[0].worldFromObject[3]), vec3(-1.5, 0, -20));
+    for (std::size_t i = 1; i < 29; ++i) {
+        EXPECT_EQ(scene.objects[i].mesh.positions, scene.objects[1].mesh.positions);
+        const Bounds bounds = boundsOf(scene.objects[i].mesh, scene.objects[i].worldFromObject);
+        EXPECT_EQ(bounds.low.y, 0);
+        EXPECT_EQ(bounds.high.y, 5);
+        const vec3 foot(scene.objects[i].worldFromObject[3]);
+        EXPECT_GT(std::abs(foot.x), 7);  // the middle is free for the house and the way to it
+        const std::size_t row = (i - 1) / 4;
+        EXPECT_EQ(foot.z, -4.0 - 6.0 * double(row));
+    }
+}
+
+TEST(Bounds, HoldAMeshAndTouchItOnEverySide) {
+    const MeshData mesh = sphere(2, 16, 8);
+    const mat4 worldFromModel = translate(1, 2, 3) * scale(1, -3, 0.5);
+    const Bounds bounds = boundsOf(mesh, worldFromModel);
+    // Positions are floats, of up to 2: a rounding of 1e-7, stretched by 3
+    EXPECT_LT(glm::length(bounds.low - vec3(-1, -4, 2)), 1e-6);
+    EXPECT_LT(glm::length(bounds.high - vec3(3, 8, 4)), 1e-6);
+    EXPECT_LT(glm::length(bounds.middle() - vec3(1, 2, 3)), 1e-6);
+    const std::array<vec3, 8> corners = bounds.corners();
+    EXPECT_EQ(corners[0], bounds.low);
+    EXPECT_EQ(corners[7], bounds.high);
+    EXPECT_EQ(corners[5], vec3(bounds.high.x, bounds.low.y, bounds.high.z));  // bits 0 and 2
+    Bounds again;
+    for (const vec3& corner : corners) again.add(corner);
+    EXPECT_EQ(again.low, bounds.low);
+    EXPECT_EQ(again.high, bounds.high);
+}
+
 TEST(Scenes, AreOneMeshInWorldSpace) {
     Scene scene;
     scene.objects = {{.name = "a", .mesh = square(), .worldFromObject = translate(0, 1, 0), .color = {1, 0, 0}},
@@ -190,9 +233,10 @@ TEST(Scenes, AreOneMeshInWorldSpace) {
 }
 
 TEST(Scenes, RefuseAnAspectThatIsNone) {
-    for (const auto& [name, make] : scenes) {
-        EXPECT_EQ(refusal([&] { make(0); }), "scene: aspect must be greater than 0 and finite, 0") << name;
-        EXPECT_EQ(refusal([&] { make(notANumber); }), "scene: aspect must be greater than 0 and finite, nan") << name;
+    for (const NamedScene& scene : scenes) {
+        EXPECT_EQ(refusal([&] { scene.make(0); }), "scene: aspect must be greater than 0 and finite, 0") << scene.name;
+        EXPECT_EQ(refusal([&] { scene.make(notANumber); }), "scene: aspect must be greater than 0 and finite, nan")
+            << scene.name;
     }
 }
 

@@ -6,18 +6,6 @@
 
 namespace mv {
 
-std::vector<Pane> Frame::panes(int count) const {
-    if (count < 1) throw Error("panes", "must be 1 or more", std::to_string(count));
-    const int columns = static_cast<int>(std::ceil(std::sqrt(count))), rows = (count + columns - 1) / columns;
-    const int width = std::max(1, (width_ - columns + 1) / columns), height = std::max(1, (height_ - rows + 1) / rows);
-    std::vector<Pane> panes;
-    for (int i = 0; i < count; ++i) {
-        const int column = i % columns, row = i / columns;
-        panes.push_back({column * (width + 1), height_ - (row + 1) * height - row, width, height});
-    }
-    return panes;
-}
-
 Readout::Readout(Demo* owner, std::string name, std::string help, std::string unit)
     : name_(std::move(name)), help_(std::move(help)), unit_(std::move(unit)) {
     owner->add(this);

@@ -60,12 +60,12 @@ class Frame {
     void bindTarget() const { mode_.bindTarget(); }
 
     // Shows a matrix as a live table, under its name in the form aFromB.
-    void show(std::string name, const mat4& matrix) const { notes_->matrices.emplace_back(std::move(name), matrix); }
+    void show(std::string name, const mat4& matrix) const;
     // One sentence that the user must see beside this picture (a shadow that cannot be, say).
-    void say(std::string message) const { notes_->messages.push_back(std::move(message)); }
+    void say(std::string message) const;
     // Work done in this frame that the framework does not count itself: taps, rays, lights. Shown by --report, and beside
     // the errors of a study, since it does not depend on the machine.
-    void count(std::string name, double amount) const { notes_->counts.emplace_back(std::move(name), amount); }
+    void count(std::string name, double amount) const;
 
   private:
     int index_, width_, height_;

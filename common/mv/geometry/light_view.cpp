@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "mv/error.h"
+#include "mv/geometry/bounds.h"
 #include "mv/math/require.h"
 #include "mv/math/transform.h"
 
@@ -14,19 +15,9 @@ namespace {
 
 constexpr const char* subject = "fitLightView";
 
-struct Box {
-    vec3 low{std::numeric_limits<double>::infinity()};
-    vec3 high{-std::numeric_limits<double>::infinity()};
-    void add(const vec3& p) {
-        low = glm::min(low, p);
-        high = glm::max(high, p);
-    }
-    vec3 middle() const { return 0.5 * low + 0.5 * high; }
-};
-
-Box boxOfSeveral(std::span<const vec3> points) {
+Bounds boundsOfSeveral(std::span<const vec3> points) {
     if (points.empty()) throw Error(subject, "must have points to hold");
-    Box box;
+    Bounds box;
     for (const vec3& p : points) {
         requireFinite(subject, "each point", p);
         box.add(p);
@@ -48,8 +39,8 @@ void widen(double& low, double& high, double margin, double least) {
 }
 
 // The points as seen from the light, divided by their distance along the gaze: x and y at distance 1, z the distance.
-Box windowAtOne(const mat4& viewFromWorld, std::span<const vec3> points) {
-    Box box;
+Bounds windowAtOne(const mat4& viewFromWorld, std::span<const vec3> points) {
+    Bounds box;
     for (const vec3& p : points) {
         const vec3 seen(viewFromWorld * vec4(p, 1));
         const double distance = -seen.z;
@@ -65,7 +56,7 @@ Box windowAtOne(const mat4& viewFromWorld, std::span<const vec3> points) {
 // The perspective that holds the points, for a light that looks as viewFromWorld says.
 LightView throughWindow(const mat4& viewFromWorld, std::span<const vec3> points, double margin, double extent) {
     LightView view{.viewFromWorld = viewFromWorld};
-    Box box = windowAtOne(viewFromWorld, points);
+    Bounds box = windowAtOne(viewFromWorld, points);
     const double leastDepth = 1e-3 * extent, leastAngle = leastDepth / box.high.z;
     double near = box.low.z, far = box.high.z;
     widen(near, far, margin, leastDepth);
@@ -77,7 +68,8 @@ LightView throughWindow(const mat4& viewFromWorld, std::span<const vec3> points,
     return view;
 }
 
-LightView fromPoint(const vec3& light, std::span<const vec3> points, const Box& world, double margin, double extent) {
+LightView fromPoint(const vec3& light, std::span<const vec3> points, const Bounds& world, double margin,
+                    double extent) {
     if (world.middle() == light) throw Error(subject, "the light must not be amid the points", vectorText(light));
     const mat4 viewFromWorld = lookAtAnyRoll(light, world.middle());
     // Look at the middle of the window rather than of the box, where near points weigh no more than far ones.
@@ -86,12 +78,12 @@ LightView fromPoint(const vec3& light, std::span<const vec3> points, const Box& 
                          extent);
 }
 
-LightView fromInfinity(const vec3& towardsLight, std::span<const vec3> points, const Box& world, double margin,
+LightView fromInfinity(const vec3& towardsLight, std::span<const vec3> points, const Bounds& world, double margin,
                        double extent) {
     LightView view;
     view.atInfinity = true;
     view.viewFromWorld = lookAtAnyRoll(world.middle() + extent * glm::normalize(towardsLight), world.middle());
-    Box box;
+    Bounds box;
     for (const vec3& p : points) box.add(vec3(view.viewFromWorld * vec4(p, 1)) * vec3(1, 1, -1));
     for (int axis = 0; axis < 3; ++axis) widen(box.low[axis], box.high[axis], margin, 1e-3 * extent);
     view.bounds = {box.low.x, box.high.x, box.low.y, box.high.y, box.low.z, box.high.z};
@@ -120,7 +112,7 @@ LightView fitLightView(const vec4& light, std::span<const vec3> points, double m
     if (light.w < 0 || light == vec4(0)) {
         throw Error(subject, "the light must be a point (w > 0) or a direction (w = 0)", vectorText(light));
     }
-    const Box world = boxOfSeveral(points);
+    const Bounds world = boundsOfSeveral(points);
     const double extent = glm::length(world.high - world.low);
     if (light.w == 0) return fromInfinity(vec3(light), points, world, margin, extent);
     return fromPoint(vec3(light) / light.w, points, world, margin, extent);
@@ -129,7 +121,7 @@ LightView fitLightView(const vec4& light, std::span<const vec3> points, double m
 LightView fitLightView(const vec3& light, const vec3& gaze, const vec3& up, std::span<const vec3> points,
                        double margin) {
     requireMargin(margin);
-    const Box world = boxOfSeveral(points);
+    const Bounds world = boundsOfSeveral(points);
     return throughWindow(lookAt(light, light + gaze, up), points, margin, glm::length(world.high - world.low));
 }
 

@@ -58,8 +58,10 @@ struct TriangleHit {
 };
 
 // One ray against many triangles, from either side, t > 0. Watertight: of two triangles with a common edge, by the same
-// coordinates, at least one is hit by a ray towards the edge, and so at a corner. Triangles without area, and those
-// seen exactly from the side, are never hit. Coordinates whose products would leave the range of T are not supported.
+// coordinates, at least one is hit by a ray towards the edge, and so at a corner. A triangle without area, whose corners
+// are on one line, is never hit, provided that the differences of its corners are numbers of T. One that is seen exactly
+// from the side is a line, too, and rounding decides whether it is hit, and where: leave it to its neighbours.
+// Coordinates whose products would leave the range of T are not supported.
 // Source: Woop, Benthin, Wald, "Watertight ray/triangle intersection", JCGT 2(1), 2013.
 template <typename T>
 class TriangleTest {
@@ -98,6 +100,22 @@ T component(const glm::vec<3, T>& v) {
     if constexpr (I % 3 == 0) return v.x;
     if constexpr (I % 3 == 1) return v.y;
     if constexpr (I % 3 == 2) return v.z;
+}
+
+// True only where three points are on one line, or two of them the same; false also where a difference is rounded, so that
+// nobody knows.
+template <typename T>
+bool areOnOneLine(const glm::vec<3, T>& a, const glm::vec<3, T>& b, const glm::vec<3, T>& c) {
+    const glm::vec<3, T> ab = b - a, ac = c - a;
+    const auto isExact = [](T difference, T p, T q) {
+        const T back = difference - p;  // Knuth's sum without error: what was rounded off comes out
+        return (p - (difference - back)) - (q + back) == 0;
+    };
+    for (int i = 0; i < 3; ++i) {
+        if (!isExact(ab[i], b[i], a[i]) || !isExact(ac[i], c[i], a[i])) return false;
+    }
+    return signedDifference(ab.y, ac.z, ab.z, ac.y) == 0 && signedDifference(ab.z, ac.x, ab.x, ac.z) == 0 &&
+           signedDifference(ab.x, ac.y, ab.y, ac.x) == 0;
 }
 
 template <typename T>
@@ -143,6 +161,13 @@ std::optional<TriangleHit<T>> TriangleTest<T>::hit(const glm::vec<3, T>& cornerA
     }
     const T sum = u + v + w;
     if (sum == 0) return {};
+    // Of a triangle without area the sum is what rounding has left of it
+    const auto sizeOf = [](const glm::vec<3, T>& p) {
+        return std::max(std::max(std::abs(p.x), std::abs(p.y)), std::abs(p.z));
+    };
+    const T size = std::max(std::max(sizeOf(fromA), sizeOf(fromB)), sizeOf(fromC));
+    if (std::abs(sum) < 64 * std::numeric_limits<T>::epsilon() * size * size && areOnOneLine(cornerA, cornerB, cornerC))
+        return {};
     const T t = scaleZ_ * (u * za + v * zb + w * zc) / sum;
     if (!(t > 0 && t <= std::numeric_limits<T>::max())) return {};  // also where there was a NaN
     return TriangleHit<T>{t, u / sum, v / sum, w / sum};

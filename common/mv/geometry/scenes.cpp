@@ -213,4 +213,22 @@ Scene house() {
     return scene;
 }
 
+Scene garden() {
+    Scene tree;
+    tree.objects = {
+        solid("trunk", standingBox(0.4, 1.2, 0.4), mat4(1), {0.45, 0.32, 0.22}),
+        solid("crown", lathe(std::vector<vec2>{{0, 1}, {1.3, 1}, {0, 5}}, 24), mat4(1), {0.30, 0.55, 0.32}),
+    };
+    const MeshData treeMesh = meshOf(tree);
+    Scene scene;
+    scene.objects = {solid("house", meshOf(house()), translate(-1.5, 0, -20), vec3(1))};
+    for (int row = 0; row < 7; ++row) {
+        for (const double x : {-13.0, -7.5, 7.5, 13.0}) {
+            scene.objects.push_back(solid("tree " + std::to_string(scene.objects.size()), treeMesh,
+                                          translate(x, 0, -4.0 - 6 * row), vec3(1)));
+        }
+    }
+    return scene;
+}
+
 }  // namespace mv

@@ -37,4 +37,9 @@ Scene stillLifeInRoom();
 // chimney, garage, gate, door, window 1 to window 3.
 Scene house();
 
+// That house at (-1.5, 0, -20), and on either side of it two rows of trees 5 m high, from z = -4 to z = -40, 6 m apart:
+// for a camera at (0, 3, 0) that looks along -z. Each object has the colours of its parts at its vertices, and all trees
+// have the same mesh. There is neither floor nor light nor camera. Objects: house, tree 1 to tree 28.
+Scene garden();
+
 }  // namespace mv

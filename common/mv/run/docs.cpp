@@ -113,7 +113,7 @@ std::string lessonPage(const std::string& page, const DemoInfo& info) {
 
 Picture pictureStrip() {
     HeadlessStage headless;
-    constexpr int side = 150, gap = 6, across = 7;
+    constexpr int side = 150, gap = 6, across = 8;
     const int count = static_cast<int>(catalogue().size());
     const int columns = std::min(count, across), rows = (count + across - 1) / across;
     Picture strip(columns * side + (columns - 1) * gap, rows * side + (rows - 1) * gap);
