@@ -148,6 +148,13 @@ struct CubeShadows final : Demo {
     void check() const override {
         if (formula == Formula::axisAligned && tilt != 0)
             throw Error("--tilt", "must be 0 for --formula axis-aligned, which knows no other planes", tilt.text());
+        if (space != Space::world || formula != Formula::general) return;
+        for (const Plane& plane : grounds()) {
+            if (lightSide(plane.localOf(light()), plane.local()) != 0 && lightSide(light(), plane.inWorld()) == 0)
+                throw Error("--plane-distance",
+                            "must be less for --space world: so far out the light cannot be told from the plane",
+                            planeDistance.text());
+        }
     }
 
     // ---- The scene: everything goes with its middle, wherever in the world the floor is
@@ -171,6 +178,14 @@ struct CubeShadows final : Demo {
     Plane planeOf(const mat4& worldFromGround) const {
         const vec3 normal(worldFromGround[1]), point(worldFromGround[3]);
         return {normal, middle() - glm::dot(normal, middle() - point) * normal};
+    }
+
+    // The floor's and the wall's, where there is one.
+    std::vector<Plane> grounds() const {
+        static const Scene cubeScene = cubeInRoom();
+        std::vector<Plane> grounds{planeOf(worldFromObject(cubeScene.objects[1]))};
+        if (place != Place::plane) grounds.push_back(planeOf(worldFromObject(cubeScene.objects[2])));
+        return grounds;
     }
 
     // ---- The shadow's matrix
@@ -321,10 +336,7 @@ struct CubeShadows final : Demo {
         for (int i = 0; i < 8; ++i) corners[static_cast<std::size_t>(i)] = vec3(i & 1, i >> 1 & 1, i >> 2) * 2.0 - 1.0;
         return corners;
     }
-    Plane studied() const {
-        static const Scene cubeScene = cubeInRoom();
-        return planeOf(worldFromObject(cubeScene.objects[1]));
-    }
+    Plane studied() const { return grounds().front(); }
     vec3 cubeMiddle() const { return middle() + vec3(0, 0, lift); }
 
     // As the GPU computes it: the matrix rounded to float, multiplied and divided in float.

@@ -106,7 +106,6 @@ struct ShadowMap final : Demo {
     ShadowCheck shadowCheck;
     Scene scene;
     mat4 viewAsBuilt{1};
-    std::vector<vec3> casters;
     std::vector<Mesh> meshes;
     std::optional<std::pair<Which, double>> built;  // the scene, and its aspect
 
@@ -129,6 +128,7 @@ struct ShadowMap final : Demo {
 
     void check() const override {
         if (lightAt() == targetAt()) throw Error("--light-x", "the light must not be at its target", lightX.text());
+        if (fit == Fit::fitted) (void)lightView();
     }
 
     vec3 lightAt() const { return {lightX, lightY, lightZ}; }
@@ -141,12 +141,20 @@ struct ShadowMap final : Demo {
         asBuilt.viewFromWorld = translate(0, 0, -distance) * view * rotateX(spinX) * rotateY(spinY);
     }
 
+    // The points of what casts, which no knob moves.
+    const std::vector<vec3>& casters() const {
+        static const std::array points{casterPoints(build(Which::spot, 1)), casterPoints(build(Which::cubeOnPlane, 1)),
+                                       casterPoints(build(Which::stillLife, 1))};
+        return points[static_cast<std::size_t>(Which(which))];
+    }
+
     LightView lightView() const {
         if (fit == Fit::fitted) {
             try {
-                return fitLightView(light(), casters);
+                return fitLightView(light(), casters());
             } catch (const Error&) {
-                throw Error("--light-y", "a fitted frustum needs the light clear of what casts", lightY.text());
+                throw Error("--light-y", "must keep the light clear of what casts, for a fitted frustum",
+                            lightY.text());
             }
         }
         constexpr double near = 0.5, far = 10;
@@ -170,7 +178,6 @@ struct ShadowMap final : Demo {
             if (!built || built->first != which) meshes = uploadMeshes(scene);
             built = {which, frame.aspect()};
             viewAsBuilt = scene.viewFromWorld;
-            casters = casterPoints(scene);
         }
         pose(scene, viewAsBuilt);
         const LightView view = lightView();

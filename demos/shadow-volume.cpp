@@ -345,10 +345,12 @@ struct ShadowVolumes final : Demo {
         }
         glDisable(GL_STENCIL_TEST);
         glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+        std::vector<TextLine> legend;
         for (int count = 1; count < 8; ++count) {
-            drawText(frame, 20 * count - 12, 8, std::to_string(count),
-                     {.color = vec4(1), .background = vec4(0.15 + 1.5 * colorOf(count), 1)});
+            const vec4 color(0.15 + 1.5 * colorOf(count), 1);
+            legend.push_back({20 * count - 12, 8, std::to_string(count), {.color = vec4(1), .background = color}});
         }
+        drawText(frame, legend);
     }
 
     void tell(const Frame& frame) const {

@@ -87,6 +87,13 @@ struct SoftShadows final : Demo {
         plain = Program("soft-shadows", "plain");
     }
 
+    void check() const override {
+        // A light's view and a shadow's matrix need the whole lamp, at its largest, well above all that casts.
+        if (place == Place::table && casterHeight > 0.65)
+            throw Error("--caster-height", "must be at most 0.65 in scene table, to stay below the lamp",
+                        casterHeight.text());
+    }
+
     Scene sceneOf(double aspect) const { return place == Place::cube ? cubeOnPlane(aspect) : mv::table(aspect); }
 
     // The scene with lamp, casters and camera where the knobs have them.

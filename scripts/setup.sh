@@ -6,9 +6,11 @@ build=$root/build
 # Each with its reason in the README's table of dependencies.
 run_packages=(g++ cmake ninja-build libglfw3-dev libimgui-dev libglm-dev libstb-dev libpng-dev libcli11-dev
   nlohmann-json3-dev libgl-dev libegl-dev libegl1 libgl1-mesa-dri fonts-dejavu-core gnuplot-nox libosmesa6)
-test_packages=(git libgtest-dev libboost-dev xvfb xauth xdotool imagemagick clang-format clang-tidy libembree-dev)
+test_packages=(git libgtest-dev libboost-dev xvfb xauth xdotool imagemagick clang-format clang-tidy clang libclang-rt-dev
+  libembree-dev)
 # What serves in the place of a package that not every distribution has.
 declare -A instead=([libosmesa6]="EGL draws the pictures instead"
+  [libclang-rt-dev]="pictures and command lines are not fuzzed"
   [libembree-dev]="mvgl-bench leaves out the rays beside it")
 
 fail() {
@@ -73,7 +75,7 @@ check_versions() {
   at_least "$found" 12 || fail "${CXX:-g++}: must be 12 or newer (Debian 12, Ubuntu 24.04), $found"
 }
 
-# configure FOLDER OPTION...: quietly where it succeeds.
+# configure FOLDER OPTION...: quietly where it succeeds, but for its notes.
 configure() {
   local folder=$1 log
   shift
@@ -83,6 +85,7 @@ configure() {
     cat "$log" >&2
     fail "configuring: must succeed; see above"
   }
+  sed -n 's/^-- note: /note: /p' "$log" >&2
 }
 
 # build_targets FOLDER TARGET...: ninja's own progress where there is something to do, else silent.

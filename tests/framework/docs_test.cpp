@@ -2,6 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "support/temporary_folder.h"
+
 using namespace mv;
 
 TEST(Docs, tables_stand_between_their_markers) {
@@ -29,4 +35,22 @@ TEST(Docs, the_catalogue_names_every_demo) {
         EXPECT_FALSE(info.chapter.empty());
         EXPECT_GT(info.number, 0);
     }
+}
+
+TEST(Docs, every_missing_page_is_named_at_once) {
+    const TemporaryFolder folder;
+    const auto pages = folder.path() / "demos";
+    std::filesystem::create_directory(pages);
+    for (const DemoInfo& info : catalogue()) {
+        if (info.name != "cube-cull" && info.name != "shadow") std::ofstream(pages / (info.name + ".md")) << "a page\n";
+    }
+    try {
+        writeDocs(folder.path().string());
+        FAIL() << "two pages are missing";
+    } catch (const Error& error) {
+        EXPECT_EQ(std::string(error.what()),
+                  "docs in " + folder.path().string() +
+                      ": each demo must have its page, missing: demos/cube-cull.md, demos/shadow.md");
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "docs"));  // and nothing was written
 }

@@ -9,6 +9,7 @@
 
 #include "mv/geometry/shapes.h"
 #include "mv/gl/shader_source.h"
+#include "mv/image/file.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
 #include "support/demo_run.h"
@@ -123,6 +124,32 @@ TEST_F(Gl, an_edited_shader_is_compiled_anew_and_a_mistake_keeps_the_last_good) 
     write("edit.frag", "out vec4 fragColor;\nvoid main() { fragColor = vec4(1, 0, 0, 1); }\n");
     EXPECT_EQ(reloadChangedPrograms().programs, 1);
     EXPECT_NE(program.id(), first);
+}
+
+// Whatever is in a shader's file, or in its place: an Error that names it, and never another program than the file's.
+TEST_F(Gl, hostile_shader_files_are_named) {
+    const TemporaryFolder folder;
+    addShaderFile("hostile.vert", plainVertex, "");
+    addShaderFile("hostile.frag", plainFragment, folder.file("hostile.frag"));
+    const auto errorWith = [&](const std::string& text) {
+        writeFileAtomically(folder / "hostile.frag", text);
+        return errorOf([] { Program("hostile"); });
+    };
+    EXPECT_EQ(errorWith(plainFragment), "no error");
+    for (const std::string& text :
+         {std::string("nonsense"), std::string("void main() {"), std::string("\xFF\xFE\x01\0\x7F", 5),
+          std::string("#version 330\nvoid main() {}\n"), std::string(plainFragment).substr(0, 30),
+          std::string(plainFragment) + std::string(plainFragment), std::string("#error \"") + std::string(70000, '%'),
+          std::string("#include \"../../../etc/passwd\"\n")}) {
+        EXPECT_TRUE(has(errorWith(text), "shaders/hostile.frag")) << text.substr(0, 60);
+    }
+    EXPECT_EQ(errorWith(""), "shaders/hostile.frag: must define main()");
+    EXPECT_TRUE(has(errorWith(std::string(2'000'000, ' ')), "hostile.frag: must hold at most 1048576 bytes"));
+    // Without the file the program is the one that was built in; with something in its place that is no file, none.
+    std::filesystem::remove(folder / "hostile.frag");
+    EXPECT_EQ(errorOf([] { Program("hostile"); }), "no error");
+    std::filesystem::create_directory(folder / "hostile.frag");
+    EXPECT_TRUE(has(errorOf([] { Program("hostile"); }), "hostile.frag: must be a file that exists and may be read"));
 }
 
 TEST_F(Gl, vertices_are_read_back_in_their_order) {

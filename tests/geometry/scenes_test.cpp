@@ -226,6 +226,9 @@ TEST(Scenes, AreOneMeshInWorldSpace) {
             EXPECT_LT(glm::length(mesh.normals[i] - normal), 1e-6);
         }
     }
+    Scene far = scene;
+    far.objects[1].worldFromObject = scale(1, 1e39, 1);
+    EXPECT_EQ(refusal([&] { meshOf(far); }).rfind("object b: its places in the world must fit into floats, (", 0), 0U);
     scene.objects[0].mesh.normals.clear();
     EXPECT_TRUE(meshOf(scene).normals.empty());
     scene.objects[0].mesh = wireCube();

@@ -66,6 +66,15 @@ TEST(Vanishing, LinesEndInDirections) {
     for (const fvec3& direction : horizon.positions) EXPECT_EQ(direction.y, 0);
 }
 
+TEST(Vanishing, RefusesPointsThatNoFloatHolds) {
+    // One after the other, in the same loop: no one's being fine makes the next one so
+    for (const double far : {1e38, 1e39, infinite, notANumber}) {
+        const std::array<vec3, 2> points{vec3(1, 2, 3), vec3(0, -far, 0)};
+        const std::string said = refusal([&] { linesToInfinity(points); });
+        EXPECT_EQ(said.rfind("linesToInfinity: a point must fit into floats, (0, ", 0) == 0, far != 1e38) << said;
+    }
+}
+
 TEST(Vanishing, RefusesWhatIsNoDirection) {
     EXPECT_EQ(refusal([] { vanishingPoint(perspectiveView, vec3(0), 10, 10); }),
               "vanishingPoint: the direction must not be 0");

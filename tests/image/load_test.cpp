@@ -4,8 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
+#include <filesystem>
+#include <fstream>
 #include <random>
 #include <string>
+#include <thread>
 #include <utility>
 
 #include "image/messages.h"
@@ -121,6 +125,43 @@ TEST(LoadPicture, HoldsTheSizeLimit) {
     std::filesystem::resize_file(path, maximumPictureFileBytes + 1);
     EXPECT_TRUE(contains(messageOf([&] { (void)loadPicture(path); }), "must hold at most 67108864 bytes"));
     EXPECT_THROW((void)decodePicture(Bytes(maximumPictureFileBytes + 1), "memory"), Error);
+}
+
+// Whatever another program does with the file meanwhile: a whole picture, or an Error that says what is wrong.
+TEST(LoadPicture, StandsAFileThatChangesAndVanishes) {
+    const TemporaryFolder folder;
+    const auto path = folder / "a.png";
+    const Picture first = smoothPicture(120, 90), second = smoothPicture(90, 120);
+    const Bytes whole = encodePng(first);
+    std::atomic<bool> done = false;
+    std::thread other([&] {
+        for (int i = 0; i < 150; ++i) {
+            writePng(path, i % 2 == 0 ? first : second);
+            std::filesystem::remove(path);
+            std::ofstream halves(path, std::ios::binary);  // in place, as one should not
+            for (const std::size_t start : {std::size_t{0}, whole.size() / 2}) {
+                const std::size_t end = start == 0 ? whole.size() / 2 : whole.size();
+                halves.write(reinterpret_cast<const char*>(whole.data()) + start,
+                             static_cast<std::streamsize>(end - start));
+                halves.flush();
+            }
+        }
+        done = true;
+    });
+    int loaded = 0, refused = 0;
+    while (!done) {
+        try {
+            const Picture picture = loadPicture(path);
+            EXPECT_TRUE(picture == first || picture == second);
+            ++loaded;
+        } catch (const Error& error) {
+            EXPECT_TRUE(contains(error.what(), path.string() + ": must be ")) << error.what();
+            ++refused;
+        }
+    }
+    other.join();
+    EXPECT_GT(loaded + refused, 0);
+    EXPECT_EQ(loadPicture(path), first);
 }
 
 TEST(LoadPng, TopRowFirst) {

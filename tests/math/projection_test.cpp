@@ -302,6 +302,27 @@ TEST(PlanesExtremes, X07FarPlaneAtLargeRatios) {
     }
 }
 
+TEST(Planes, AreThoseOfAnyMultipleOfTheMatrix) {
+    const mat4 clipFromWorld = perspective(50, 1.5, 0.1, 100) * lookAt(vec3(3, 4, 5), vec3(0, 1, 0), vec3(0, 1, 0));
+    const auto planes = planesFromClip(clipFromWorld);
+    // By powers of two nothing is rounded; 1e-200 and 1e200 round each element once, of which the far plane's normal, a
+    // difference, keeps 2e-3
+    for (const double power : {0x1p-60, 0x1p60, 0x1p-700, 0x1p700}) {
+        EXPECT_EQ(planesFromClip(power * clipFromWorld), planes) << power;
+    }
+    for (const double factor : {1e-200, 1e200}) {
+        const auto scaled = planesFromClip(factor * clipFromWorld);
+        for (std::size_t i = 0; i < 6; ++i) {
+            EXPECT_LT(glm::length(scaled[i] - planes[i]), 1e-11) << factor << ", plane " << i;  // d is up to 100
+        }
+    }
+    // A plane that cancels still does
+    EXPECT_EQ(refusal([] {
+                  planesFromClip(1e-200 * perspective(50, 1.5, 1, 1e13));
+              }).rfind("planesFromClip: the far plane's normal must not cancel", 0),
+              0u);
+}
+
 TEST(Planes, RefuseWhatIsNoProjection) {
     EXPECT_EQ(refusal([] { planesFromClip(mat4(0)); }).rfind("planesFromClip: the left plane's normal", 0), 0u);
     EXPECT_EQ(refusal([] { planesFromClip(mat4(notANumber)); }).rfind("planesFromClip: the matrix column 0", 0), 0u);

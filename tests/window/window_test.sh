@@ -317,6 +317,36 @@ resize() {
     equal "picture after being too small" 333x217 "$(reported width)x$(reported height)"
 }
 
+storm() {
+    # A hundred sizes in quick succession, each change of which asks for a picture: down to a single pixel, and minimised.
+    start 'mvgl: probe' "$launcher" probe --report=json
+    local storm=() i
+    RANDOM=1234
+    for i in $(seq 100); do
+        case $((i % 10)) in
+            3) storm+=(windowsize "$window" 1 1) ;;
+            6) storm+=(windowsize "$window" $((RANDOM % 1200 + 1)) 1) ;;
+            8) storm+=(windowunmap "$window" windowsize "$window" $((RANDOM % 1200 + 1)) 300 windowmap "$window") ;;
+            *) storm+=(windowsize "$window" $((RANDOM % 1200 + 1)) $((RANDOM % 1000 + 1))) ;;
+        esac
+        [ $((i % 7)) -ne 0 ] || storm+=(sleep 0.02)
+    done
+    xdotool "${storm[@]}" windowsize "$window" 753 317
+    settle
+    xdotool windowfocus "$window" key space && sleep 0.3
+    xdotool key ctrl+s && sleep 0.5
+    quit
+    equal "picture after the storm" 393x317 "$(reported width)x$(reported height)"
+    equal "error" "" "$(reported error)"
+    equal "standard error" "" "$(cat err)"
+    atLeast "pictures drawn on the way" "$(reported demo_frames)" 20
+    local line
+    line=$(reported command)
+    # shellcheck disable=SC2086
+    (set -- $line && shift && "$launcher" probe "$@" --shot replay.png) || fail "the command line '$line' does not run"
+    cmp probe-*.png replay.png || fail "the picture after the storm is not that of '$line'"
+}
+
 time_() {
     # Frames go by the clock: 60 a second, however many of them were drawn.
     start 'mvgl: probe' "$launcher" probe --report=json
@@ -672,7 +702,7 @@ case $case in
     compare) compare_ ;;
     compare-panel) comparePanel ;;
     launcher) launcher_ ;;
-    opens | keys | slider | typed | choice | wheel | drag | replay | save | clipboard | error | resize | paused | reload | idle | study | measure)
+    opens | keys | slider | typed | choice | wheel | drag | replay | save | clipboard | error | resize | storm | paused | reload | idle | study | measure)
         "$case"
         ;;
     *) fail "there is no case '$case'" ;;

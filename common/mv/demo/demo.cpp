@@ -142,6 +142,14 @@ const DemoInfo& findDemo(std::string_view name) {
                 "is no demo of this program (--list shows them)" + suggestion(name, names));
 }
 
+void strikePose(Demo& demo, const DemoInfo& info) {
+    for (const auto& [name, text] : info.pose) demo.knob(name).parse(text);
+}
+
+void applyKnobs(Demo& demo, const std::vector<KnobSetting>& settings) {
+    for (const auto& [name, text] : settings) demo.knob(name).parse(text);
+}
+
 std::string nearestName(std::string_view word, const std::vector<std::string>& candidates) {
     std::string best;
     std::size_t least = std::max<std::size_t>(2, word.size() / 3) + 1;  // further off, it is another word

@@ -119,6 +119,11 @@ bool addDemo(DemoInfo info) {
     return addDemo(std::move(info));
 }
 
+// Sets knobs by name. Error: no such knob, or a value that it refuses.
+void applyKnobs(Demo& demo, const std::vector<KnobSetting>& settings);
+// Sets the knobs of the demo's pose.
+void strikePose(Demo& demo, const DemoInfo& info);
+
 // The candidate nearest to `word` by edit distance, or "" where none is near enough to be a slip of the hand.
 std::string nearestName(std::string_view word, const std::vector<std::string>& candidates);
 // ", did you mean 'x'?" or "".

@@ -6,6 +6,7 @@
 
 #include "mv/error.h"
 #include "mv/geometry/check.h"
+#include "mv/math/require.h"
 #include "mv/math/transform.h"
 
 namespace mv {
@@ -20,7 +21,9 @@ MeshData meshOf(const Scene& scene) {
         const mat3 worldNormal = normals ? normalMatrix(object.worldFromObject) : mat3(1);
         for (const std::array<std::uint32_t, 3>& corners : triangles) {
             for (const std::uint32_t i : corners) {
-                all.positions.emplace_back(object.worldFromObject * vec4(vec3(object.mesh.positions[i]), 1));
+                const vec3 position(object.worldFromObject * vec4(vec3(object.mesh.positions[i]), 1));
+                requireFitsFloat("object " + object.name, "its places in the world", position);
+                all.positions.emplace_back(position);
                 all.colors.emplace_back(vec4(object.color, 1));
                 if (normals) all.normals.emplace_back(glm::normalize(worldNormal * vec3(object.mesh.normals[i])));
             }

@@ -37,7 +37,7 @@ struct Scene {
 
 // All objects of a scene as one mesh in world space, for a scene that does not move in itself: one draw instead of many.
 // Triangles without indices, with positions and colors, and with unit normals where every object has them. Refused: an
-// object that is not made of triangles, and what validate refuses.
+// object that is not made of triangles, a position in the world beyond float's range, and what validate refuses.
 MeshData meshOf(const Scene& scene);
 
 }  // namespace mv

@@ -1,6 +1,5 @@
 #include "mv/geometry/shadow_volume.h"
 
-#include <cfloat>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <map>
@@ -112,10 +111,7 @@ ShadowVolume shadowVolume(const ClosedMesh& mesh, const vec4& light, Extrude ext
     for (const fvec3& p : mesh.positions()) volume.positions.emplace_back(p, 1.0F);
     for (std::uint32_t i = 0; i < (atInfinity ? 1 : count); ++i) {
         const vec3 direction = light.w * vec3(mesh.positions()[i]) - vec3(light);
-        for (int k = 0; k < 3; ++k) {
-            if (std::abs(direction[k]) <= FLT_MAX) continue;
-            throw Error("shadow volume", "directions away from the light must fit into floats", vectorText(direction));
-        }
+        requireFitsFloat("shadow volume", "directions away from the light", direction);
         volume.positions.emplace_back(fvec3(direction), 0.0F);
     }
     const auto thrown = [&](std::uint32_t i) { return atInfinity ? count : count + i; };

@@ -17,7 +17,7 @@ MeshData linesToInfinity(std::span<const vec3> points) {
         fvec3 direction(0);
         direction[axis] = 1;
         for (const vec3& point : points) {
-            requireFinite("linesToInfinity", "a point", point);
+            requireFitsFloat("linesToInfinity", "a point", point);
             lines.positions.insert(lines.positions.end(), {fvec3(point), direction});
             lines.texCoords.insert(lines.texCoords.end(), {fvec2(0), fvec2(1)});
         }

@@ -14,7 +14,7 @@
 namespace mv {
 
 // From each point a line to infinity along x, then from each along y, then along z: 2 vertices a line, 2 points.size()
-// an axis; positions and texCoords. Refused: NaN and infinity.
+// an axis; positions and texCoords. Refused: NaN, and what float takes for infinity.
 MeshData linesToInfinity(std::span<const vec3> points);
 
 // All directions with y = 0, in 64 lines: seen through a perspective, the horizon of a world with y upwards.

@@ -82,7 +82,7 @@ Linked link(const std::string& name, const Sources& sources) {
     const GLuint program = linked.program.id();
     std::vector<ShaderObject> shaders;
     for (const auto& [kind, source] : sources) {
-        for (const auto& path : source.readFrom) linked.files[path] = std::filesystem::last_write_time(path);
+        linked.files.insert(source.readFrom.begin(), source.readFrom.end());
         shaders.push_back(compile(kind, source));
         glAttachShader(program, shaders.back().id());
     }

@@ -1,8 +1,7 @@
 #include "mv/gl/shader_source.h"
 
+#include <cstddef>
 #include <cstdio>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <optional>
 #include <sstream>
@@ -10,6 +9,7 @@
 
 #include "mv/error.h"
 #include "mv/gl/functions.h"
+#include "mv/image/file.h"
 
 namespace mv {
 namespace {
@@ -33,15 +33,17 @@ std::string versionLines() {
     return "#version " + std::to_string(allowedVersion()) + "0 core\n";
 }
 
+// The file as it is on disk where there is one, else as it was built in. One that is there and cannot be read is an Error:
+// what was built in would be another program than the one that is being edited.
 std::string currentText(const ShaderFile& file, ShaderSource& source) {
-    if (!file.path.empty()) {
-        std::ifstream stream(file.path, std::ios::binary);
-        if (stream) {
-            source.readFrom.push_back(file.path);
-            return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-        }
-    }
-    return file.text;
+    std::error_code missing;
+    // Before the text: an edit in between is then found, and read again.
+    const auto written = std::filesystem::last_write_time(file.path, missing);
+    if (missing) return file.text;
+    constexpr std::size_t largest = std::size_t{1} << 20U;
+    const std::vector<std::byte> bytes = readFile(file.path, largest);
+    source.readFrom[file.path] = written;
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
 // The file that a line `#include "x.glsl"` names.
@@ -112,6 +114,8 @@ ShaderSource assembleShader(const std::string& name) {
     ShaderSource source;
     source.text = versionLines();
     append(source, "shaders/" + name, currentText(found->second, source), 0);
+    // Mesa links a fragment shader without one, and draws black: an empty file, say.
+    if (source.text.find("main") == std::string::npos) throw Error("shaders/" + name, "must define main()");
     return source;
 }
 

@@ -1,6 +1,7 @@
 // Shader files by name: embedded in the program at build time, read from the source tree in a developer build.
 #pragma once
 #include <filesystem>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,15 +15,17 @@ bool addShaderFile(std::string name, std::string text, std::string path);
 // A shader ready to compile: the version line put before it, its #include lines replaced by the files.
 struct ShaderSource {
     std::string text;
-    std::vector<std::string> files;               // shown names, by the source number that #line gives
-    std::vector<std::filesystem::path> readFrom;  // files on disk that it was read from
+    std::vector<std::string> files;  // shown names, by the source number that #line gives
+    // Files on disk that it was read from, and when each had been written.
+    std::map<std::filesystem::path, std::filesystem::file_time_type> readFrom;
 };
 
 // Whether there is a shader file of that name ("cube-cull.vert").
 bool hasShaderFile(const std::string& name);
 
 // The shader file, for the current context's dialect: "#version 330 core" on OpenGL, "#version 300 es" on OpenGL ES.
-// `#include "x.glsl"` stands for shaders/include/x.glsl. Error: no such file, or a file that includes itself.
+// `#include "x.glsl"` stands for shaders/include/x.glsl. Error: no such file, a file that includes itself, one
+// that is on disk and cannot be read, or no main in it.
 ShaderSource assembleShader(const std::string& name);
 ShaderSource assembleShaderText(const std::string& shownName, std::string_view text);
 

@@ -160,10 +160,12 @@ std::vector<std::byte> readFile(const fs::path& path, std::size_t maximumBytes) 
 }
 
 ScratchFolder::ScratchFolder(std::string_view name) {
-    std::string pattern = (fs::temp_directory_path() / "mvgl-").string().append(name).append("-XXXXXX");
-    if (!::mkdtemp(pattern.data())) {
-        throw Error(name, "needs a temporary folder that can be written", pattern + ": " + reasonText(errno));
-    }
+    constexpr std::string_view rule = "needs a temporary folder that can be written; TMPDIR names one";
+    std::error_code missing;
+    const fs::path temporary = fs::temp_directory_path(missing);
+    if (missing) throw Error(name, rule, missing.message());
+    std::string pattern = (temporary / "mvgl-").string().append(name).append("-XXXXXX");
+    if (!::mkdtemp(pattern.data())) throw Error(name, rule, pattern + ": " + reasonText(errno));
     path_ = pattern;
 }
 

@@ -1,5 +1,6 @@
 #include "mv/math/projection.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -178,6 +179,19 @@ std::array<vec4, 6> planesFromClip(const mat4& clipFromWorld) {
         const double length = glm::length(vec3(plane));
         const double terms = glm::length(vec3(rows[3])) + glm::length(vec3(row));
         if (!(length > 1e-10 * terms)) {
+            // Not so where the squares of the elements have vanished or overflowed: the planes of a matrix are those of any
+            // multiple of it
+            double largest = 0;
+            for (int column = 0; column < 4; ++column) {
+                for (int k = 0; k < 4; ++k) largest = std::max(largest, std::abs(clipFromWorld[column][k]));
+            }
+            if (const int exponent = scalingExponent(largest); exponent != 0) {
+                mat4 scaled(clipFromWorld);
+                for (int column = 0; column < 4; ++column) {
+                    for (int k = 0; k < 4; ++k) scaled[column][k] = std::ldexp(scaled[column][k], -exponent);
+                }
+                return planesFromClip(scaled);
+            }
             throw Error("planesFromClip",
                         std::string("the ") + names[i] +
                             " plane's normal must not cancel; for an extreme far/near use perspectivePlanes",

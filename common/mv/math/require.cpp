@@ -1,6 +1,7 @@
 #include "mv/math/require.h"
 
 #include <cmath>
+#include <limits>
 
 #include "mv/error.h"
 
@@ -42,6 +43,12 @@ void refuseInfinite(std::string_view subject, std::string_view name, const mat4&
     int column = 0;
     while (column < 3 && isFinite(value[column])) ++column;
     refuse(subject, std::string(name).append(" column ").append(std::to_string(column)), value[column]);
+}
+
+void requireFitsFloat(std::string_view subject, std::string_view name, const vec3& value) {
+    constexpr double most = std::numeric_limits<float>::max();
+    if (std::abs(value.x) <= most && std::abs(value.y) <= most && std::abs(value.z) <= most) return;
+    throw Error(subject, std::string(name).append(" must fit into floats"), vectorText(value));
 }
 
 void requirePositive(std::string_view subject, std::string_view name, double value) {

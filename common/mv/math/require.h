@@ -42,6 +42,11 @@ void requireFinite(std::string_view subject, std::string_view name, const T& val
     if (!isFinite(value)) refuseInfinite(subject, name, value);
 }
 
+// Throws Error(subject, "<name> must fit into floats", value) when an element is NaN, infinite, or beyond float's range,
+// where rounding to float would make it infinite. Asked of the doubles: once it is a float, g++ 12 may take it for the
+// number it was.
+void requireFitsFloat(std::string_view subject, std::string_view name, const vec3& value);
+
 // Throws Error(subject, "<name> must be greater than 0 and finite", value); NaN is refused too.
 void requirePositive(std::string_view subject, std::string_view name, double value);
 

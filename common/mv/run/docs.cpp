@@ -151,6 +151,12 @@ static void writeStudyDocs(const std::string& root) {
 }
 
 void writeDocs(const std::string& root) {
+    std::string missing;
+    for (const DemoInfo& info : catalogue()) {
+        const std::string page = "demos/" + info.name + ".md";
+        if (!std::filesystem::exists(root + "/" + page)) missing.append(missing.empty() ? "" : ", ").append(page);
+    }
+    if (!missing.empty()) throw Error("docs in " + root, "each demo must have its page", "missing: " + missing);
     writeFileAtomically(root + "/docs/demos.md", std::string_view(cataloguePage()));
     std::cout << root << "/docs/demos.md\n";
     for (const DemoInfo& info : catalogue()) {

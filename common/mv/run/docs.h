@@ -15,7 +15,7 @@ std::string cataloguePage();
 std::string lessonPage(const std::string& page, const DemoInfo& info);
 
 // Writes docs/demos.md, the tables of demos/*.md, the pages and plots of docs/errors-and-times and docs/strip.png into a
-// source tree.
+// source tree. Error: demos without a page, all of them, before anything is written; and what lessonPage refuses.
 void writeDocs(const std::string& root);
 
 // All demos in their poses at frame 1, in rows of seven, for the README.

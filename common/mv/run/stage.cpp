@@ -143,12 +143,4 @@ std::vector<float> Stage::measure(int index) {
     return measured_.readRed();
 }
 
-void strikePose(Demo& demo, const DemoInfo& info) {
-    for (const auto& [name, text] : info.pose) demo.knob(name).parse(text);
-}
-
-void applyKnobs(Demo& demo, const std::vector<KnobSetting>& settings) {
-    for (const auto& [name, text] : settings) demo.knob(name).parse(text);
-}
-
 }  // namespace mv

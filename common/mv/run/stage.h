@@ -62,10 +62,7 @@ class Stage {
     Counters counters_;
 };
 
-void applyKnobs(Demo& demo, const std::vector<KnobSetting>& settings);
 // OpenGL's own initial state, but for the framebuffer: so that nobody draws with what a demo left behind.
 void resetState();
-// Sets the knobs of the demo's pose.
-void strikePose(Demo& demo, const DemoInfo& info);
 
 }  // namespace mv

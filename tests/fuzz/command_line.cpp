@@ -1,0 +1,71 @@
+// libFuzzer: any words into the command line, one a line of the input. They are understood or refused as not
+// understood, nothing else; and what is understood prints a command line that means the same.
+#include <algorithm>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "mv/demo/demo.h"
+#include "mv/run/command_line.h"
+
+namespace {
+
+using namespace mv;
+
+enum class Word { first, second };
+
+// Every kind of knob.
+struct Small final : Demo {
+    Real real{this, "real", 0.5, {-1, 1e8}, "a number"};
+    Whole whole{this, "whole", 3, {0, 300}, "a whole number"};
+    Toggle toggle{this, "toggle", true, "on or off"};
+    Choice<Word> choice{this, "choice", Word::first, {{"first"}, {"second"}}, "a word"};
+    Angle angle{this, "angle", 0, "an angle"};
+    void init() override {}
+    void draw(const Frame&) override {}
+};
+const bool smallAdded = addDemo<Small>({.name = "small", .sentence = "moves", .animated = true});
+const bool otherAdded = addDemo<Small>({.name = "other", .sentence = "rests"});
+
+void require(bool condition, const std::string& what) {
+    if (!condition) throw std::logic_error(what);  // which libFuzzer reports as a crash
+}
+
+std::string copyable(const Command& command) {
+    const auto demo = command.demo->make();
+    applyKnobs(*demo, command.knobs);
+    ComparedKnob compared;
+    if (!command.compareKnob.empty()) {
+        demo->knob(command.compareKnob).parse(command.compareValues.at(0));
+        compared = {command.compareKnob, command.compareValues.at(1)};
+    }
+    const DemoInfo& info = *command.demo;
+    return copyableCommand(info, *demo, command.firstFrame, command.width ? command.width : info.width,
+                           command.height ? command.height : info.height, compared);
+}
+
+std::vector<std::string> split(const std::string& text, char separator) {
+    std::vector<std::string> words;
+    std::istringstream stream(text);
+    for (std::string word; std::getline(stream, word, separator);) words.push_back(word);
+    return words;
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
+    Command command;
+    try {
+        std::string words(reinterpret_cast<const char*>(data), size);
+        std::replace(words.begin(), words.end(), '\0', '\n');  // no argument can have one
+        command = parseCommandLine(split(words, '\n'));
+    } catch (const UsageError& error) {
+        require(std::string(error.what()).find(": ") != std::string::npos, error.what());
+        return 0;
+    }
+    if (command.action == Action::help || !command.demo) return 0;
+    const std::string line = copyable(command);
+    require(copyable(parseCommandLine(split(line, ' '))) == line, line);
+    return 0;
+}

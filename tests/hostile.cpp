@@ -1,0 +1,202 @@
+// The programs under hostile input and in hostile surroundings: a clear message, exit status 1 or 2, nothing half-written.
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "mv/image/load.h"
+#include "mv/run/command_line.h"
+#include "support/hostile_lines.h"
+#include "support/process.h"
+
+using namespace mv;
+using namespace mv::test;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::vector<std::string> noDisplay{"DISPLAY", "WAYLAND_DISPLAY"};
+
+std::string fileText(const std::string& path) {
+    std::ifstream stream(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+// Runs a line of the shell: for what only a shell sets up, as limits.
+ProcessResult runShell(const std::string& line, const std::string& folder, std::vector<std::string> environment = {}) {
+    return runProcess({"/bin/sh", "-c", line}, {.folder = folder, .environment = std::move(environment)});
+}
+
+std::string errorLine(const std::string& text) {
+    const auto at = ("\n" + text).find("\nerror: ");
+    return at == std::string::npos ? "" : text.substr(at, text.find('\n', at) - at);
+}
+
+void expectRefusal(const ProcessResult& result, const std::string& part) {
+    EXPECT_EQ(result.status, 1) << result.err;
+    EXPECT_NE(errorLine(result.err).find(part), std::string::npos) << result.err;
+}
+
+// What the parser makes of the line, in this process: the words of its refusal, "" where it understands it.
+std::string usageError(const std::vector<std::string>& line, Command& command) {
+    try {
+        command = parseCommandLine(line);
+        return "";
+    } catch (const UsageError& error) {
+        return error.what();
+    }
+}
+
+// Whether running it takes moments and writes into the present folder only.
+bool isCheap(const std::vector<std::string>& line, const Command& command) {
+    for (const std::string& word : line) {
+        if (word.find('/') != std::string::npos) return false;
+    }
+    if (command.action != Action::render) {
+        return command.action != Action::gallery && command.action != Action::docs && command.action != Action::study &&
+               command.action != Action::audit;
+    }
+    return command.width > 0 && command.width * command.height <= 10000 && command.knobs.size() <= 1 &&
+           command.lastFrame - command.firstFrame < 10;
+}
+
+}  // namespace
+
+// The parser in this process says which lines are understood; the program then agrees, and leaves pictures or nothing.
+TEST(Hostile, two_hundred_command_lines) {
+    HostileLines lines(200);
+    int run = 0, done = 0, misunderstood = 0;
+    while (run < 200) {
+        const std::vector<std::string> line = lines.next();
+        Command command;
+        const std::string refusal = usageError(line, command);
+        if (refusal.empty() && !isCheap(line, command)) continue;
+        ++run;
+        const TemporaryFolder folder;
+        std::vector<std::string> words{program("mvgl")};
+        words.insert(words.end(), line.begin(), line.end());
+        const ProcessResult result = runProcess(words, {.folder = folder.path().string(), .environment = noDisplay});
+        std::string shown = "mvgl";
+        for (const std::string& word : line) shown += " '" + word.substr(0, 60) + "'";
+        SCOPED_TRACE(shown);
+        if (!refusal.empty()) {
+            ++misunderstood;
+            EXPECT_EQ(result.status, 2);
+            EXPECT_EQ(result.err, "error: " + refusal + "\n");
+            EXPECT_EQ(result.out, "");
+        } else if (result.status == 0) {
+            ++done;
+            EXPECT_EQ(errorLine(result.err), "");
+        } else {
+            EXPECT_EQ(result.status, 1);
+            EXPECT_NE(errorLine(result.err), "") << result.err;
+        }
+        for (const std::string& name : folder.list()) {
+            EXPECT_EQ(result.status, 0) << name << " was left behind";
+            EXPECT_NO_THROW((void)loadPicture(folder.path() / name));
+        }
+    }
+    // Of each kind enough to mean something.
+    EXPECT_GT(done, 20);
+    EXPECT_GT(misunderstood, 50);
+}
+
+// A full disk: each write fails, as it does for a process whose files may not grow (and /dev/full, in programs.cpp).
+TEST(Hostile, a_full_disk) {
+    const TemporaryFolder folder;
+    const std::string full = "trap '' XFSZ; ulimit -f 0; exec ", cube = program("cube-cull");
+    const auto run = [&](const std::string& command) { return runShell(full + command, folder.path().string()); };
+    expectRefusal(run(cube + " --shot a.png"), "a.png: could not be written, File too large");
+    expectRefusal(run(cube + " --shot f%d.png --frames 1..9"), "f1.png: could not be written, File too large");
+    expectRefusal(run(cube + " --shot a.png --compare cull=back,front"), "a.png: could not be written");
+    EXPECT_TRUE(folder.list().empty()) << "nothing half-written is left behind";
+    expectRefusal(run(program("mvgl") + " --gallery gallery"), ".png: could not be written, File too large");
+    EXPECT_TRUE(fs::is_empty(folder / "gallery"));
+    for (const char* flags : {" --list", " --help", " --knobs=json", " --copyable", " --headless --report"}) {
+        expectRefusal(runShell(cube + flags + " >/dev/full", folder.path().string()), "standard output");
+    }
+}
+
+// Killed in the middle of a write, the old picture is whole, and so is every picture of a series.
+TEST(Hostile, killed_while_writing) {
+    const TemporaryFolder folder;
+    const std::string picture = program("projections") + " --shot a.png";
+    ASSERT_EQ(runShell(picture, folder.path().string()).status, 0);
+    const std::string before = fileText(folder.file("a.png"));
+    ASSERT_GT(before.size(), 1024U) << "longer than the limit";
+    // A file beyond its limit: the system kills the process within write(), after the bytes that are allowed.
+    const ProcessResult killed =
+        runShell("ulimit -c 0; ulimit -f 1; exec " + picture + " --turn 50", folder.path().string());
+    EXPECT_EQ(killed.status, 128 + SIGXFSZ);
+    EXPECT_TRUE(fileText(folder.file("a.png")) == before);
+    EXPECT_EQ(folder.entries(), 2) << "the picture, and the part that nobody could remove";
+    // The next run is not disturbed by that part.
+    EXPECT_EQ(runShell(picture, folder.path().string()).status, 0);
+    EXPECT_TRUE(fileText(folder.file("a.png")) == before);
+
+    // At several moments of a series, after its third picture.
+    for (const char* seconds : {"0", "0.003", "0.01", "0.03"}) {
+        const TemporaryFolder series;
+        const ProcessResult run = runShell(program("cube-cull") +
+                                               " --shot f%d.png --frames 1..99999 --size 300x300 & "
+                                               "while [ ! -e f3.png ] && kill -0 $!; do sleep 0.005; done; sleep " +
+                                               seconds + "; kill -KILL $!; wait $!",
+                                           series.path().string());
+        EXPECT_EQ(run.status, 128 + SIGKILL) << run.err;
+        int parts = 0;
+        for (const std::string& name : series.list()) {
+            if (name.front() == '.') {
+                ++parts;
+            } else {
+                EXPECT_EQ(loadPicture(series.path() / name).width, 300) << name;
+            }
+        }
+        EXPECT_LE(parts, 1);
+    }
+}
+
+// No home folder, nor anything else of the surroundings.
+TEST(Hostile, no_home_folder) {
+    const TemporaryFolder folder;
+    const std::string picture = folder.file("a.png");
+    for (const char* host : {"osmesa", "egl"}) {
+        for (const char* home : {"", "HOME=/nonexistent "}) {
+            const ProcessResult run =
+                runShell(std::string("exec env -i ") + home + program("cube-cull") + " --shot a.png --headless=" + host,
+                         folder.path().string());
+            EXPECT_EQ(run.status, 0) << run.err;
+            EXPECT_EQ(run.err, "") << home;
+            EXPECT_EQ(folder.list(), std::vector<std::string>{"a.png"});
+            fs::remove(picture);
+        }
+    }
+    // A study plots by way of a temporary folder, and says so where there is none; its numbers are written before.
+    const ProcessResult study =
+        runShell("exec " + program("cube-shadows") + " --study out --vary plane-distance=1 --headless=osmesa",
+                 folder.path().string(), {"TMPDIR=/nonexistent"});
+    expectRefusal(study, "plot: needs a temporary folder that can be written; TMPDIR names one");
+}
+
+// A shader file with a mistake, or what is no file in its place: named, and no picture is written.
+TEST(Hostile, shader_files) {
+    const TemporaryFolder folder;
+    const std::vector<std::string> shaders{"PROBE_SHADERS=" + folder.path().string()};
+    const std::string command = "exec " + std::string(MVGL_PROBES) + " probe --headless --shot a.png";
+    const auto run = [&] { return runShell(command, folder.path().string(), shaders); };
+    std::ofstream(folder.file("probe.frag"))
+        << "uniform float level;\nout vec4 fragColor;\nvoid main() { fragColor = nonsense; }\n";
+    const ProcessResult wrong = run();
+    expectRefusal(wrong, "shaders/probe.frag: must compile");
+    EXPECT_NE(wrong.err.find("shaders/probe.frag:3: "), std::string::npos) << wrong.err;
+    fs::remove(folder / "probe.frag");
+    fs::create_directory(folder / "probe.frag");
+    expectRefusal(run(), "probe.frag: must be a file that exists and may be read, Is a directory");
+    EXPECT_EQ(folder.list(), std::vector<std::string>{"probe.frag"});
+    fs::remove(folder / "probe.frag");
+    EXPECT_EQ(run().status, 0) << "without the file the program is the one that was built in";
+}

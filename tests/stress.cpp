@@ -1,0 +1,226 @@
+// Every demo under stress: the ends of its knobs in pairs, pictures of extreme shapes, and the frame after a whole day.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <optional>
+#include <set>
+#include <sstream>
+
+#include "mv/math/types.h"
+#include "mv/run/command_line.h"
+#include "support/covering_array.h"
+#include "support/demo_run.h"
+
+using namespace mv;
+using namespace mv::test;
+
+namespace {
+
+class Stress : public testing::TestWithParam<std::string> {};
+// Minutes: for ./test --long.
+class StressLong : public testing::TestWithParam<std::string> {};
+
+// Ends that cost seconds a picture, and what is tried instead of them but for ./test --long: tests/stress.txt.
+std::string affordable(const std::string& knob, const std::string& value) {
+    std::ifstream lines(MVGL_SOURCE_DIR "/tests/stress.txt");
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream words(line);
+        std::string demo, dearKnob, dear, instead;
+        words >> demo >> dearKnob >> dear >> instead;
+        if (demo == stage().info().name && dearKnob == knob && dear == value) return instead;
+    }
+    return value;
+}
+
+// The knobs of the open demo, each with the values that are tried: every option of a choice, both of a toggle, and of a
+// number its ends and what it is in the demo's pose.
+class Settings {
+  public:
+    Settings(Demo& demo, bool all) : demo_(demo) {
+        strikePose(demo, stage().info());
+        for (const Knob* knob : demo.knobs()) {
+            std::vector<std::string> values;
+            const auto add = [&](const std::string& value) {
+                if (std::find(values.begin(), values.end(), value) == values.end()) values.push_back(value);
+            };
+            const std::vector<std::string> ends = knob->sweep();
+            const bool number = knob->options().empty() && ends.size() > 2;
+            const auto tried = [&](const std::string& value) { return all ? value : affordable(knob->name(), value); };
+            for (const std::string& value : number ? std::vector{ends.front(), knob->text(), ends.back()} : ends) {
+                add(tried(value));
+            }
+            const auto usual = std::find(values.begin(), values.end(), tried(knob->text()));
+            usual_.push_back(static_cast<int>(usual - values.begin()));
+            levels_.push_back(static_cast<int>(values.size()));
+            values_.push_back(std::move(values));
+        }
+    }
+
+    const std::vector<int>& levels() const { return levels_; }
+    const Row& usual() const { return usual_; }
+
+    void strike(const Row& row) {
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            demo_.knobs()[i]->parse(values_[i][static_cast<std::size_t>(row[i])]);
+        }
+    }
+    bool allowed(const Row& row) {
+        strike(row);
+        try {
+            demo_.check();
+            return true;
+        } catch (const Error&) {
+            return false;
+        }
+    }
+    Row usualWith(const ValuePair& pair) const {
+        Row row = usual_;
+        row[static_cast<std::size_t>(pair.factorA)] = pair.valueA;
+        row[static_cast<std::size_t>(pair.factorB)] = pair.valueB;
+        return row;
+    }
+
+  private:
+    Demo& demo_;
+    std::vector<std::vector<std::string>> values_;
+    std::vector<int> levels_;
+    Row usual_;
+};
+
+bool allFinite(const mat4& matrix) {
+    for (int column = 0; column < 4; ++column) {
+        for (int row = 0; row < 4; ++row) {
+            if (!std::isfinite(matrix[column][row])) return false;
+        }
+    }
+    return true;
+}
+
+// One frame of the present settings, with its readouts. The stage throws where GL reports an error, a readout where it is
+// not finite, and Program::set where a uniform is not.
+Picture soundPicture(int frame) {
+    stage().draw(frame, true);
+    for (const auto& [name, matrix] : stage().notes().matrices) EXPECT_TRUE(allFinite(matrix)) << name;
+    return stage().picture();
+}
+
+std::string presentCommand(int frame) {
+    const Picture size = stage().picture();
+    return copyableCommand(stage().info(), stage().demo(), frame, size.width, size.height);
+}
+
+// The frame is drawn, without an error and with the same bytes the second time.
+void expectSound(int frame = 1) {
+    try {
+        const Picture first = soundPicture(frame);
+        EXPECT_EQ(soundPicture(frame), first) << "another picture the second time: " << presentCommand(frame);
+    } catch (const std::exception& error) {
+        ADD_FAILURE() << error.what() << "\nin: " << presentCommand(frame);
+    }
+}
+
+// The settings are refused, by check() and so by draw(), in a sentence that begins with a knob's flag and tells a rule.
+void expectRefused(DemoRun& run) {
+    const std::string refusal = run.refusal();
+    const auto& knobs = run.demo().knobs();
+    EXPECT_TRUE(std::any_of(knobs.begin(), knobs.end(),
+                            [&](const Knob* knob) { return refusal.rfind("--" + knob->name() + ": ", 0) == 0; }))
+        << "a refusal begins with the flag of a knob: " << refusal;
+    EXPECT_NE(refusal.find("must"), std::string::npos) << "a refusal says what would be right: " << refusal;
+    EXPECT_THROW(stage().draw(1), Error);
+}
+
+// The settings of one row after the other, and then in reverse: each has the same bytes both times, whatever was drawn
+// before it, so that nothing which a demo keeps from frame to frame is out of date.
+void expectSoundBothWays(Settings& settings, const std::vector<Row>& rows) {
+    std::vector<std::optional<Picture>> pictures;
+    const auto draw = [&](const Row& row) -> std::optional<Picture> {
+        settings.strike(row);
+        try {
+            return soundPicture(1);
+        } catch (const std::exception& error) {
+            ADD_FAILURE() << error.what() << "\nin: " << presentCommand(1);
+            return {};
+        }
+    };
+    for (const Row& row : rows) pictures.push_back(draw(row));
+    for (std::size_t i = rows.size(); i-- > 0;) {
+        if (pictures[i]) {
+            EXPECT_EQ(draw(rows[i]), pictures[i]) << "another picture the second time: " << presentCommand(1);
+        }
+    }
+}
+
+// Every pair of ends of two knobs is drawn, in few rows that have as many pairs as can be, or refused by itself.
+TEST_P(Stress, pairs_of_ends) {
+    DemoRun run(GetParam(), 64, 48);
+    Settings settings(run.demo(), false);
+    const CoveringArray array =
+        coveringArray(settings.levels(), settings.usual(), [&](const Row& row) { return settings.allowed(row); });
+    expectSoundBothWays(settings, array.rows);
+    for (const ValuePair& pair : array.refused) {
+        settings.strike(settings.usualWith(pair));
+        expectRefused(run);
+    }
+    std::printf("%s: %zu knobs, %zu settings, %zu pairs refused\n", GetParam().c_str(), settings.levels().size(),
+                array.rows.size(), array.refused.size());
+}
+
+// The same pairs, each by itself: all other knobs are as in the demo's pose.
+TEST_P(StressLong, all_pairs_of_ends) {
+    DemoRun run(GetParam(), 64, 48);
+    Settings settings(run.demo(), true);
+    std::set<Row> rows;  // without those that come again: a pair of the pose is the pose
+    int refused = 0;
+    forEachPair(settings.levels(), [&](const ValuePair& pair) {
+        const Row row = settings.usualWith(pair);
+        if (settings.allowed(row)) {
+            rows.insert(row);
+        } else {
+            expectRefused(run);
+            ++refused;
+        }
+    });
+    expectSoundBothWays(settings, {rows.begin(), rows.end()});
+    std::printf("%s: %zu settings, %d refused\n", GetParam().c_str(), rows.size(), refused);
+}
+
+// A single pixel, a column and a row of them.
+TEST_P(Stress, extreme_sizes) {
+    DemoRun run(GetParam(), 1, 1);
+    strikePose(run.demo(), stage().info());
+    for (const auto& [width, height] : {std::pair{1, 1}, {1, 4096}, {16384, 16}}) {
+        stage().resize(width, height);
+        expectSound();
+        const Picture picture = stage().picture();
+        EXPECT_EQ(picture.width, width);
+        EXPECT_EQ(picture.height, height);
+    }
+}
+
+// Frame 5 184 000 is the one after 24 hours at 60 a second. A demo is a pure function of the frame's number: the picture
+// is the same whatever was drawn before, and the first frame is again what it was.
+TEST_P(Stress, a_day_of_frames) {
+    constexpr int day = 24 * 60 * 60 * 60;
+    static_assert(day == 5'184'000);
+    DemoRun run(GetParam(), 64, 48);
+    strikePose(run.demo(), stage().info());
+    const Picture first = soundPicture(1);
+    const Picture later = soundPicture(day);
+    expectSound(day - 1);
+    EXPECT_EQ(soundPicture(day), later) << "another picture after the frame before";
+    EXPECT_EQ(soundPicture(1), first) << "another first picture after a day";
+    if (stage().info().animated) {
+        EXPECT_NE(soundPicture(day + 17), later) << "it no longer moves";
+    } else {
+        EXPECT_EQ(later, first);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Demos, Stress, testing::ValuesIn(demoNames()), parameterWord);
+INSTANTIATE_TEST_SUITE_P(Demos, StressLong, testing::ValuesIn(demoNames()), parameterWord);
+
+}  // namespace
