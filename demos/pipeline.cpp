@@ -46,10 +46,10 @@ std::string matrixName(const Step& step) {
 }
 
 struct Pipeline final : Demo {
+    Real distance{this, "distance", 3, {-3, 8}, "from the cube's middle back to the eye; below 0 the eye is past it"};
     Whole vertex{this, "vertex", 7, {0, 7}, "which corner: bits 0, 1, 2 choose the high end of x, y, z"};
     Angle spinX{this, "spin-x", 20, "turn the cube about its x axis"};
     Angle spinY{this, "spin-y", -15, "turn it about the y axis"};
-    Real distance{this, "distance", 3, {-3, 8}, "from the cube's middle back to the eye; below 0 the eye is past it"};
     Real near{this, "near", 0.5, {0.1, 2}, "where the view begins"};
     Real far{this, "far", 10, {5, 100}, "where it ends"};
     Real offset{this, "offset", 0, {0, 1e8}, "how far along x cube and eye are from the origin of the world"};
@@ -130,7 +130,7 @@ struct Pipeline final : Demo {
 
     void draw(const Frame& frame) override {
         // The view is on the left, the numbers on the right
-        const Pane pane{0, 0, std::max(1, frame.width() - textColumn), frame.height()};
+        const Pane pane{0, 0, std::max(std::max(1, frame.width() * 2 / 5), frame.width() - textColumn), frame.height()};
         glDisable(GL_SCISSOR_TEST);
         glClearColor(1, 1, 1, 1);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -266,6 +266,7 @@ struct Pipeline final : Demo {
     static constexpr int side = 8, pictureSide = 560;
     static std::vector<vec3> points() {
         std::vector<vec3> all;
+        all.reserve(side * side * side);
         for (int i = 0; i < side * side * side; ++i)
             all.push_back(half * (2.0 / (side - 1) * vec3(i % side, i / side % side, i / (side * side)) - 1.0));
         return all;

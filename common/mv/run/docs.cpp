@@ -154,7 +154,8 @@ void writeDocs(const std::string& root) {
     std::string missing;
     for (const DemoInfo& info : catalogue()) {
         const std::string page = "demos/" + info.name + ".md";
-        if (!std::filesystem::exists(root + "/" + page)) missing.append(missing.empty() ? "" : ", ").append(page);
+        if (std::filesystem::exists(std::filesystem::path(root) / page)) continue;
+        missing.append(missing.empty() ? "" : ", ").append(page);
     }
     if (!missing.empty()) throw Error("docs in " + root, "each demo must have its page", "missing: " + missing);
     writeFileAtomically(root + "/docs/demos.md", std::string_view(cataloguePage()));
