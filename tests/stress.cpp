@@ -104,6 +104,7 @@ bool allFinite(const mat4& matrix) {
 Picture soundPicture(int frame) {
     stage().draw(frame, true);
     for (const auto& [name, matrix] : stage().notes().matrices) EXPECT_TRUE(allFinite(matrix)) << name;
+    for (const auto& [name, amount] : stage().notes().counts) EXPECT_TRUE(std::isfinite(amount)) << name;
     return stage().picture();
 }
 
@@ -134,7 +135,7 @@ void expectRefused(DemoRun& run) {
 }
 
 // The settings of one row after the other, and then in reverse: each has the same bytes both times, whatever was drawn
-// before it, so that nothing which a demo keeps from frame to frame is out of date.
+// before it. What a demo keeps from frame to frame and should not have kept shows where neighbours differ by one knob.
 void expectSoundBothWays(Settings& settings, const std::vector<Row>& rows) {
     std::vector<std::optional<Picture>> pictures;
     const auto draw = [&](const Row& row) -> std::optional<Picture> {
