@@ -20,7 +20,7 @@ if [ "${4:-}" != inside ]; then
     cd "$folder" || exit 1
     # Wayland's library complains on standard error where there is none, before GLFW turns to X.
     [ -n "${XDG_RUNTIME_DIR:-}" ] || export XDG_RUNTIME_DIR=$runtime
-    xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" bash "$(cd "$OLDPWD" && realpath "$0")" "$case" "$cubeCull" "$launcher" inside
+    xvfb-run -a -n "${MVGL_TEST_DISPLAY:-99}" -s "-screen 0 1280x1024x24 -noreset" bash "$(cd "$OLDPWD" && realpath "$0")" "$case" "$cubeCull" "$launcher" inside
     exit $?
 fi
 
