@@ -1,5 +1,5 @@
 # mvgl_make_twin(<demo>): the object library twin-<demo>, made from demos/<demo>.cpp with the one change that
-# tests/twins/<demo>.txt names. The file's lines:
+# tests/twins/<demo>.txt names; its shaders are the demo's. The file's lines:
 #   golden <the golden picture that the twin must not match>
 #   - <a line of the demo, or a part of one that occurs once>
 #   + <what a student could have written instead>
@@ -26,7 +26,6 @@ function(mvgl_make_twin demo)
   target_link_libraries(twin-${demo} PRIVATE mvgl-test-support)
   target_compile_options(twin-${demo} PRIVATE ${testOptions})
   target_precompile_headers(twin-${demo} REUSE_FROM mvgl-test-support)
-  mvgl_embed_shaders(twin-${demo} ${demo} "${PROJECT_SOURCE_DIR}/shaders")
 endfunction()
 
 # cube-cull -> CubeCull, the name of its test suite

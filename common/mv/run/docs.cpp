@@ -113,9 +113,10 @@ std::string lessonPage(const std::string& page, const DemoInfo& info) {
 
 Picture pictureStrip() {
     HeadlessStage headless;
-    constexpr int side = 150, gap = 6, across = 8;
+    constexpr int side = 150, gap = 6, across = 9;
     const int count = static_cast<int>(catalogue().size());
-    const int columns = std::min(count, across), rows = (count + across - 1) / across;
+    // As few rows as there may be, and all about as long
+    const int rows = (count + across - 1) / across, columns = (count + rows - 1) / rows;
     Picture strip(columns * side + (columns - 1) * gap, rows * side + (rows - 1) * gap);
     std::fill(strip.rgba.begin(), strip.rgba.end(), std::uint8_t{200});  // grey between the pictures: some are white
     for (std::size_t i = 3; i < strip.rgba.size(); i += 4) strip.rgba[i] = 255;
@@ -124,7 +125,7 @@ Picture pictureStrip() {
         headless.stage.open(info, info.width, info.height);
         strikePose(headless.stage.demo(), info);
         headless.stage.draw(1);
-        const int left = index % across * (side + gap), top = index / across * (side + gap);
+        const int left = index % columns * (side + gap), top = index / columns * (side + gap);
         ++index;
         const Picture small = shrink(headless.stage.picture(), side, side);
         for (int y = 0; y < small.height; ++y) {
