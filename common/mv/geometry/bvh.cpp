@@ -146,6 +146,8 @@ class Bvh::Build {
 };
 
 Bvh::Bvh(std::vector<SceneTriangle> triangles) {
+    // What has no area is met by no ray; left in, rounding could make a hit of it
+    std::erase_if(triangles, [](const SceneTriangle& t) { return areOnOneLine(t.a, t.b, t.c); });
     const Build build(triangles, nodes_);
     triangles_.reserve(triangles.size());
     for (const std::uint32_t i : build.order) triangles_.push_back(triangles[i]);

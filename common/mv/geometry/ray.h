@@ -58,10 +58,10 @@ struct TriangleHit {
 };
 
 // One ray against many triangles, from either side, t > 0. Watertight: of two triangles with a common edge, by the same
-// coordinates, at least one is hit by a ray towards the edge, and so at a corner. A triangle without area, whose corners
-// are on one line, is never hit, provided that the differences of its corners are numbers of T. One that is seen exactly
-// from the side is a line, too, and rounding decides whether it is hit, and where: leave it to its neighbours.
-// Coordinates whose products would leave the range of T are not supported.
+// coordinates, at least one is hit by a ray towards the edge, and so at a corner. Where a triangle has no area rounding
+// decides whether it is hit, and where: leave out before what areOnOneLine(), as the ray caster does. So it is with one
+// that is seen exactly from the side; there its neighbours are hit. Coordinates whose products would leave the range of T
+// are not supported.
 // Source: Woop, Benthin, Wald, "Watertight ray/triangle intersection", JCGT 2(1), 2013.
 template <typename T>
 class TriangleTest {
@@ -79,16 +79,27 @@ class TriangleTest {
     T shearX_ = 0, shearY_ = 0, scaleZ_ = 0;
 };
 
+// True only where three points are on one line, or two of them the same; false also where a difference is rounded, so that
+// nobody knows.
+template <typename T>
+bool areOnOneLine(const glm::vec<3, T>& a, const glm::vec<3, T>& b, const glm::vec<3, T>& c);
+
+// TriangleTest for one triangle, and none where areOnOneLine(a, b, c).
 template <typename T>
 std::optional<TriangleHit<T>> intersectTriangle(const RayOf<T>& ray, const glm::vec<3, T>& a, const glm::vec<3, T>& b,
                                                 const glm::vec<3, T>& c) {
-    return TriangleTest<T>(ray)(a, b, c);
+    const auto hit = TriangleTest<T>(ray)(a, b, c);
+    if (hit && areOnOneLine(a, b, c)) return {};
+    return hit;
 }
 
 // ---- inline, for the sake of the ray caster
 
 // p*q - r*s with the sign of the exact difference, and 0 only where that is 0.
-inline double signedDifference(double p, double q, double r, double s) { return differenceOfProducts(p, q, r, s); }
+inline double signedDifference(double p, double q, double r, double s) {
+    if ((p == 0 || q == 0) && (r == 0 || s == 0)) return 0;  // a ray at the very corner
+    return differenceOfProducts(p, q, r, s);
+}
 inline float signedDifference(float p, float q, float r, float s) {
     // Products of floats are exact in double.
     return static_cast<float>(static_cast<double>(p) * q - static_cast<double>(r) * s);
@@ -102,8 +113,6 @@ T component(const glm::vec<3, T>& v) {
     if constexpr (I % 3 == 2) return v.z;
 }
 
-// True only where three points are on one line, or two of them the same; false also where a difference is rounded, so that
-// nobody knows.
 template <typename T>
 bool areOnOneLine(const glm::vec<3, T>& a, const glm::vec<3, T>& b, const glm::vec<3, T>& c) {
     const glm::vec<3, T> ab = b - a, ac = c - a;
@@ -153,21 +162,14 @@ std::optional<TriangleHit<T>> TriangleTest<T>::hit(const glm::vec<3, T>& cornerA
     T u = xc * yb - yc * xb, v = xa * yc - ya * xc, w = xb * ya - yb * xa;
     const auto passesBy = [&] { return std::min(std::min(u, v), w) < 0 && std::max(std::max(u, v), w) > 0; };
     if (passesBy()) return {};
-    if (u == 0 || v == 0 || w == 0) {
-        u = signedDifference(xc, yb, yc, xb);
-        v = signedDifference(xa, yc, ya, xc);
-        w = signedDifference(xb, ya, yb, xa);
+    if (u == 0 || v == 0 || w == 0) [[unlikely]] {
+        if (u == 0) u = signedDifference(xc, yb, yc, xb);
+        if (v == 0) v = signedDifference(xa, yc, ya, xc);
+        if (w == 0) w = signedDifference(xb, ya, yb, xa);
         if (passesBy()) return {};
     }
     const T sum = u + v + w;
     if (sum == 0) return {};
-    // Of a triangle without area the sum is what rounding has left of it
-    const auto sizeOf = [](const glm::vec<3, T>& p) {
-        return std::max(std::max(std::abs(p.x), std::abs(p.y)), std::abs(p.z));
-    };
-    const T size = std::max(std::max(sizeOf(fromA), sizeOf(fromB)), sizeOf(fromC));
-    if (std::abs(sum) < 64 * std::numeric_limits<T>::epsilon() * size * size && areOnOneLine(cornerA, cornerB, cornerC))
-        return {};
     const T t = scaleZ_ * (u * za + v * zb + w * zc) / sum;
     if (!(t > 0 && t <= std::numeric_limits<T>::max())) return {};  // also where there was a NaN
     return TriangleHit<T>{t, u / sum, v / sum, w / sum};
