@@ -219,6 +219,7 @@ TEST_F(Gl, words_stand_in_the_picture) {
     for (int y = 0; y < 40; ++y) {
         for (int x = end; x < 200; ++x) ASSERT_EQ(words.at(x, y), empty.at(x, y)) << x << ", " << y;
     }
+    for (int i = 0; i < 200 * 40; ++i) ASSERT_EQ(words.at(i % 200, i / 200).alpha, 255) << "opaque, as it was";
     drawText(frame, 3, 2, "\xff\xc3");  // no UTF-8: shown as such, never read beyond its end
     EXPECT_THROW(drawText(frame, 0, 0, "x", {.height = 2}), Error);
     forgetText();
@@ -235,13 +236,35 @@ TEST_F(Gl, lines_of_words_together_are_the_lines_one_by_one) {
     for (const TextLine& line : lines) drawText(frame, line.x, line.y, line.text, line.style);
     const Picture one = target.read();
     glClear(GL_COLOR_BUFFER_BIT);
+    const long before = counters().draws;
     drawText(frame, lines);
+    EXPECT_EQ(counters().draws, before + 1);
     EXPECT_EQ(target.read(), one);
     EXPECT_GT(countColors(one), 5);
+    EXPECT_EQ(one.at(4, 3), (Pixel{204, 255, 255, 255})) << "the box: 0.8 white over the blue";
+    EXPECT_GT(countPixels(one, {255, 0, 0, 255}), 10) << "the middle of a stroke has the words' own colour";
     // One that cannot be: none is drawn
     glClear(GL_COLOR_BUFFER_BIT);
     EXPECT_THROW(drawText(frame, std::array{lines[0], TextLine{0, 0, "x", {.height = 2}}}), Error);
     EXPECT_EQ(countColors(target.read()), 1);
+    forgetText();
+}
+
+// More words than stand beside each other in their texture, and one line that is wider than all of it.
+TEST_F(Gl, many_and_long_lines_are_those_lines) {
+    const Target target(900, 400, {}, "words");
+    FrameNotes notes;
+    const Frame frame(1, 900, 400, notes);
+    std::vector<TextLine> lines{{5, 5, std::string(100, 'W'), {.height = 12}}};
+    for (int i = 0; i < 60; ++i)
+        lines.push_back({10 + i % 4 * 200, 30 + i / 4 * 24, "line " + std::to_string(i), {.height = 9 + i % 7}});
+    glClearColor(1, 1, 1, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    for (const TextLine& line : lines) drawText(frame, line.x, line.y, line.text, line.style);
+    const Picture one = target.read();
+    glClear(GL_COLOR_BUFFER_BIT);
+    drawText(frame, lines);
+    EXPECT_EQ(target.read(), one);
     forgetText();
 }
 

@@ -1,6 +1,7 @@
 #include "mv/gl/audit.h"
 
 #include <cstring>
+#include <initializer_list>
 #include <iterator>
 #include <map>
 #include <memory>
@@ -36,7 +37,10 @@ class Recorder {
     void before_DepthMask(GLboolean on) { state("glDepthMask", on); }
     void before_CullFace(GLenum face) { state("glCullFace", face); }
     void before_FrontFace(GLenum winding) { state("glFrontFace", winding); }
-    void before_BlendFunc(GLenum from, GLenum to) { state("glBlendFunc", from, to); }
+    void before_BlendFunc(GLenum from, GLenum to) { before_BlendFuncSeparate(from, to, from, to); }
+    void before_BlendFuncSeparate(GLenum from, GLenum to, GLenum alphaFrom, GLenum alphaTo) {
+        state("glBlendFunc", from, to, alphaFrom, alphaTo);
+    }
     void before_BlendEquation(GLenum mode) { state("glBlendEquation", mode); }
     void before_ColorMask(GLboolean r, GLboolean g, GLboolean b, GLboolean a) { state("glColorMask", r, g, b, a); }
     void before_StencilFunc(GLenum f, GLint ref, GLuint mask) {
@@ -182,7 +186,7 @@ class Recorder {
         if (!inFrame_) return;
         ++work_.stateChanges;
         bool changed = false;
-        for (const GLenum one : {GL_FRONT, GL_BACK}) {
+        for (const GLenum one : std::initializer_list<GLenum>{GL_FRONT, GL_BACK}) {
             if (face != GL_FRONT_AND_BACK && face != one) continue;
             const auto [known, isNew] = state_.emplace(what + (one == GL_FRONT ? " front" : " back"), value);
             changed |= isNew || known->second != value;
@@ -354,8 +358,8 @@ void Recorder::endDraw(GLenum mode, GLsizei count, const Draw& draw) {
 // Whether a sample that fails its test changes the stencil: then a draw that passes none still does its work.
 bool Recorder::stencilCountsElsewhere() const {
     if (below.IsEnabled(GL_STENCIL_TEST) == GL_FALSE) return false;
-    for (const GLenum op :
-         {GL_STENCIL_FAIL, GL_STENCIL_PASS_DEPTH_FAIL, GL_STENCIL_BACK_FAIL, GL_STENCIL_BACK_PASS_DEPTH_FAIL}) {
+    for (const GLenum op : std::initializer_list<GLenum>{GL_STENCIL_FAIL, GL_STENCIL_PASS_DEPTH_FAIL,
+                                                         GL_STENCIL_BACK_FAIL, GL_STENCIL_BACK_PASS_DEPTH_FAIL}) {
         GLint value = GL_KEEP;
         below.GetIntegerv(op, &value);
         if (value != GL_KEEP) return true;

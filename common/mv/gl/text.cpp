@@ -5,10 +5,13 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "mv/error.h"
 #include "mv/gl/font.h"
+#include "mv/gl/mesh.h"
 #include "mv/gl/program.h"
 
 #define STB_TRUETYPE_IMPLEMENTATION
@@ -78,58 +81,128 @@ std::vector<Placed> layOut(std::string_view text, double pixelsPerUnit, double& 
     return line;
 }
 
-std::uint8_t byteOf(double value) { return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 1.0) * 255)); }
+// How much of each pixel words cover, 0 .. 255; the upper row first, with the padding round them.
+struct Coverage {
+    int width, height;
+    std::vector<std::uint8_t> parts;
 
-Picture textPicture(std::string_view text, const TextStyle& style) {
-    const float pixelsPerUnit = stbtt_ScaleForPixelHeight(&font(), static_cast<float>(style.height));
+    Coverage(int w, int h) : width(w), height(h), parts(static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {}
+    std::uint8_t* row(int y) { return parts.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(width); }
+};
+
+Coverage coverageOf(std::string_view text, int height) {
+    const float pixelsPerUnit = stbtt_ScaleForPixelHeight(&font(), static_cast<float>(height));
     int ascent = 0, descent = 0, gap = 0;
     stbtt_GetFontVMetrics(&font(), &ascent, &descent, &gap);
     const int baseline = static_cast<int>(std::lround(double(ascent) * double(pixelsPerUnit)));
     double lineWidth = 0;
     const std::vector<Placed> line = layOut(text, pixelsPerUnit, lineWidth);
-    Picture picture(static_cast<int>(std::ceil(lineWidth)) + 2 * padding, style.height + 2 * padding);
-
-    std::vector<double> coverage(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height));
+    Coverage words(static_cast<int>(std::ceil(lineWidth)) + 2 * padding, height + 2 * padding);
     for (const Placed& placed : line) {
-        int width = 0, height = 0, left = 0, top = 0;
-        unsigned char* bitmap =
-            stbtt_GetGlyphBitmap(&font(), pixelsPerUnit, pixelsPerUnit, placed.glyph, &width, &height, &left, &top);
-        for (int row = 0; row < height; ++row) {
-            for (int column = 0; column < width; ++column) {
-                const int x = padding + static_cast<int>(placed.x) + left + column;
-                const int y = padding + baseline + top + row;
-                if (x < 0 || y < 0 || x >= picture.width || y >= picture.height) continue;
-                double& c = coverage[static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
-                                     static_cast<std::size_t>(x)];
-                c = std::max(c, bitmap[row * width + column] / 255.0);
+        int glyphWidth = 0, glyphHeight = 0, left = 0, top = 0;
+        unsigned char* bitmap = stbtt_GetGlyphBitmap(&font(), pixelsPerUnit, pixelsPerUnit, placed.glyph, &glyphWidth,
+                                                     &glyphHeight, &left, &top);
+        const int x0 = padding + static_cast<int>(placed.x) + left, y0 = padding + baseline + top;
+        for (int y = std::max(0, -y0); y < std::min(glyphHeight, words.height - y0); ++y) {
+            std::uint8_t* row = words.row(y0 + y);
+            for (int x = std::max(0, -x0); x < std::min(glyphWidth, words.width - x0); ++x) {
+                row[x0 + x] = std::max(row[x0 + x], bitmap[y * glyphWidth + x]);
             }
         }
         stbtt_FreeBitmap(bitmap, nullptr);
     }
-    for (std::size_t i = 0; i < coverage.size(); ++i) {
-        // The words over their box: "over" of Porter and Duff, alpha not premultiplied.
-        const double front = coverage[i] * style.color.a;
-        const double back = style.background.a * (1 - front);
-        const double alpha = front + back;
-        for (int channel = 0; channel < 3; ++channel) {
-            const double mixed =
-                alpha > 0 ? (style.color[channel] * front + style.background[channel] * back) / alpha : 0;
-            picture.rgba[4 * i + static_cast<std::size_t>(channel)] = byteOf(mixed);
-        }
-        picture.rgba[4 * i + 3] = byteOf(alpha);
-    }
-    return picture;
+    return words;
 }
 
-struct Quad {
-    Program program;
-    VertexArray vertexArray;  // without attributes: the corners come from gl_VertexID
+// The words of several lines beside and under each other, for one texture.
+struct Sheet {
+    Coverage all;
+    std::vector<glm::ivec2> places;  // of the lines' upper left corners
 };
 
-std::unique_ptr<Quad>& quad() {
-    static auto& kept = *new std::unique_ptr<Quad>;  // outlives every static that owns a Stage
+Sheet sheetOf(std::span<Coverage> lines) {
+    constexpr int usualWidth = 512;
+    int width = usualWidth, x = 0, y = 0, tallest = 0;
+    for (const Coverage& line : lines) width = std::max(width, line.width);
+    std::vector<glm::ivec2> places;
+    places.reserve(lines.size());
+    for (const Coverage& line : lines) {
+        if (x + line.width > width) {
+            x = 0;
+            y += tallest;
+            tallest = 0;
+        }
+        places.emplace_back(x, y);
+        x += line.width;
+        tallest = std::max(tallest, line.height);
+    }
+    Sheet sheet{Coverage(width, y + tallest), std::move(places)};
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const glm::ivec2 place = sheet.places[i];
+        for (int row = 0; row < lines[i].height; ++row) {
+            std::copy_n(lines[i].row(row), lines[i].width, sheet.all.row(place.y + row) + place.x);
+        }
+    }
+    return sheet;
+}
+
+TextureObject uploaded(const Coverage& sheet) {
+    TextureObject texture = makeTexture();
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, texture.id());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_R8, sheet.width, sheet.height, 0, GL_RED, GL_UNSIGNED_BYTE, sheet.parts.data());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    labelObject(GL_TEXTURE, texture.id(), "words");
+    return texture;
+}
+
+// Appends a rectangle of the picture, pixels from its upper left corner, that shows the sheet from `texel` on; the color
+// alone where there is none.
+void append(MeshData& mesh, const Frame& frame, const glm::ivec4& rectangle, const vec4& color,
+            const std::optional<glm::ivec2>& texel) {
+    for (const glm::ivec2& corner : {glm::ivec2(0, 0), {0, 1}, {1, 1}, {0, 0}, {1, 1}, {1, 0}}) {
+        const int right = corner.x * rectangle.z, down = corner.y * rectangle.w;
+        mesh.positions.emplace_back(2.0 * (rectangle.x + right) / frame.width() - 1,
+                                    1 - 2.0 * (rectangle.y + down) / frame.height(), 0);
+        mesh.texCoords.emplace_back(texel ? fvec2(texel->x + right, texel->y + down) : fvec2(-1));
+        mesh.colors.emplace_back(color);
+    }
+}
+
+struct Programs {
+    Program image, words;
+    VertexArray vertexArray;  // of the image's, without attributes: the corners come from gl_VertexID
+};
+
+std::unique_ptr<Programs>& programs() {
+    static auto& kept = *new std::unique_ptr<Programs>;  // outlives every static that owns a Stage
     return kept;
 }
+
+const char* const wordsVertex = R"(
+in vec4 position;
+in vec2 texCoord;
+in vec4 color;
+out vec2 texel;
+out vec4 ink;
+void main() {
+    texel = texCoord;
+    ink = color;
+    gl_Position = position;
+}
+)";
+const char* const wordsFragment = R"(
+uniform sampler2D sheet;
+in vec2 texel;
+in vec4 ink;
+out vec4 fragColor;
+void main() {
+    float part = texel.x < 0.0 ? 1.0 : texelFetch(sheet, ivec2(texel), 0).r;
+    fragColor = vec4(ink.rgb, part * ink.a);
+}
+)";
 
 const char* const quadVertex = R"(
 uniform vec4 rectangle;  // left, bottom, right, top in normalized device coordinates
@@ -146,31 +219,17 @@ out vec4 fragColor;
 void main() { fragColor = texture(picture, coordinate); }
 )";
 
-// Sets the state for drawQuad, which is to be called for each picture, and makes its program the current one.
-void beginQuads() {
-    if (!quad()) {
-        quad() = std::make_unique<Quad>();
-        quad()->program = Program::fromText("image", quadVertex, quadFragment);
-        quad()->vertexArray = makeVertexArray();
-    }
+// Sets the state for what lies over a picture.
+void beginOverlay() {
+    if (!programs()) programs() = std::make_unique<Programs>();
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     glEnable(GL_BLEND);
-    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-    quad()->program.use();
-    quad()->program.set("picture", 0);
-    glBindVertexArray(quad()->vertexArray.id());
+    // Alpha by itself, so that an opaque picture stays opaque, saved ones too.
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
 }
 
-void drawQuad(const Frame& frame, int x, int y, const Picture& picture) {
-    const Texture texture(picture, GL_NEAREST, "image");
-    quad()->program.set("rectangle", vec4(2.0 * x / frame.width() - 1, 1 - 2.0 * (y + picture.height) / frame.height(),
-                                          2.0 * (x + picture.width) / frame.width() - 1, 1 - 2.0 * y / frame.height()));
-    texture.bind(0);
-    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
-}
-
-void endQuads() { glDisable(GL_BLEND); }
+void endOverlay() { glDisable(GL_BLEND); }
 
 }  // namespace
 
@@ -179,13 +238,29 @@ void drawText(const Frame& frame, int x, int y, std::string_view text, const Tex
 }
 
 void drawText(const Frame& frame, std::span<const TextLine> lines) {
+    if (lines.empty()) return;
+    std::vector<Coverage> words;
+    words.reserve(lines.size());
     for (const TextLine& line : lines) {
         const int height = line.style.height;
         if (height < 6 || height > 512) throw Error("drawText", "height must be 6 .. 512 px", std::to_string(height));
+        words.push_back(coverageOf(line.text, height));
     }
-    beginQuads();
-    for (const TextLine& line : lines) drawQuad(frame, line.x, line.y, textPicture(line.text, line.style));
-    endQuads();
+    const Sheet sheet = sheetOf(words);
+    MeshData rectangles;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const glm::ivec4 box(lines[i].x, lines[i].y, words[i].width, words[i].height);
+        if (lines[i].style.background.a > 0) append(rectangles, frame, box, lines[i].style.background, {});
+        append(rectangles, frame, box, lines[i].style.color, sheet.places[i]);
+    }
+    beginOverlay();
+    Program& program = programs()->words;
+    if (program.id() == 0) program = Program::fromText("words", wordsVertex, wordsFragment);
+    program.use();
+    program.set("sheet", 0);
+    const TextureObject texture = uploaded(sheet.all);
+    Mesh(rectangles, "words").draw();
+    endOverlay();
 }
 
 int textWidth(std::string_view text, const TextStyle& style) {
@@ -203,11 +278,23 @@ std::string rounded(const char* format, double value) {
 int textHeight(const TextStyle& style) { return style.height + 2 * padding; }
 
 void showImage(const Frame& frame, int x, int y, const Picture& picture) {
-    beginQuads();
-    drawQuad(frame, x, y, picture);
-    endQuads();
+    beginOverlay();
+    Program& program = programs()->image;
+    if (program.id() == 0) {
+        program = Program::fromText("image", quadVertex, quadFragment);
+        programs()->vertexArray = makeVertexArray();
+    }
+    program.use();
+    program.set("picture", 0);
+    program.set("rectangle", vec4(2.0 * x / frame.width() - 1, 1 - 2.0 * (y + picture.height) / frame.height(),
+                                  2.0 * (x + picture.width) / frame.width() - 1, 1 - 2.0 * y / frame.height()));
+    const Texture texture(picture, GL_NEAREST, "image");
+    texture.bind(0);
+    glBindVertexArray(programs()->vertexArray.id());
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    endOverlay();
 }
 
-void forgetText() { quad().reset(); }
+void forgetText() { programs().reset(); }
 
 }  // namespace mv
