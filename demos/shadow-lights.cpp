@@ -19,6 +19,7 @@
 
 #include "mv/demo/demo.h"
 #include "mv/demo/lit_reference.h"
+#include "mv/demo/turntable.h"
 #include "mv/geometry/bounds.h"
 #include "mv/geometry/light_view.h"
 #include "mv/geometry/scenes.h"
@@ -134,9 +135,7 @@ struct ShadowLights final : Demo {
         this, "resolution", 2, {{"256"}, {"512"}, {"1024"}, {"2048"}}, "texels along a side of each map"};
     Real reach{this, "reach", 20, {0.5, 20}, "distance at which a light ends"};
     Toggle keep{this, "keep", true, "keep maps and volumes while light and casters rest"};
-    Angle spinX{this, "spin-x", 0, "turn about the x axis"};
-    Angle spinY{this, "spin-y", 0, "turn about the y axis"};
-    Real distance{this, "distance", 0, {-3, 10}, "step back"};
+    Turntable turntable{this, {-3, 10}};
 
     Readout drawn{this, "lights-drawn", "lights that can reach the picture"};
     Readout remade{this, "shadows-remade", "lights whose map or volumes were made anew for this frame"};
@@ -157,11 +156,7 @@ struct ShadowLights final : Demo {
     std::vector<Shadow> shadows;  // one a light
     int made = 0;
 
-    ShadowLights() {
-        bindDrag(spinY, 1, spinX, 1);
-        bindWheel(distance, -0.25);
-        bindKeys(Key::left, Key::right, lights, 1);
-    }
+    ShadowLights() { bindKeys(Key::left, Key::right, lights, 1); }
 
     void init() override {
         program = Program("shadow-lights");
@@ -172,8 +167,7 @@ struct ShadowLights final : Demo {
 
     LitScene sceneAt(double aspect, int index) const {
         LitScene now = which == Which::lamps ? lampsScene(aspect, index) : circleScene(aspect, index, lights);
-        now.scene.viewFromWorld =
-            translate(0, 0, -distance) * now.scene.viewFromWorld * rotateX(spinX) * rotateY(spinY);
+        now.scene.viewFromWorld = turntable.seenBy(now.scene.viewFromWorld);
         return now;
     }
 

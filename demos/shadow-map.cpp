@@ -22,6 +22,7 @@
 
 #include "mv/demo/demo.h"
 #include "mv/demo/lit_reference.h"
+#include "mv/demo/turntable.h"
 #include "mv/geometry/light_view.h"
 #include "mv/geometry/scenes.h"
 #include "mv/geometry/shapes.h"
@@ -92,9 +93,7 @@ struct ShadowMap final : Demo {
     Real windowHeight{this, "window-height", 2.4, {0.1, 30}, "of parallel light"};
     Toggle showMap{this, "show-map", true, "show the map in a corner, near is dark"};
     Toggle showFrustum{this, "show-frustum", true, "show the edges of what the map holds"};
-    Angle spinX{this, "spin-x", 0, "turn about the x axis"};
-    Angle spinY{this, "spin-y", 0, "turn about the y axis"};
-    Real distance{this, "distance", 0, {-4, 40}, "step back"};
+    Turntable turntable{this, {-4, 40}};
 
     Readout falselyDark{this, "falsely-dark", "pixels that are dark though the light reaches them", "%"};
     Readout falselyLit{this, "falsely-lit", "pixels that are lit though they are in shadow", "%"};
@@ -114,8 +113,6 @@ struct ShadowMap final : Demo {
     std::optional<Content> drawn;
 
     ShadowMap() {
-        bindDrag(spinY, 1, spinX, 1);
-        bindWheel(distance, -0.25);
         bindKeys(Key::left, Key::right, lightX, 0.1);
         bindKeys(Key::up, Key::down, lightZ, 0.1);
     }
@@ -138,7 +135,7 @@ struct ShadowMap final : Demo {
     // Puts the scene, as built, under this light, and turns it.
     void pose(Scene& asBuilt, const mat4& view) const {
         asBuilt.lights = {{.position = light()}};
-        asBuilt.viewFromWorld = translate(0, 0, -distance) * view * rotateX(spinX) * rotateY(spinY);
+        asBuilt.viewFromWorld = turntable.seenBy(view);
     }
 
     // The points of what casts, which no knob moves.
@@ -158,7 +155,8 @@ struct ShadowMap final : Demo {
             }
         }
         constexpr double near = 0.5, far = 10;
-        const bool vertical = lightX == targetX && lightZ == targetZ;
+        const vec3 gaze = targetAt() - lightAt();
+        const bool vertical = std::hypot(gaze.x, gaze.z) < 1e-9 * std::abs(gaze.y);
         LightView view{.viewFromWorld = lookAt(lightAt(), targetAt(), vertical ? vec3(0, 0, -1) : vec3(0, 1, 0))};
         if (rays == Rays::spot) {
             view.bounds = frustumBounds(fov, windowWidth / windowHeight, near, far);

@@ -20,6 +20,7 @@
 
 #include "mv/demo/demo.h"
 #include "mv/demo/lit_reference.h"
+#include "mv/demo/turntable.h"
 #include "mv/geometry/light_view.h"
 #include "mv/geometry/scenes.h"
 #include "mv/gl/caster_volumes.h"
@@ -76,9 +77,7 @@ struct ShadowMethods final : Demo {
                     "fronts and floor in the map, which need a bias; off: the backs of what casts"};
     Real slopeBias{this, "slope-bias", 0, {0, 16}, "push the map back by its slope over this many texels"};
     Toggle keep{this, "keep", true, "keep map and volumes while light and casters rest"};
-    Angle spinX{this, "spin-x", 0, "turn about the x axis"};
-    Angle spinY{this, "spin-y", 0, "turn about the y axis"};
-    Real distance{this, "distance", 0, {-3, 10}, "step back"};
+    Turntable turntable{this, {-3, 10}};
 
     Readout wrong{this, "wrong", "pixels of a coarse grid whose shadow is not what rays show", "%"};
     Readout different{this, "different", "pixels whose lit fractions differ by more than half", "%"};
@@ -98,11 +97,7 @@ struct ShadowMethods final : Demo {
     ShadowCheck shadowCheck;
     LitDifference litDifference;
 
-    ShadowMethods() {
-        bindDrag(spinY, 1, spinX, 1);
-        bindWheel(distance, -0.25);
-        bindKeys(Key::left, Key::right, split, 0.02);
-    }
+    ShadowMethods() { bindKeys(Key::left, Key::right, split, 0.02); }
 
     void init() override {}
 
@@ -121,8 +116,6 @@ struct ShadowMethods final : Demo {
         return made;
     }
 
-    mat4 turned(const mat4& view) const { return translate(0, 0, -distance) * view * rotateX(spinX) * rotateY(spinY); }
-
     void draw(const Frame& frame) override {
         if (built != std::pair(Which(which), frame.aspect())) {
             scene = build(frame.aspect());
@@ -135,7 +128,7 @@ struct ShadowMethods final : Demo {
             }
             built = {which, frame.aspect()};
         }
-        scene.viewFromWorld = turned(viewAsBuilt);
+        scene.viewFromWorld = turntable.seenBy(viewAsBuilt);
         frame.show("viewFromWorld", scene.viewFromWorld);
         frame.show("clipFromView", scene.clipFromView);
 
@@ -299,7 +292,7 @@ struct ShadowMethods final : Demo {
 
     Reference reference(const Frame& frame, const std::function<void(double)>& progress) const override {
         Scene posed = build(frame.aspect());
-        posed.viewFromWorld = turned(posed.viewFromWorld);
+        posed.viewFromWorld = turntable.seenBy(posed.viewFromWorld);
         return litReference(posed, frame, {.pixelSide = 8}, progress);
     }
 };

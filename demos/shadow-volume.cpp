@@ -19,6 +19,7 @@
 
 #include "mv/demo/demo.h"
 #include "mv/demo/lit_reference.h"
+#include "mv/demo/turntable.h"
 #include "mv/geometry/scenes.h"
 #include "mv/geometry/shapes.h"
 #include "mv/gl/caster_volumes.h"
@@ -78,9 +79,7 @@ struct ShadowVolumes final : Demo {
     Angle lightTurn{this, "light-turn", 0, "turn the light about the vertical"};
     Real lightHeight{this, "light-height", 1, {0.1, 3}, "height of the light, in its first height"};
     Toggle atInfinity{this, "at-infinity", false, "a light at infinity, in the direction of this one"};
-    Angle spinX{this, "spin-x", 0, "turn about the x axis"};
-    Angle spinY{this, "spin-y", 0, "turn about the y axis"};
-    Real distance{this, "distance", 0, {-3, 10}, "step back"};
+    Turntable turntable{this, {-3, 10}};
 
     Readout edges{this, "extruded-edges", "edges drawn out to infinity; of the silhouette, or of every triangle"};
     Readout triangles{this, "volume-triangles", "triangles of the volumes that are counted"};
@@ -99,8 +98,6 @@ struct ShadowVolumes final : Demo {
     std::size_t trianglesCounted = 0;
 
     ShadowVolumes() {
-        bindDrag(spinY, 1, spinX, 1);
-        bindWheel(distance, -0.25);
         bindKeys(Key::left, Key::right, lightTurn, 5);
         bindKeys(Key::down, Key::up, lightHeight, 0.1);
     }
@@ -125,13 +122,13 @@ struct ShadowVolumes final : Demo {
         now.lights[0].position = light;
         const double fovy = degrees(2 * std::atan(1 / now.clipFromView[1][1]));
         now.clipFromView = far == 0 ? infinitePerspective(fovy, aspect, near) : perspective(fovy, aspect, near, far);
-        const mat4 turn = rotateX(spinX) * rotateY(spinY);
         if (eye == Place::outside) {
-            now.viewFromWorld = translate(0, 0, -distance) * now.viewFromWorld * turn;
+            now.viewFromWorld = turntable.seenBy(now.viewFromWorld);
         } else {
             const bool life = which == Which::stillLife;
             const vec3 at = life ? vec3(2.6, 0.3, -1.2) : vec3(0.8, 0.15, -0.5);
-            now.viewFromWorld = turn * lookAt(at, life ? vec3(1.2, 0.3, 1.0) : vec3(0.6, 0.2, 1.5), {0, 1, 0});
+            now.viewFromWorld =
+                turntable.turn() * lookAt(at, life ? vec3(1.2, 0.3, 1.0) : vec3(0.6, 0.2, 1.5), {0, 1, 0});
         }
         return now;
     }

@@ -242,15 +242,15 @@ struct ZBuffer final : Demo {
                                                                          .width = frame.width(),
                                                                          .height = frame.height()}));
         if (wrong) wrongPixels = 100 * *wrong;
-        const std::vector<double> pairs = values();
+        const std::vector<double> pairs = misorderedAmong(zeroToOne());
         misordered = 100 * std::accumulate(pairs.begin(), pairs.end(), 0.0) / pairCount;
     }
 
     // The study: of pairs of points, one the part `separation` farther away, those whose depths are equal or the wrong
     // way round.
     static constexpr int pairCount = 100000;
-    std::vector<double> values() const override {
-        const bool clipsToOne = mapping == Mapping::reversed;
+    std::vector<double> values() const override { return misorderedAmong(mapping == Mapping::reversed); }
+    std::vector<double> misorderedAmong(bool clipsToOne) const {
         const fmat4 clip(clipFromView(1, clipsToOne));
         return misorderedPairs(near, far, separation, pairCount, [&](float distance) {
             const float depth = mapping == Mapping::logarithmic ? std::log2(1 + distance) / std::log2(1 + float(far))

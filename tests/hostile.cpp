@@ -180,6 +180,15 @@ TEST(Hostile, no_home_folder) {
         runShell("exec " + program("cube-shadows") + " --study out --vary plane-distance=1 --headless=osmesa",
                  folder.path().string(), {"TMPDIR=/nonexistent"});
     expectRefusal(study, "plot: needs a temporary folder that can be written; TMPDIR names one");
+    // One with a name that a shell would take apart serves as well.
+    const std::string odd = folder.file("it's a \"$HOME\" folder");
+    fs::create_directory(odd);
+    const ProcessResult plotted =
+        runShell("exec " + program("cube-shadows") + " --study odd --vary plane-distance=1 --headless=osmesa",
+                 folder.path().string(), {"TMPDIR=" + odd});
+    EXPECT_EQ(plotted.status, 0) << plotted.err;
+    EXPECT_TRUE(fs::exists(folder / "odd/study.svg"));
+    EXPECT_TRUE(fs::is_empty(odd));
 }
 
 // A shader file with a mistake, or what is no file in its place: named, and no picture is written.

@@ -166,16 +166,24 @@ TEST(Program, missing_clip_control_is_named) {
         command.insert(command.end(), more.begin(), more.end());
         const ProcessResult result = runProcess(command, options);
         EXPECT_EQ(result.status, 0) << result.err;
-        return result.err;
+        return result;
     };
     const ProcessOptions without{.environment = {"MESA_GL_VERSION_OVERRIDE=3.3", "MESA_GLSL_VERSION_OVERRIDE=330",
                                                  "MESA_EXTENSION_OVERRIDE=-GL_ARB_clip_control"}};
-    EXPECT_TRUE(has(run({"--mapping", "reversed", "--shot", reversed}, without), "has no glClipControl"));
-    EXPECT_FALSE(has(run({"--mapping", "flipped", "--shot", flipped}, without), "glClipControl"));
+    const auto line = [](const std::string& text, const std::string& word) {
+        const auto at = text.find(word);
+        return at == std::string::npos ? "no " + word : text.substr(at, text.find('\n', at) - at);
+    };
+    const auto first = run({"--mapping", "reversed", "--report", "--shot", reversed}, without);
+    const auto second = run({"--mapping", "flipped", "--report", "--shot", flipped}, without);
+    EXPECT_TRUE(has(first.err, "has no glClipControl"));
+    EXPECT_FALSE(has(second.err, "glClipControl"));
     EXPECT_EQ(loadPicture(reversed), loadPicture(flipped));
+    EXPECT_EQ(line(first.out, "misordered"), line(second.out, "misordered"));
+    EXPECT_TRUE(has(first.out, "misordered"));
     // As an extension of 3.3 it is used.
     const ProcessOptions extension{.environment = {"MESA_GL_VERSION_OVERRIDE=3.3", "MESA_GLSL_VERSION_OVERRIDE=330"}};
-    EXPECT_FALSE(has(run({"--mapping", "reversed", "--shot", reversed}, extension), "glClipControl"));
+    EXPECT_FALSE(has(run({"--mapping", "reversed", "--shot", reversed}, extension).err, "glClipControl"));
     EXPECT_NE(loadPicture(reversed), loadPicture(flipped));
 }
 

@@ -45,6 +45,11 @@ void expectSame(double before, double now, const std::string& what) {
     EXPECT_NEAR(now, before, std::max(0.02 * before, 1e-4)) << what;
 }
 
+// The errors of values are roundings, of any size: another machine's sine may move one of many by a last place.
+void expectSameRounding(double before, double now, const std::string& what) {
+    EXPECT_NEAR(now, before, std::max(0.25 * before, 1e-16)) << what;
+}
+
 }  // namespace
 
 // Every demo that declares a study has a committed run of it, with all its rows, and every committed run has its page.
@@ -96,7 +101,7 @@ TEST_P(Studies, errors_and_counts_hold) {
         if (row.status == notMeasured) continue;
         ++compared;
         EXPECT_EQ(row.status, old.status) << what;
-        expectSame(old.all.rms, row.all.rms, what + ": rms");
+        (demo.study->ofValues ? expectSameRounding : expectSame)(old.all.rms, row.all.rms, what + ": rms");
         expectSame(old.all.fraction, row.all.fraction, what + ": wrong");
         expectSame(old.inside.rms, row.inside.rms, what + ": rms beside the edges");
         expectSame(old.inside.fraction, row.inside.fraction, what + ": wrong beside the edges");

@@ -92,6 +92,7 @@ TEST(Accuracy, every_function_of_the_headers_is_measured) {
                                                "isFinite",
                                                "requireFinite",
                                                "refuseInfinite",
+                                               "fitsFloat",
                                                "requireFitsFloat",
                                                "requirePositive",
                                                "requireRange",

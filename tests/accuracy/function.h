@@ -65,7 +65,8 @@ struct Errors {
     double refused = 0;        // part of the samples that were refused
 };
 
-// The errors of one form. The samples are the same in every run, and the first ones of a longer run those of a shorter.
+// The errors of one form. The samples are the same in every run of a program (another compiler may evaluate operands in
+// another order, and so draw others), and the first ones of a longer run are those of a shorter.
 // GLM's float form gets arguments rounded to float, and the truth of those.
 Errors measure(const Function& function, const Form& form, Domain domain, long samples);
 

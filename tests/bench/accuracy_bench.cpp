@@ -2,18 +2,16 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <iterator>
-#include <random>
 #include <string_view>
 
 #include "accuracy/page.h"
 #include "bench/benches.h"
 #include "mv/error.h"
 #include "mv/image/file.h"
+#include "mv/run/gnuplot.h"
 
 namespace mv::bench {
 namespace {
@@ -68,17 +66,7 @@ std::string machineName() {
 
 // gnuplot's drawing of the curve, with the stamp of its numbers at the end.
 void drawCurve(const fs::path& file, const accuracy::ErrorTable& errors, const accuracy::TimeTable& times) {
-    const fs::path script =
-        fs::temp_directory_path() / ("mvgl-curve-" + std::to_string(std::random_device()()) + ".gp");
-    const fs::path drawn = fs::path(script).replace_extension(".svg");
-    writeFileAtomically(script,
-                        std::string_view("set output \"" + drawn.string() + "\"\n" + curveScript(errors, times)));
-    const int status = std::system(("gnuplot " + script.string()).c_str());
-    fs::remove(script);
-    if (status != 0) throw Error("gnuplot", "must be installed (package gnuplot-nox) and draw", std::to_string(status));
-    std::ifstream stream(drawn, std::ios::binary);
-    const std::string svg{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-    fs::remove(drawn);
+    const std::string svg = drawnByGnuplot(curveScript(errors, times));
     writeFileAtomically(file, std::string_view(svg + curveStamp(errors, times) + "\n"));
 }
 

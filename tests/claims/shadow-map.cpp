@@ -304,4 +304,11 @@ TEST(ShadowMap, frustum_holds_the_map) {
               "--light-y: must keep the light clear of what casts, for a fitted frustum, 1");
     run.set("frustum", "set").set("target-x", 3).set("target-y", 1).set("target-z", 0.5);
     EXPECT_EQ(run.refusal(), "--light-x: the light must not be at its target, 3");
+    // Straight above its target the light has a roll by agreement, and by the same one where it is off by a last place.
+    run.set("light-x", 2.5).set("light-y", 4.8).set("light-z", 3.5);
+    const Picture above = run.set("target-x", 2.5).set("target-z", 3.5).picture();
+    for (const char* beside : {"2.5000000000000004", "2.4999999999999996"}) {
+        EXPECT_EQ(run.set("light-x", std::string(beside)).refusal(), "");
+        EXPECT_EQ(run.picture(), above) << beside;
+    }
 }

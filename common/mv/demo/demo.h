@@ -63,6 +63,7 @@ class Demo {
   private:
     friend class Knob;
     friend class Readout;
+    friend struct Turntable;
     void add(Knob* knob);
     void add(Readout* readout) { readouts_.push_back(readout); }
 

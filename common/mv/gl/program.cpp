@@ -10,6 +10,7 @@
 #include "mv/error.h"
 #include "mv/gl/object.h"
 #include "mv/gl/shader_source.h"
+#include "mv/math/require.h"
 
 namespace mv {
 namespace {
@@ -114,7 +115,7 @@ Linked link(const std::string& name, const Sources& sources) {
 // A number beyond float's range would arrive as infinity: it is refused like one.
 void requireFinite(const char* name, const double* values, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
-        if (!std::isfinite(static_cast<float>(values[i])))
+        if (!fitsFloat(values[i]))
             throw Error(std::string("uniform ") + name, "must be finite as a float", numberText(values[i]));
     }
 }

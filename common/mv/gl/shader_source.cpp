@@ -41,9 +41,9 @@ std::string currentText(const ShaderFile& file, ShaderSource& source) {
     const auto written = std::filesystem::last_write_time(file.path, missing);
     if (missing) return file.text;
     constexpr std::size_t largest = std::size_t{1} << 20U;
-    const std::vector<std::byte> bytes = readFile(file.path, largest);
+    std::string text = readTextFile(file.path, largest);
     source.readFrom[file.path] = written;
-    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+    return text;
 }
 
 // The file that a line `#include "x.glsl"` names.

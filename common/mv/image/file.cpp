@@ -159,6 +159,11 @@ std::vector<std::byte> readFile(const fs::path& path, std::size_t maximumBytes) 
     return bytes;
 }
 
+std::string readTextFile(const fs::path& path, std::size_t maximumBytes) {
+    const std::vector<std::byte> bytes = readFile(path, maximumBytes);
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
 ScratchFolder::ScratchFolder(std::string_view name) {
     constexpr std::string_view rule = "needs a temporary folder that can be written; TMPDIR names one";
     std::error_code missing;

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -25,6 +26,8 @@ void writeFileAtomically(const std::filesystem::path& path, std::string_view tex
 // The whole content of the file at `path`.
 // Error if it does not exist, cannot be read, is a folder, or holds more than maximumBytes; so /dev/zero ends, too.
 [[nodiscard]] std::vector<std::byte> readFile(const std::filesystem::path& path, std::size_t maximumBytes);
+// The same as text, byte by byte.
+[[nodiscard]] std::string readTextFile(const std::filesystem::path& path, std::size_t maximumBytes);
 
 // An empty folder of its own in the system's temporary one, which goes with all that is in it when its owner goes.
 class ScratchFolder {

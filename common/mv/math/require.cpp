@@ -45,9 +45,10 @@ void refuseInfinite(std::string_view subject, std::string_view name, const mat4&
     refuse(subject, std::string(name).append(" column ").append(std::to_string(column)), value[column]);
 }
 
+bool fitsFloat(double value) { return std::abs(value) <= double(std::numeric_limits<float>::max()); }
+
 void requireFitsFloat(std::string_view subject, std::string_view name, const vec3& value) {
-    constexpr double most = std::numeric_limits<float>::max();
-    if (std::abs(value.x) <= most && std::abs(value.y) <= most && std::abs(value.z) <= most) return;
+    if (fitsFloat(value.x) && fitsFloat(value.y) && fitsFloat(value.z)) return;
     throw Error(subject, std::string(name).append(" must fit into floats"), vectorText(value));
 }
 

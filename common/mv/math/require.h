@@ -42,8 +42,10 @@ void requireFinite(std::string_view subject, std::string_view name, const T& val
     if (!isFinite(value)) refuseInfinite(subject, name, value);
 }
 
-// Throws Error(subject, "<name> must fit into floats", value) when an element is NaN, infinite, or beyond float's range,
-// where rounding to float would make it infinite. Asked of the doubles: once it is a float, g++ 12 may take it for the
+// False for NaN, infinity, and what is beyond float's range and would round to infinity.
+bool fitsFloat(double value);
+
+// Throws Error(subject, "<name> must fit into floats", value) unless every element fitsFloat(). Asked of the doubles: once it is a float, g++ 12 may take it for the
 // number it was.
 void requireFitsFloat(std::string_view subject, std::string_view name, const vec3& value);
 

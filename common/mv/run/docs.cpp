@@ -1,10 +1,9 @@
 #include "mv/run/docs.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 #include <sstream>
 
 #include "mv/image/file.h"
@@ -75,11 +74,8 @@ std::string needsText(const Needs& needs) {
     return text;
 }
 
-std::string fileText(const std::string& path) {
-    std::ifstream stream(path, std::ios::binary);
-    if (!stream) throw Error(path, "must be readable");
-    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
+// A page, or a study's numbers.
+std::string fileText(const std::string& path) { return readTextFile(path, std::size_t{1} << 24U); }
 
 }  // namespace
 

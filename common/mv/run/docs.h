@@ -18,8 +18,7 @@ std::string lessonPage(const std::string& page, const DemoInfo& info);
 // source tree. Error: demos without a page, all of them, before anything is written; and what lessonPage refuses.
 void writeDocs(const std::string& root);
 
-// All demos in their poses at frame 1, in rows of seven, for the README.
-
+// All demos in their poses at frame 1, for the README: in rows of equal length, nine at most.
 Picture pictureStrip();
 
 }  // namespace mv

@@ -2,12 +2,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <fstream>
-#include <iterator>
 
 #include "mv/error.h"
-#include "mv/image/file.h"
+#include "mv/run/gnuplot.h"
 #include "mv/run/study.h"
 #include "mv/run/words.h"
 
@@ -138,11 +135,6 @@ std::string plotScript(const StudyRun& run, const std::string& scene) {
     return script + plots + "\nunset xtics\nset xtics format '10^{%T}'\n";
 }
 
-std::string fileText(const std::string& path) {
-    std::ifstream stream(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
-
 }  // namespace
 
 std::string errorText(double value) { return value == 0 ? "0" : formatted("%.3g", value); }
@@ -222,15 +214,10 @@ std::string studyTable(const StudyRun& run) {
 
 std::string studySvg(const StudyRun& run) {
     const std::vector<std::string> scenes = scenesOf(run);
-    const ScratchFolder scratch("plot");
-    const std::string folder = scratch.path().string();
     const int height = 520 * static_cast<int>(scenes.size()) + 60;
     std::string script =
         "set terminal svg size 1150," + std::to_string(height) +
         " dynamic font 'DejaVu Sans,11' background rgb 'white'\n"
-        "set output '" +
-        folder +
-        "/plot.svg'\n"
         "set logscale xy\nset grid lc rgb '#dddddd'\nset key at screen 0.65, graph 1 left top Left reverse noenhanced\n"
         "set format x '10^{%T}'\nset format y '%g'\n";
     script += run.width > 0 ? "set ylabel 'milliseconds a frame'\n" : "set ylabel 'milliseconds'\n";
@@ -245,15 +232,7 @@ std::string studySvg(const StudyRun& run) {
     for (const std::string& scene : scenes) {
         script += plotScript(run, scene) + "unset label 1\nunset label 2\n";  // once is enough
     }
-    script += "unset multiplot\nset output\n";
-    writeFileAtomically(folder + "/plot.gp", std::string_view(script));
-    const std::string command = "gnuplot '" + folder + "/plot.gp' 2>'" + folder + "/errors' >&2";
-    const int status = std::system(command.c_str());
-    const std::string svg = fileText(folder + "/plot.svg");
-    if (status != 0 || svg.find("</svg>") == std::string::npos) {
-        throw Error("gnuplot", "must be there and draw the plot (package gnuplot-nox)", fileText(folder + "/errors"));
-    }
-    return svg;
+    return drawnByGnuplot(script + "unset multiplot\nset output\n");
 }
 
 }  // namespace mv

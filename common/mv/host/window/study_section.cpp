@@ -94,8 +94,7 @@ void StudySection::finish(int status) {
     std::error_code ignored;
     if (std::filesystem::exists(file, ignored)) {
         try {
-            const auto bytes = readFile(file, largestStudy);
-            take(readStudy({reinterpret_cast<const char*>(bytes.data()), bytes.size()}), true);
+            take(readStudy(readTextFile(file, largestStudy)), true);
         } catch (const std::exception& error) {
             problem_ = error.what();
         }
