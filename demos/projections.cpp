@@ -34,9 +34,8 @@ constexpr double reach = 8;
 const vec3 wallsLow(-4, 0, -3), wallsHigh(4, 3, 3);                                     // up to the eaves
 constexpr double isometricTilt = 35.264389682754654;                                    // atan(1/sqrt(2))
 constexpr double dimetricTurn = 20.704811054635432, dimetricTilt = 19.471220634490692;  // x : y : z = 1 : 1 : 1/2
-const std::array<vec4, 3> axisColors{vec4(0.80, 0.10, 0.10, 1), vec4(0.05, 0.50, 0.10, 1), vec4(0.10, 0.25, 0.90, 1)};
-
-const std::array<std::string, 3> axisNames{"x", "y", "z"};
+const vec4 axisColors[] = {{0.80, 0.10, 0.10, 1}, {0.05, 0.50, 0.10, 1}, {0.10, 0.25, 0.90, 1}};
+const std::string axisNames[] = {"x", "y", "z"};
 
 // What a pane shows, of a world of metres. `half` is how many of them from its middle to its upper edge.
 struct View {

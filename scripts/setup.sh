@@ -10,7 +10,7 @@ test_packages=(git libgtest-dev libboost-dev xvfb xauth xdotool imagemagick clan
   libembree-dev)
 # What serves in the place of a package that not every distribution has.
 declare -A instead=([libosmesa6]="EGL draws the pictures instead"
-  [libclang-rt-dev]="pictures and command lines are not fuzzed"
+  [libclang-rt-dev]="pictures and command lines are not fuzzed, and g++ builds what the sanitizers test"
   [libembree-dev]="mvgl-bench leaves out the rays beside it")
 
 fail() {

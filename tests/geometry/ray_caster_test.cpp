@@ -49,7 +49,7 @@ std::vector<vec3> worldCorners(const SceneObject& object) {
 
 TEST(RayCaster, FindsWhatALoopOverAllTrianglesFinds) {
     int hits = 0;
-    for (const std::uint64_t seed : {1, 2, 3}) {
+    for (const std::uint64_t seed : {1U, 2U, 3U}) {
         const Scene scene = randomScene(seed);
         const RayCaster caster(scene);
         Random random(seed + 100);
@@ -298,7 +298,7 @@ TEST(LitPicture, ConvergesAsTheLightIsAskedAtMorePoints) {
 
 // Which is found by one look at the whole light where little stands between; here by a ray to each of its points.
 TEST(LitPicture, EqualsTheMeanOverThePointsOfTheLight) {
-    for (const std::uint64_t seed : {11, 12, 13, 14}) {
+    for (const std::uint64_t seed : {11U, 12U, 13U, 14U}) {
         Scene scene = randomScene(seed);
         for (SceneObject& object : scene.objects) object.worldFromObject = object.worldFromObject * scale(0.6);
         // Above all objects, or among them: what is behind the light is near the way to it then, and does not shade.

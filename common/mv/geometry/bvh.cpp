@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <glm/common.hpp>
 #include <numeric>
 #include <utility>
+
+#include "mv/geometry/bounds.h"
 
 namespace mv {
 namespace {
@@ -15,21 +16,10 @@ constexpr int bins = 16;
 constexpr int deepestGuess = 32;
 constexpr std::size_t stackSize = 64;
 
-struct Bounds {
-    vec3 lo{HUGE_VAL}, hi{-HUGE_VAL};
-    void add(const vec3& point) {
-        lo = glm::min(lo, point);
-        hi = glm::max(hi, point);
-    }
-    void add(const Bounds& other) {
-        lo = glm::min(lo, other.lo);
-        hi = glm::max(hi, other.hi);
-    }
-    double halfArea() const {
-        const vec3 size = hi - lo;
-        return size.x * size.y + size.y * size.z + size.z * size.x;
-    }
-};
+double halfArea(const Bounds& box) {
+    const vec3 size = box.high - box.low;
+    return size.x * size.y + size.y * size.z + size.z * size.x;
+}
 
 Bounds boundsOf(const SceneTriangle& triangle) {
     Bounds bounds;
@@ -52,7 +42,11 @@ class Bvh::Build {
         : nodes_(nodes), order(triangles.size()) {
         std::iota(order.begin(), order.end(), 0U);
         bounds_.reserve(triangles.size());
-        for (const SceneTriangle& triangle : triangles) bounds_.push_back(boundsOf(triangle));
+        middles_.reserve(triangles.size());
+        for (const SceneTriangle& triangle : triangles) {
+            bounds_.push_back(boundsOf(triangle));
+            middles_.push_back(bounds_.back().middle());
+        }
         if (order.empty()) return;
         nodes_.emplace_back();
         fill(0, 0, static_cast<std::uint32_t>(order.size()), 0);
@@ -61,16 +55,14 @@ class Bvh::Build {
   private:
     using Iterator = std::vector<std::uint32_t>::iterator;
 
-    vec3 middle(std::uint32_t triangle) const { return 0.5 * bounds_[triangle].lo + 0.5 * bounds_[triangle].hi; }
-
     // Makes `self` the node of the triangles order[first] to order[last - 1].
     void fill(std::size_t self, std::uint32_t first, std::uint32_t last, int depth) {
         Bounds all, middles;
         for (std::uint32_t i = first; i < last; ++i) {
             all.add(bounds_[order[i]]);
-            middles.add(middle(order[i]));
+            middles.add(middles_[order[i]]);
         }
-        nodes_[self] = {{all.lo.x, all.lo.y, all.lo.z, all.hi.x, all.hi.y, all.hi.z}, first, last - first};
+        nodes_[self] = {{all.low.x, all.low.y, all.low.z, all.high.x, all.high.y, all.high.z}, first, last - first};
         if (last - first <= largestLeaf) return;
         const auto begin = order.begin() + first, end = order.begin() + last;
         Iterator split = depth < deepestGuess ? cheapestSplit(begin, end, middles) : begin;
@@ -90,7 +82,7 @@ class Bvh::Build {
         double least = HUGE_VAL;
         int leastAxis = -1, leastBin = 0;
         for (int axis = 0; axis < 3; ++axis) {
-            if (!(middles.hi[axis] > middles.lo[axis])) continue;
+            if (!(middles.high[axis] > middles.low[axis])) continue;
             std::array<Bounds, bins> bounds;
             std::array<int, bins> counts{};
             for (auto i = begin; i != end; ++i) {
@@ -104,14 +96,14 @@ class Bvh::Build {
             for (std::size_t bin = 0; bin < bins; ++bin) {
                 side.add(bounds[bin]);
                 count += counts[bin];
-                upTo[bin] = count == 0 ? 0 : count * side.halfArea();
+                upTo[bin] = count == 0 ? 0 : count * halfArea(side);
             }
             side = Bounds();
             count = 0;
             for (std::size_t bin = bins - 1; bin > 0; --bin) {
                 side.add(bounds[bin]);
                 count += counts[bin];
-                const double cost = upTo[bin - 1] + (count == 0 ? 0 : count * side.halfArea());
+                const double cost = upTo[bin - 1] + (count == 0 ? 0 : count * halfArea(side));
                 if (cost >= least) continue;
                 least = cost;
                 leastAxis = axis;
@@ -124,22 +116,23 @@ class Bvh::Build {
     }
 
     Iterator medianSplit(Iterator begin, Iterator end, const Bounds& middles) const {
-        const vec3 size = middles.hi - middles.lo;
+        const vec3 size = middles.high - middles.low;
         const int axis = size.x >= size.y ? (size.x >= size.z ? 0 : 2) : (size.y >= size.z ? 1 : 2);
         const auto half = begin + (end - begin) / 2;
         std::nth_element(begin, half, end, [&](std::uint32_t one, std::uint32_t other) {
-            return std::pair(middle(one)[axis], one) < std::pair(middle(other)[axis], other);
+            return std::pair(middles_[one][axis], one) < std::pair(middles_[other][axis], other);
         });
         return half;
     }
 
     int binOf(std::uint32_t triangle, int axis, const Bounds& middles) const {
-        const double part = (middle(triangle)[axis] - middles.lo[axis]) / (middles.hi[axis] - middles.lo[axis]);
+        const double low = middles.low[axis], part = (middles_[triangle][axis] - low) / (middles.high[axis] - low);
         return std::min(bins - 1, static_cast<int>(bins * part));
     }
 
     std::vector<Node>& nodes_;
     std::vector<Bounds> bounds_;
+    std::vector<vec3> middles_;
 
   public:
     std::vector<std::uint32_t> order;

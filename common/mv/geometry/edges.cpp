@@ -31,7 +31,8 @@ MeshData edgesOf(const MeshData& mesh, double crease) {
 
     MeshData edges;
     edges.primitive = Primitive::lines;
-    for (const auto& [ends, normals] : normalsAt) {
+    for (const auto& [ends, normalsThere] : normalsAt) {
+        const auto& normals = normalsThere;  // a lambda may name it in clang before 16, too
         const bool sharp = std::any_of(normals.begin(), normals.end(), [&](const vec3& normal) {
             return glm::dot(normal, normals.front()) < leastCosine;
         });

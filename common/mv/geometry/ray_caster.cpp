@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "mv/error.h"
+#include "mv/geometry/bounds.h"
 #include "mv/geometry/bvh.h"
 #include "mv/geometry/check.h"
 #include "mv/math/require.h"
@@ -114,7 +115,7 @@ struct Scratch {
 // A light as the points it is asked at: the centres of side x side cells.
 struct LightPoints {
     std::vector<vec4> points;
-    vec3 lo{HUGE_VAL}, hi{-HUGE_VAL};  // of a light that is not at infinity
+    Bounds bounds;  // of a light that is not at infinity
 
     LightPoints(const SceneLight& light, int side) {
         for (int i = 0; i < side * side; ++i) {
@@ -124,8 +125,7 @@ struct LightPoints {
             requireFinite("lit", "each point of the light", points.back());
             if (points.back().w == 0) continue;
             points.back() /= points.back().w;
-            lo = glm::min(lo, vec3(points.back()));
-            hi = glm::max(hi, vec3(points.back()));
+            bounds.add(vec3(points.back()));
         }
     }
     bool hasShaft() const { return points.size() >= 4 && points.front().w != 0; }
@@ -187,8 +187,8 @@ vec3 RayCaster::State::startOf(const SceneHit& hit, const vec3& direction) const
 // it is nothing, and seldom much.
 double RayCaster::State::litPart(const SceneHit& hit, const LightPoints& light, Scratch& scratch) const {
     const vec3 start = startOf(hit, hit.normal);
-    const bool few = light.hasShaft() &&
-                     casters.mayMeet(start, light.lo - hit.point, light.hi - hit.point, mostInShaft, scratch.near);
+    const bool few = light.hasShaft() && casters.mayMeet(start, light.bounds.low - hit.point,
+                                                         light.bounds.high - hit.point, mostInShaft, scratch.near);
     const bool free = !receives[static_cast<std::size_t>(hit.object)] || (few && scratch.near.empty());
     int reached = 0;
     for (const vec4& point : light.points) {

@@ -1,5 +1,6 @@
 #include "mv/run/stage.h"
 
+#include <initializer_list>
 #include <utility>
 
 #include "mv/gl/text.h"
@@ -17,9 +18,9 @@ std::string versionText(int version) { return std::to_string(version / 10) + "."
 }  // namespace
 
 void resetState() {
-    for (const GLenum capability :
-         {GL_BLEND, GL_CULL_FACE, GL_DEPTH_TEST, GL_POLYGON_OFFSET_FILL, GL_RASTERIZER_DISCARD, GL_SCISSOR_TEST,
-          GL_STENCIL_TEST, GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_COVERAGE}) {
+    for (const GLenum capability : std::initializer_list<GLenum>{
+             GL_BLEND, GL_CULL_FACE, GL_DEPTH_TEST, GL_POLYGON_OFFSET_FILL, GL_RASTERIZER_DISCARD, GL_SCISSOR_TEST,
+             GL_STENCIL_TEST, GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_COVERAGE}) {
         glDisable(capability);
     }
     glEnable(GL_DITHER);
