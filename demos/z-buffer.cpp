@@ -287,10 +287,12 @@ const bool added = addDemo<ZBuffer>({
                          {"separation 1e-5", {{"near", "0.1"}, {"separation", "1e-5"}}},
                          {"separation 1e-6", {{"near", "0.1"}, {"separation", "1e-6"}}}},
               .lines = {line("D16 standard", "d16", "standard"), line("D24 standard", "d24", "standard"),
-                        line("D32F standard", "d32f", "standard"), line("D24 infinite", "d24", "infinite"),
-                        line("D24 reversed", "d24", "reversed"), line("D32F reversed", "d32f", "reversed"),
-                        line("D32F flipped", "d32f", "flipped"), line("D16 logarithmic", "d16", "logarithmic"),
-                        line("D24 logarithmic", "d24", "logarithmic"), line("D32F logarithmic", "d32f", "logarithmic")},
+                        line("D32F standard", "d32f", "standard"), line("D16 infinite", "d16", "infinite"),
+                        line("D24 infinite", "d24", "infinite"), line("D32F infinite", "d32f", "infinite"),
+                        line("D16 reversed", "d16", "reversed"), line("D24 reversed", "d24", "reversed"),
+                        line("D32F reversed", "d32f", "reversed"), line("D32F flipped", "d32f", "flipped"),
+                        line("D16 logarithmic", "d16", "logarithmic"), line("D24 logarithmic", "d24", "logarithmic"),
+                        line("D32F logarithmic", "d32f", "logarithmic")},
               .axis = ErrorAxis::fraction,
               .says =
                   "Only the float with reversed depth and glClipControl has every pair in order; with standard depth "

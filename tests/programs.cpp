@@ -164,7 +164,7 @@ TEST(Program, missing_clip_control_is_named) {
     const auto run = [&](std::vector<std::string> more, const ProcessOptions& options) {
         std::vector<std::string> command = road;
         command.insert(command.end(), more.begin(), more.end());
-        const ProcessResult result = runProcess(command, options);
+        ProcessResult result = runProcess(command, options);
         EXPECT_EQ(result.status, 0) << result.err;
         return result;
     };

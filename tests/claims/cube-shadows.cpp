@@ -90,7 +90,7 @@ Darkened darkened(DemoRun& run) {
 // Of a picture's numbers, one a pixel, that of this pixel.
 template <class Numbers>
 auto at(const Numbers& numbers, int width, int x, int y) {
-    return numbers[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
+    return numbers[pixelIndex(x, y, width)];
 }
 
 struct Compared {

@@ -38,7 +38,7 @@ Picture paneOf(const Picture& picture, Corner corner) {
         for (int x = 0; x < width; ++x) {
             const bool words = x < 320 && (y < 32 || y >= height - 30);
             const Pixel p = words ? white : picture.at(left + x, top + y);
-            const std::size_t i = 4 * (std::size_t(y) * width + std::size_t(x));
+            const std::size_t i = 4 * pixelIndex(x, y, width);
             pane.rgba[i] = p.red;
             pane.rgba[i + 1] = p.green;
             pane.rgba[i + 2] = p.blue;

@@ -68,10 +68,10 @@ Judged judge(DemoRun& run, const Place& place, const vec4& light, int only = -1)
     double sum = 0, litPixels = 0;
     for (int y = 1; y + 1 < height; ++y) {
         for (int x = 1; x + 1 < width; ++x) {
-            const auto here = static_cast<std::size_t>(y * width + x);
+            const std::size_t here = pixelIndex(x, y, width);
             bool atEdge = false;
-            for (const int step : {-width - 1, -width, -width + 1, -1, 1, width - 1, width, width + 1}) {
-                const auto there = static_cast<std::size_t>(y * width + x + step);
+            for (int i = 0; i < 9; ++i) {
+                const std::size_t there = pixelIndex(x + i % 3 - 1, y + i / 3 - 1, width);
                 atEdge |= right.regions[here] != right.regions[there] || right.values[here] != right.values[there];
             }
             if (atEdge || right.regions[here] < 0 || (only >= 0 && right.regions[here] != only)) continue;
@@ -188,7 +188,7 @@ TEST(ShadowMap, light_leaks_with_bias) {
     long lost = 0, kept = 0;
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
-            const auto i = static_cast<std::size_t>(y * width + x);
+            const std::size_t i = pixelIndex(x, y, width);
             if (close[i] != 0) continue;
             const double away = glm::length(onFloor(run, x, y));
             (far[i] > 0 ? lostSum : keptSum) += away;

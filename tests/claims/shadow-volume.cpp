@@ -151,7 +151,7 @@ TEST(ShadowVolume, counts_are_rays) {
             std::array<int, 5> between{};
             bool seen = true;
             for (std::size_t k = 0; k < 5; ++k) {
-                const vec2 at = k == 4 ? vec2(0.5) : vec2(double(k % 2), double(k / 2));
+                const vec2 at = k == 4 ? vec2(0.5) : vec2(k == 1 || k == 3 ? 1 : 0, k >= 2 ? 1 : 0);
                 const vec4 ndc((x + at.x) / width * 2 - 1, 1 - (y + at.y) / height * 2, 0, 1);
                 vec4 near = worldFromClip * vec4(ndc.x, ndc.y, -1, 1), on = worldFromClip * ndc;
                 near /= near.w;
@@ -168,7 +168,7 @@ TEST(ShadowVolume, counts_are_rays) {
             if (!seen || !even) continue;
             ++compared;
             most = std::max<long>(most, between[4]);
-            ASSERT_EQ(counts[static_cast<std::size_t>(y * width + x)], between[4]) << x << ", " << y;
+            ASSERT_EQ(counts[pixelIndex(x, y, width)], between[4]) << x << ", " << y;
         }
     }
     EXPECT_GT(compared, 200000);

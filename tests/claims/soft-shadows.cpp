@@ -84,7 +84,7 @@ TEST(SoftShadows, sharp_where_they_touch) {
     const vec3 outwards = glm::normalize(glm::cross(foot - lamp, vec3(0, 1, 0)));
     const auto litAt = [&](const vec3& p) {
         const vec2 pixel = pixelFromNdc(ndcFromClip(clipFromWorld * vec4(p, 1)), 1280, 960);
-        return lit.at(static_cast<std::size_t>((959 - int(pixel.y)) * 1280 + int(pixel.x)));
+        return lit.at(pixelIndex(int(pixel.x), 959 - int(pixel.y), 1280));
     };
     // How far out the last of the shadow is, for the shadows of the edge's points
     std::vector<double> soft;

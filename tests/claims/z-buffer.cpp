@@ -212,6 +212,15 @@ TEST(ZBuffer, misordered_as_known) {
             }
         }
     }
+    // Sixteen bits are too few however they are spent, and a float near 1 has no finer steps than 24 bits.
+    for (const double separation : {1e-4, 1e-5, 1e-6}) {
+        for (const double far : {1e2, 1e4, 1e6}) {
+            const double d16 = percent("D16 standard", far, separation);
+            EXPECT_NEAR(percent("D16 infinite", far, separation), d16, 0.5);
+            EXPECT_NEAR(percent("D16 reversed", far, separation), d16, 0.5);
+            EXPECT_NEAR(percent("D32F infinite", far, separation), percent("D24 infinite", far, separation), 0.5);
+        }
+    }
     EXPECT_NEAR(percent("D16 standard", 1e2, 1e-4), 58, 1);  // known to two digits
     EXPECT_NEAR(percent("D16 standard", 1e6, 1e-5), 96, 1);
     // Far does not matter once it is far: for a point at z the step is z z / (n 2^24), whatever far is. Near does.

@@ -30,7 +30,7 @@ TEST(Panes, share_the_picture_without_overlap) {
                 for (int y = pane.y; y < pane.y + pane.height; ++y) {
                     for (int x = pane.x; x < pane.x + pane.width; ++x) {
                         ASSERT_TRUE(x >= 0 && y >= 0 && x < width && y < height);
-                        int& pixel = owner[std::size_t(y) * std::size_t(width) + std::size_t(x)];
+                        int& pixel = owner[pixelIndex(x, y, width)];
                         ASSERT_EQ(pixel, -1) << i << " of " << count;
                         pixel = i;
                         ++owned;

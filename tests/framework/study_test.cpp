@@ -127,7 +127,7 @@ const StudyRow& row(const StudyRun& run, const std::string& method, const std::s
     throw Error("row", "must be there", method + " " + parameter);
 }
 
-StudyRun stepRun(StudyOptions options = {.timed = false}) {
+StudyRun stepRun(const StudyOptions& options = {.timed = false}) {
     static const DemoInfo made = infoOf<Step>("step", stepStudy());
     stage().open(made, 10, 10);
     StudyRun run = runStudy(stage(), stepStudy(), options);

@@ -36,7 +36,8 @@ TEST(Lamp, points_lie_on_it_one_in_each_cell) {
         // The half sides are perpendicular and 0.5 long.
         const double s = glm::dot(offset, level.halfU) / 0.25, t = glm::dot(offset, level.halfV) / 0.25;
         ASSERT_LT(std::max(std::abs(s), std::abs(t)), 1);
-        ++cells[static_cast<std::size_t>(int((s + 1) * 3.5) + 7 * int((t + 1) * 3.5))];
+        const int column = int((s + 1) * 3.5), row = int((t + 1) * 3.5), cell = column + 7 * row;
+        ++cells[static_cast<std::size_t>(cell)];
     }
     EXPECT_EQ(std::count(cells.begin(), cells.end(), 1), 49);
     for (const vec3& p : lampPoints({.position = {2, 6, 4, 2}}, 3, 1)) EXPECT_EQ(p, vec3(1, 3, 2));

@@ -8,6 +8,7 @@
 #include "../math/support.h"
 #include "mv/geometry/check.h"
 #include "mv/geometry/shapes.h"
+#include "mv/image/picture.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
 #include "support/shadow_rays.h"
@@ -218,7 +219,7 @@ TEST(LitPicture, EqualsAnAnalyticShadowOfASquare) {
     int shadow = 0, different = 0;
     for (int row = 0; row < height; ++row) {
         for (int column = 0; column < width; ++column) {
-            const auto pixel = static_cast<std::size_t>(row * width + column);
+            const std::size_t pixel = pixelIndex(column, row, width);
             const Seen seen = castRay(analytic, {(2 * column + 1.0) / width - 1, 1 - (2 * row + 1.0) / height});
             const int object = seen == Seen::background ? -1 : seen == Seen::square ? 1 : 0;
             different += picture.object[pixel] != object ? 1 : 0;
@@ -360,12 +361,11 @@ TEST(LitPicture, AveragesThePointsOfAPixel) {
         int mixed = 0;
         for (int row = 0; row < height; ++row) {
             for (int column = 0; column < width; ++column) {
-                const auto pixel = static_cast<std::size_t>(row * width + column);
+                const std::size_t pixel = pixelIndex(column, row, width);
                 double sum = 0;
                 int points = 0;
                 for (int i = 0; i < side * side; ++i) {
-                    const auto point =
-                        static_cast<std::size_t>((row * side + i / side) * width * side + column * side + i % side);
+                    const std::size_t point = pixelIndex(column * side + i % side, row * side + i / side, width * side);
                     if (fine.object[point] != coarse.object[pixel]) continue;
                     sum += fine.lit[point];
                     ++points;

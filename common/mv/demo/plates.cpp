@@ -102,7 +102,7 @@ std::optional<double> wrongPart(const Picture& picture, const std::vector<std::o
     long asked = 0, wrong = 0;
     for (int y = 1; y + 1 < picture.height; ++y) {
         for (int x = 1; x + 1 < picture.width; ++x) {
-            const auto at = static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x);
+            const std::size_t at = pixelIndex(x, y, picture.width);
             const std::optional<vec3>& color = colors[at];
             if (!color || colors[at - 1] != color || colors[at + 1] != color || colors[at - width] != color ||
                 colors[at + width] != color) {

@@ -24,6 +24,11 @@ struct Pixel {
     bool operator==(const Pixel&) const = default;
 };
 
+// Where pixel (x, y) of a picture of that width stands among its pixels, row after row from the top.
+constexpr std::size_t pixelIndex(int x, int y, int width) {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+}
+
 // RGBA, 8 bits each, row after row from the top, four bytes a pixel and no padding: the layout of
 // glReadPixels(GL_RGBA, GL_UNSIGNED_BYTE), upside down. A default Picture has no pixels.
 struct Picture {

@@ -193,7 +193,7 @@ Command readFlags(const Flags& flags, Command command, const Demo* demo) {
     if (flags.all && demo)
         throw UsageError("--all", "must not stand beside a demo's name", "'" + command.demo->name + "'");
     if (!flags.vary.empty() && flags.study.empty()) throw UsageError("--vary", "needs --study DIR for its files");
-    if (!flags.compare.empty()) {
+    if (demo && !flags.compare.empty()) {
         readCompare(flags.compare, *demo, command);
         if (flags.shot.empty() && command.action == Action::render) {
             throw UsageError("--compare", "needs --shot FILE for its picture, or a window");

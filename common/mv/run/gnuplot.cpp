@@ -25,7 +25,7 @@ std::string drawnByGnuplot(const std::string& script) {
     writeFileAtomically(scratch.path() / "plot.gp", std::string_view("set output 'plot.svg'\n" + script));
     const std::string command = "cd " + shellQuoted(scratch.path().string()) + " && gnuplot plot.gp 2>errors >&2";
     const bool done = std::system(command.c_str()) == 0;
-    const std::string svg = done ? readTextFile(scratch.path() / "plot.svg", largest) : "";
+    std::string svg = done ? readTextFile(scratch.path() / "plot.svg", largest) : "";
     if (svg.find("</svg>") == std::string::npos) {
         throw Error("gnuplot", "must be there and draw the plot (package gnuplot-nox)",
                     readTextFile(scratch.path() / "errors", largest));

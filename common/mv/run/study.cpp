@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "mv/image/file.h"
+#include "mv/image/picture.h"
 #include "mv/run/render.h"
 #include "mv/run/words.h"
 
@@ -40,10 +41,10 @@ std::vector<bool> edgeBand(const Reference& reference, int width, int height, do
     if (reference.regions.empty()) return band;
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
-            const auto here = static_cast<std::size_t>(y * width + x);
+            const std::size_t here = pixelIndex(x, y, width);
             for (int v = std::max(y - 1, 0); v <= std::min(y + 1, height - 1); ++v) {
                 for (int u = std::max(x - 1, 0); u <= std::min(x + 1, width - 1); ++u) {
-                    const auto there = static_cast<std::size_t>(v * width + u);
+                    const std::size_t there = pixelIndex(u, v, width);
                     if (reference.regions[here] != reference.regions[there] ||
                         std::abs(reference.values[here] - reference.values[there]) > wrongBeyond) {
                         band[here] = true;
@@ -299,7 +300,8 @@ StudyRun runStudy(Stage& stage, const Study& study, const StudyOptions& options)
             Frame(study.frame, study.width, study.height, notes, {.ownError = options.timed}), [&](double part) {
                 tell(at("reference " + scene + " " + std::to_string(std::lround(100 * part)) + " %"));
             });
-        if (!study.ofValues && reference.values.size() != static_cast<std::size_t>(study.width * study.height)) {
+        const std::size_t pixels = static_cast<std::size_t>(study.width) * static_cast<std::size_t>(study.height);
+        if (!study.ofValues && reference.values.size() != pixels) {
             throw Error("reference", "must have a value for each pixel", std::to_string(reference.values.size()));
         }
         if (reference.ownError >= 0) noteOwnError(run, scene, reference.ownError);

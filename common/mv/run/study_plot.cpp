@@ -76,10 +76,11 @@ PlotRange plotRange(const StudyRun& run, const std::string& scene) {
 // 1, 2 and 5 of every decade: a range of times may lie between two powers of ten.
 std::string timeTics(const PlotRange& range) {
     std::string tics;
-    for (double decade = std::pow(10, std::floor(std::log10(range.fastest))); decade <= range.slowest; decade *= 10) {
+    const int first = int(std::floor(std::log10(range.fastest))), last = int(std::floor(std::log10(range.slowest)));
+    for (int power = first; power <= last; ++power) {
         for (const double step : {1.0, 2.0, 5.0}) {
-            const std::string text = formatted("%g", step * decade);
-            tics += (tics.empty() ? "'" : ", '") + text + "' " + text;
+            const std::string text = formatted("%g", step * std::pow(10, power));
+            tics.append(tics.empty() ? "'" : ", '").append(text).append("' ").append(text);
         }
     }
     return "set ytics (" + tics + ")\n";
@@ -203,7 +204,7 @@ std::string studyTable(const StudyRun& run) {
         for (const std::string& method : methodsOf(run, scene)) {
             const auto error = errorSlope(run, scene, method), time = timeSlope(run, scene, method);
             if (!error && !time) continue;
-            text += "slope " + (scene.empty() ? "" : scene + ", ") + method + ":";
+            text.append("slope ").append(scene.empty() ? "" : scene + ", ").append(method).append(":");
             if (error) text += formatted(" error ~ p^%.2f", *error);
             if (time) text += formatted(" time ~ p^%.2f", *time);
             text += "\n";
