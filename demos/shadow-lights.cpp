@@ -180,8 +180,7 @@ struct ShadowLights final : Demo {
             built = which;
         }
         while (shadows.size() < scene.lights.size()) shadows.push_back({CasterVolumes(scene), {}});
-        const double fovy = degrees(2 * std::atan(1 / scene.clipFromView[1][1]));
-        clipFromWorld = infinitePerspective(fovy, frame.aspect(), 0.1) * scene.viewFromWorld;
+        clipFromWorld = withDepths(scene.clipFromView, 0.1, HUGE_VAL) * scene.viewFromWorld;
         frame.show("viewFromWorld", scene.viewFromWorld);
 
         // First the maps, which need the framebuffer's place

@@ -31,7 +31,6 @@
 #include "mv/gl/shadow_check.h"
 #include "mv/gl/text.h"
 #include "mv/gl/z_fail.h"
-#include "mv/math/projection.h"
 #include "mv/math/shadow.h"
 #include "mv/math/transform.h"
 
@@ -112,7 +111,7 @@ struct ShadowMethods final : Demo {
     Scene build(double aspect) const {
         Scene made = which == Which::cube ? cubeOnPlane(aspect) : stillLife(aspect);
         // No far plane, which would cut the volumes off
-        made.clipFromView = infinitePerspective(degrees(2 * std::atan(1 / made.clipFromView[1][1])), aspect, 0.1);
+        made.clipFromView = withDepths(made.clipFromView, 0.1, HUGE_VAL);
         return made;
     }
 

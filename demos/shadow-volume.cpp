@@ -27,7 +27,6 @@
 #include "mv/gl/scene_meshes.h"
 #include "mv/gl/shadow_check.h"
 #include "mv/gl/text.h"
-#include "mv/math/projection.h"
 #include "mv/math/transform.h"
 
 using namespace mv;
@@ -120,8 +119,7 @@ struct ShadowVolumes final : Demo {
         vec4 light = rotateY(lightTurn) * scale(1, lightHeight, 1) * now.lights[0].position;
         if (atInfinity) light.w = 0;
         now.lights[0].position = light;
-        const double fovy = degrees(2 * std::atan(1 / now.clipFromView[1][1]));
-        now.clipFromView = far == 0 ? infinitePerspective(fovy, aspect, near) : perspective(fovy, aspect, near, far);
+        now.clipFromView = withDepths(now.clipFromView, near, far == 0 ? HUGE_VAL : double(far));
         if (eye == Place::outside) {
             now.viewFromWorld = turntable.seenBy(now.viewFromWorld);
         } else {

@@ -1,5 +1,6 @@
 #include "mv/geometry/scenes.h"
 
+#include <cmath>
 #include <set>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "mv/geometry/check.h"
 #include "mv/geometry/ray_caster.h"
 #include "mv/geometry/shapes.h"
+#include "mv/math/projection.h"
 #include "mv/math/transform.h"
 
 using namespace mv;
@@ -241,6 +243,22 @@ TEST(Scenes, RefuseAnAspectThatIsNone) {
         EXPECT_EQ(refusal([&] { scene.make(notANumber); }), "scene: aspect must be greater than 0 and finite, nan")
             << scene.name;
     }
+}
+
+TEST(Scenes, OtherDepthsLeaveTheWindowAsItIs) {
+    const mat4 as = stillLife(4.0 / 3).clipFromView;
+    for (const double far : {5.0, 1e6, HUGE_VAL}) {
+        const mat4 clip = withDepths(as, 0.1, far);
+        for (int column = 0; column < 4; ++column) {
+            for (const int row : {0, 1, 3}) EXPECT_EQ(clip[column][row], as[column][row]) << column << ", " << row;
+        }
+        const vec4 nearest = clip * vec4(0, 0, -0.1, 1), farthest = clip * vec4(0, 0, -1, 1 / far);
+        EXPECT_NEAR(nearest.z / nearest.w, -1, 1e-14);  // some roundings of numbers near 1
+        EXPECT_NEAR(farthest.z / farthest.w, 1, 1e-14);
+    }
+    EXPECT_THROW(withDepths(ortho(-1, 1, -1, 1, 1, 2), 0.1, 10), Error);
+    EXPECT_THROW(withDepths(as, 0, 10), Error);
+    EXPECT_THROW(withDepths(as, 1, 1), Error);
 }
 
 }  // namespace

@@ -2,14 +2,25 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "mv/error.h"
 #include "mv/geometry/check.h"
+#include "mv/math/projection.h"
 #include "mv/math/require.h"
 #include "mv/math/transform.h"
 
 namespace mv {
+
+mat4 withDepths(const mat4& clipFromView, double near, double far) {
+    if (clipFromView[2][3] != -1) throw Error("withDepths", "must be given a perspective");
+    // Only the third row has to do with depth
+    const mat4 other = std::isinf(far) ? infinitePerspective(90, 1, near) : perspective(90, 1, near, far);
+    mat4 result = clipFromView;
+    for (int column = 0; column < 4; ++column) result[column][2] = other[column][2];
+    return result;
+}
 
 MeshData meshOf(const Scene& scene) {
     const bool normals = std::none_of(scene.objects.begin(), scene.objects.end(),

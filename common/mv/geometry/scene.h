@@ -35,6 +35,10 @@ struct Scene {
     mat4 clipFromWorld() const { return clipFromView * viewFromWorld; }
 };
 
+// A scene's perspective from other depths on: from `near` to `far`, which may be infinity, for shadow volumes, which a far
+// plane would cut off. Error: not a perspective, or depths that perspective() refuses.
+mat4 withDepths(const mat4& clipFromView, double near, double far);
+
 // All objects of a scene as one mesh in world space, for a scene that does not move in itself: one draw instead of many.
 // Triangles without indices, with positions and colors, and with unit normals where every object has them. Refused: an
 // object that is not made of triangles, a position in the world beyond float's range, and what validate refuses.

@@ -121,19 +121,19 @@ struct Sheet {
 };
 
 Sheet sheetOf(std::span<Coverage> lines) {
-    constexpr int usualWidth = 512;
-    int width = usualWidth, x = 0, y = 0, tallest = 0;
-    for (const Coverage& line : lines) width = std::max(width, line.width);
+    constexpr int usualWidth = 512;  // a wider line stands by itself
+    int width = 0, x = 0, y = 0, tallest = 0;
     std::vector<glm::ivec2> places;
     places.reserve(lines.size());
     for (const Coverage& line : lines) {
-        if (x + line.width > width) {
+        if (x > 0 && x + line.width > usualWidth) {
             x = 0;
             y += tallest;
             tallest = 0;
         }
         places.emplace_back(x, y);
         x += line.width;
+        width = std::max(width, x);
         tallest = std::max(tallest, line.height);
     }
     Sheet sheet{Coverage(width, y + tallest), std::move(places)};

@@ -41,7 +41,7 @@ int textHeight(const TextStyle& style = {});
 // Changes the same state as drawText.
 void showImage(const Frame& frame, int x, int y, const Picture& picture);
 
-// Deletes what the two above keep between calls (shaders, the font's pictures); before the context goes.
+// Deletes what the two above keep between calls, their programs; before the context goes.
 void forgetText();
 
 }  // namespace mv
