@@ -1,6 +1,8 @@
 #include "mv/math/transform.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -159,24 +161,36 @@ double cofactorScale(double squaresOfColumns, double determinant) {
     return cofactors * ((determinant < 0 ? -1 : 1) * std::sqrt(3 / squares));
 }
 
+// A matrix written two numbers at a time. Where nothing is computed the stores are the time, and g++ 12 writes what GLM's
+// constructor is given one by one: twice as many stores as GLM's own translate and scale, which multiply columns.
+struct Column {
+    double x, y, z, w;
+};
+mat4 fromColumns(const Column& a, const Column& b, const Column& c, const Column& d) {
+    using Pair [[gnu::vector_size(16)]] = double;
+    const std::array<Pair, 8> pairs{Pair{a.x, a.y}, Pair{a.z, a.w}, Pair{b.x, b.y}, Pair{b.z, b.w},
+                                    Pair{c.x, c.y}, Pair{c.z, c.w}, Pair{d.x, d.y}, Pair{d.z, d.w}};
+    return std::bit_cast<mat4>(pairs);
+}
+
 }  // namespace
 
 // The matrices below are written column by column, so each stands transposed to its picture on paper.
 // clang-format off
 mat4 translate(const vec3& offset) {
     requireFinite("translate", "the offset", offset);
-    return {1,        0,        0,        0,
-            0,        1,        0,        0,
-            0,        0,        1,        0,
-            offset.x, offset.y, offset.z, 1};
+    return fromColumns({1,        0,        0,        0},
+                       {0,        1,        0,        0},
+                       {0,        0,        1,        0},
+                       {offset.x, offset.y, offset.z, 1});
 }
 
 mat4 scale(const vec3& factors) {
     requireFinite("scale", "the factors", factors);
-    return {factors.x, 0,         0,         0,
-            0,         factors.y, 0,         0,
-            0,         0,         factors.z, 0,
-            0,         0,         0,         1};
+    return fromColumns({factors.x, 0,         0,         0},
+                       {0,         factors.y, 0,         0},
+                       {0,         0,         factors.z, 0},
+                       {0,         0,         0,         1});
 }
 // clang-format on
 
