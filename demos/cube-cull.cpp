@@ -56,23 +56,12 @@ struct CubeCull final : Demo {
     }
 
     void draw(const Frame& frame) override {
-        // Clear the picture
-        glClearColor(0.9F, 1.0F, 1.0F, 1.0F);
-        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-
-        // Say which faces are front faces, and discard those not wanted
-        glFrontFace(winding == Winding::ccw ? GL_CCW : GL_CW);
-        if (cull == Cull::none) {
-            glDisable(GL_CULL_FACE);
-        } else {
-            glEnable(GL_CULL_FACE);
-            glCullFace(cull == Cull::back ? GL_BACK : cull == Cull::front ? GL_FRONT : GL_FRONT_AND_BACK);
-        }
-        if (depth) {
-            glEnable(GL_DEPTH_TEST);
-        } else {
-            glDisable(GL_DEPTH_TEST);
-        }
+        // Discard the faces not wanted. OpenGL begins with GL_CCW for front faces, and with GL_BACK to be discarded
+        if (cull != Cull::none) glEnable(GL_CULL_FACE);
+        if (cull == Cull::front) glCullFace(GL_FRONT);
+        if (cull == Cull::both) glCullFace(GL_FRONT_AND_BACK);
+        if (winding == Winding::cw) glFrontFace(GL_CW);
+        if (depth) glEnable(GL_DEPTH_TEST);
 
         // Look at the middle from the z axis
         const mat4 viewFromModel =
@@ -111,6 +100,7 @@ const bool added = addDemo<CubeCull>({
     .number = 7,
     .width = 600,
     .height = 600,
+    .background = vec4(0.9, 1.0, 1.0, 1.0),
     .needs = {.depth = true},
     .pose = {{"spin-x", "20"}, {"spin-y", "30"}},
 });

@@ -50,11 +50,7 @@ struct CubeOrtho final : Demo {
     }
 
     void draw(const Frame& frame) override {
-        glClearColor(1, 1, 1, 1);
-        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         glEnable(GL_DEPTH_TEST);
-        glDisable(GL_CULL_FACE);
-
         frame.show("viewFromModel", viewFromModel());
         frame.show("clipFromView", clipFromView());
         program.use();
@@ -97,6 +93,7 @@ const bool added = addDemo<CubeOrtho>({
     .number = 2,
     .width = 512,
     .height = 512,
+    .background = vec4(1),
     .needs = {.depth = true},
     .pose = {{"spin-x", "30"}, {"spin-y", "40"}},
 });

@@ -58,11 +58,7 @@ struct CubePersp final : Demo {
     }
 
     void draw(const Frame& frame) override {
-        glClearColor(1, 1, 1, 1);
-        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         glEnable(GL_DEPTH_TEST);
-        glDisable(GL_CULL_FACE);
-
         frame.show("viewFromModel", viewFromModel());
         frame.show("clipFromView", clipFromView());
         program.use();
@@ -106,6 +102,7 @@ const bool added = addDemo<CubePersp>({
     .number = 3,
     .width = 512,
     .height = 512,
+    .background = vec4(1),
     .needs = {.depth = true},
     .pose = {{"spin-x", "30"}, {"spin-y", "40"}},
 });

@@ -211,11 +211,6 @@ struct CubeShadows final : Demo {
     }
 
     void draw(const Frame& frame) override {
-        // Clear the picture
-        glClearColor(1, 1, 1, 1);
-        glClearStencil(0);
-        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-
         makeScene();
 
         // Look at the middle; its distance from the world's origin drops out of the product in double
@@ -227,10 +222,7 @@ struct CubeShadows final : Demo {
 
         // Draw what is seen. The stencil buffer keeps for each pixel whether it shows a plane's front, and which: its tag
         glEnable(GL_DEPTH_TEST);
-        glDepthFunc(GL_LESS);
-        glDisable(GL_BLEND);
         glEnable(GL_STENCIL_TEST);
-        glStencilMask(0xFF);
         glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
         surfaces.use();
         surfaces.set("clipFromView", clipFromView);
@@ -264,7 +256,6 @@ struct CubeShadows final : Demo {
         // test is not needed and nothing fights; and with the tag set to 0 by the first shadow, there is no second.
         glDisable(GL_DEPTH_TEST);
         glEnable(GL_BLEND);
-        glBlendEquation(GL_FUNC_ADD);
         glBlendFunc(GL_ZERO, GL_SRC_COLOR);  // what is there times what is drawn
         glStencilOp(GL_KEEP, GL_KEEP, once ? GL_ZERO : GL_KEEP);
         const bool clips = cut == Cut::clip && !isEs();
@@ -287,8 +278,6 @@ struct CubeShadows final : Demo {
                     sentences.push_back(sentence);
             }
         }
-        if (clips) glDisable(GL_CLIP_DISTANCE0);
-        if (clips) glDisable(GL_CLIP_DISTANCE1);
         for (const std::string& sentence : sentences) {
             if (!sentence.empty()) frame.say(sentence);
         }
@@ -398,6 +387,7 @@ const bool added = addDemo<CubeShadows>({
     .number = 11,
     .width = 700,
     .height = 700,
+    .background = vec4(1),
     .needs = {.depth = true,
               .stencil = true,
               .beyondEs = "clip distances; there the fragment shader discards by the same two distances"},

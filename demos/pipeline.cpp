@@ -131,9 +131,6 @@ struct Pipeline final : Demo {
     void draw(const Frame& frame) override {
         // The view is on the left, the numbers on the right
         const Pane pane{0, 0, std::max(std::max(1, frame.width() * 2 / 5), frame.width() - textColumn), frame.height()};
-        glDisable(GL_SCISSOR_TEST);
-        glClearColor(1, 1, 1, 1);
-        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         glEnable(GL_SCISSOR_TEST);
         glScissor(pane.x, pane.y, pane.width, pane.height);
         glClearColor(0.92F, 0.95F, 0.98F, 1);
@@ -141,8 +138,6 @@ struct Pipeline final : Demo {
         glDisable(GL_SCISSOR_TEST);
         glViewport(pane.x, pane.y, pane.width, pane.height);
         glEnable(GL_DEPTH_TEST);
-        glDepthFunc(GL_LESS);
-        glDisable(GL_CULL_FACE);
         glEnable(GL_PROGRAM_POINT_SIZE);
 
         const std::vector<Step> way = steps(pane.aspect());
@@ -159,7 +154,6 @@ struct Pipeline final : Demo {
         cube.draw();
         glDepthFunc(GL_ALWAYS);  // the mark is seen through the cube
         corners.draw(std::size_t(vertex), 1);
-        glDisable(GL_PROGRAM_POINT_SIZE);
 
         glViewport(0, 0, frame.width(), frame.height());
         write(frame, pane, way);
@@ -315,9 +309,8 @@ const bool added = addDemo<Pipeline>({
     .number = 24,
     .width = 1160,
     .height = 560,
+    .background = vec4(1),
     .needs = {.depth = true},
-    .waste = {{"state-again", "GL_CULL_FACE",
-               "both sides are drawn where the eye is in the cube, and words switch it off"}},
     .study =
         Study{.quantity = "where 512 points of the cube fall, x and y in pixels of a picture 560 wide",
               .reference = "the same matrices and points in long double, rounded nowhere else",

@@ -163,14 +163,10 @@ struct Projections final : Demo {
     }
 
     void draw(const Frame& frame) override {
-        glClearColor(0.5F, 0.5F, 0.5F, 1);
-        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         glClearColor(1, 1, 1, 1);
         glEnable(GL_DEPTH_TEST);
         glDepthFunc(GL_LEQUAL);
         glEnable(GL_CULL_FACE);
-        glCullFace(GL_BACK);
-        glFrontFace(GL_CCW);
         glEnable(GL_POLYGON_OFFSET_FILL);  // faces give way to their edges
         glPolygonOffset(1, 1);
         glEnable(GL_SCISSOR_TEST);
@@ -204,7 +200,6 @@ struct Projections final : Demo {
                 drawToInfinity(four[i], clipFromWorld, pane, frame);
         }
         glDisable(GL_SCISSOR_TEST);
-        glDisable(GL_POLYGON_OFFSET_FILL);
         glViewport(0, 0, frame.width(), frame.height());
         drawText(frame, words);
     }
@@ -282,6 +277,7 @@ const bool added = addDemo<Projections>({
     .number = 4,
     .width = 960,
     .height = 720,
+    .background = vec4(0.5, 0.5, 0.5, 1),
     .needs = {.depth = true},
 });
 

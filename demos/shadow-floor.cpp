@@ -57,11 +57,7 @@ struct ShadowFloor final : Demo {
     }
 
     void draw(const Frame& frame) override {
-        // Clear the picture
-        glClearColor(0.95F, 1, 1, 1);
-        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         glEnable(GL_DEPTH_TEST);
-        glDepthFunc(GL_LESS);
 
         // Move the light first, so that all of this picture knows the same one
         const double theta = 0.02 * frame.index();
@@ -139,6 +135,7 @@ const bool added = addDemo<ShadowFloor>({
     .width = 600,
     .height = 600,
     .animated = true,
+    .background = vec4(0.95, 1, 1, 1),
     .needs = {.depth = true},
 });
 

@@ -184,6 +184,7 @@ struct ShadowLights final : Demo {
         frame.show("viewFromWorld", scene.viewFromWorld);
 
         // First the maps, which need the framebuffer's place
+        glEnable(GL_DEPTH_TEST);
         std::vector<std::size_t> reaching;
         made = 0;
         for (std::size_t i = 0; i < scene.lights.size(); ++i) {
@@ -196,20 +197,6 @@ struct ShadowLights final : Demo {
         frame.count("lights drawn", double(reaching.size()));
 
         // The picture without a light, which fills the depth buffer
-        if (frame.measuring())
-            glClearColor(-1, -1, -1, -1);
-        else
-            glClearColor(0.10F, 0.11F, 0.13F, 1);
-        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-        glDepthMask(GL_TRUE);
-        glStencilMask(~0U);
-        glClearStencil(0);
-        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-        glDisable(GL_CULL_FACE);
-        glDisable(GL_BLEND);
-        glDisable(GL_STENCIL_TEST);
-        glEnable(GL_DEPTH_TEST);
-        glDepthFunc(GL_LESS);
         program.use();
         program.set("measuring", frame.measuring());
         program.set("share", 1.0 / double(scene.lights.size()));
@@ -238,6 +225,7 @@ struct ShadowLights final : Demo {
             glDepthFunc(GL_EQUAL);
             drawScene(method == Method::maps ? shadows[i].view.mapFromWorld() : mat4(1));
             glDepthFunc(GL_LESS);
+            if (method == Method::volumes) glStencilFunc(GL_ALWAYS, 0, ~0U);
         }
         glDepthMask(GL_TRUE);
         if (method == Method::volumes) glDisable(GL_STENCIL_TEST);
@@ -268,12 +256,7 @@ struct ShadowLights final : Demo {
         if (shadow.map.size() != size) shadow.map = DepthMap(size, "map of light " + std::to_string(i));
         shadow.mapOf = wanted;
         shadow.map.bindForDrawing();
-        glDepthMask(GL_TRUE);
         glClear(GL_DEPTH_BUFFER_BIT);
-        glDisable(GL_CULL_FACE);
-        glDisable(GL_STENCIL_TEST);
-        glEnable(GL_DEPTH_TEST);
-        glDepthFunc(GL_LESS);
         glEnable(GL_POLYGON_OFFSET_FILL);
         glPolygonOffset(2, 4);
         plain.use();
@@ -292,7 +275,6 @@ struct ShadowLights final : Demo {
         if (volumes.follow(lit.scene, lit.scene.lights[i].position)) ++made;
         glClear(GL_STENCIL_BUFFER_BIT);
         glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-        glStencilFunc(GL_ALWAYS, 0, ~0U);
         glStencilOpSeparate(GL_BACK, GL_KEEP, GL_INCR_WRAP, GL_KEEP);
         glStencilOpSeparate(GL_FRONT, GL_KEEP, GL_DECR_WRAP, GL_KEEP);
         plain.use();
@@ -364,6 +346,7 @@ const bool added = addDemo<ShadowLights>({
     .width = 640,
     .height = 480,
     .animated = true,
+    .background = vec4(0.10, 0.11, 0.13, 1),
     .needs = {.depth = true, .stencil = true},
     .waste = {{"no-sample", "draw of",
                "what is wholly in one light's shadow, or a bulb in its shade, is known when it is drawn"},

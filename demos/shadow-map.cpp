@@ -185,9 +185,7 @@ struct ShadowMap final : Demo {
         frame.show("mapFromWorld", view.mapFromWorld());
 
         glEnable(GL_DEPTH_TEST);
-        glDepthFunc(GL_LESS);
         glEnable(GL_CULL_FACE);
-        glCullFace(GL_BACK);
 
         // First pass: the map. It shows the scene from the light, and does not change while that rests.
         const int size = 64 << resolution;
@@ -221,7 +219,7 @@ struct ShadowMap final : Demo {
         if (faces == Faces::both) glDisable(GL_CULL_FACE);
         // Push each triangle back by slopeBias times the depth it gains over a texel, and twice that in depth steps
         glEnable(GL_POLYGON_OFFSET_FILL);
-        glPolygonOffset(float(slopeBias), float(2 * slopeBias));
+        if (slopeBias > 0) glPolygonOffset(float(slopeBias), float(2 * slopeBias));
         depthProgram.use();
         for (std::size_t i = 0; i < meshes.size(); ++i) {
             if (!receiver && !scene.objects[i].casts) continue;
@@ -234,8 +232,6 @@ struct ShadowMap final : Demo {
     }
 
     void drawScene(const LightView& view, bool measuring) {
-        glClearColor(measuring ? -1 : 0, 0, 0, 1);  // -1 in red: nothing to compare
-        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         program.use();
         map.bind(1, filter == Filter::none ? DepthLookup::compareNearest : DepthLookup::compareLinear);
         program.set("map", 1);
@@ -297,6 +293,7 @@ const bool added = addDemo<ShadowMap>({
     .number = 12,
     .width = 600,
     .height = 600,
+    .background = vec4(0, 0, 0, 1),
     .needs = {.depth = true},
     .study =
         Study{

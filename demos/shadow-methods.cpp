@@ -133,13 +133,6 @@ struct ShadowMethods final : Demo {
 
         glEnable(GL_DEPTH_TEST);
         glEnable(GL_CULL_FACE);
-        glCullFace(GL_BACK);
-        glDepthFunc(GL_LESS);
-        glDepthMask(GL_TRUE);
-        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-        glDisable(GL_BLEND);
-        glDisable(GL_STENCIL_TEST);
-        glDisable(GL_SCISSOR_TEST);
         const std::optional<Method> other = frame.measuring() ? std::nullopt : second();
         if (usesMap(method) || (other && usesMap(*other))) makeMap(frame);
         if (method == Method::volume || other == Method::volume) makeVolumes();
@@ -212,13 +205,6 @@ struct ShadowMethods final : Demo {
     // ---- The scene with its shadows by one method: a picture, or the lit fraction of each pixel
 
     void drawScene(Method by, bool measuring) {
-        if (measuring)
-            glClearColor(-1, -1, -1, -1);
-        else
-            glClearColor(0.70F, 0.77F, 0.85F, 1);
-        glClearStencil(0);
-        glStencilMask(~0U);
-        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
         const Program& program = use(usesMap(by) ? "map" : "");
         program.set("light", scene.lights[0].position);
         program.set("measuring", measuring);
@@ -314,6 +300,7 @@ const bool added = addDemo<ShadowMethods>({
     .number = 16,
     .width = 640,
     .height = 480,
+    .background = vec4(0.70, 0.77, 0.85, 1),
     .needs = {.depth = true, .stencil = true},
     .pose = {{"scene", "still-life"}, {"method", "map"}, {"against", "volume"}, {"resolution", "256"}},
     .study =

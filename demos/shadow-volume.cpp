@@ -134,6 +134,10 @@ struct ShadowVolumes final : Demo {
     void draw(const Frame& frame) override {
         scene = sceneNow(frame.aspect());
         makeVolumes();
+        if (frame.readouts()) {
+            const FalseShadows found = shadowCheck.compare(scene, frame, [&] { drawShadows(true); });
+            wrong = found.dark + found.lit;
+        }
         frame.show("viewFromWorld", scene.viewFromWorld);
         frame.show("clipFromView", scene.clipFromView);
         trianglesCounted = 0;
@@ -146,8 +150,6 @@ struct ShadowVolumes final : Demo {
         if (show == Show::count) drawCount(frame);
         if (!frame.readouts()) return;
         triangles = double(trianglesCounted);
-        const FalseShadows found = shadowCheck.compare(scene, frame, [&] { drawShadows(true); });
-        wrong = found.dark + found.lit;
         std::size_t extruded = 0;
         for (const CasterVolumes::Caster& caster : volumes.casters()) extruded += caster.volume.edges;
         edges = double(extruded);
@@ -191,20 +193,7 @@ struct ShadowVolumes final : Demo {
 
     void drawShadows(bool measuring) {
         // Draw the scene in full light, which also fills the depth buffer
-        if (measuring)
-            glClearColor(-1, -1, -1, -1);
-        else
-            glClearColor(0.70F, 0.77F, 0.85F, 1);
-        glClearStencil(0);
-        glStencilMask(~0U);
-        glDepthMask(GL_TRUE);
-        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-        glDisable(GL_CULL_FACE);
-        glDisable(GL_BLEND);
-        glDisable(GL_STENCIL_TEST);
         glEnable(GL_DEPTH_TEST);
-        glDepthFunc(GL_LESS);
         program.use();
         program.set("light", scene.lights[0].position);
         program.set("measuring", measuring);
@@ -237,7 +226,6 @@ struct ShadowVolumes final : Demo {
         glDepthFunc(GL_EQUAL);
         program.use();
         drawScene(0);
-        glDepthFunc(GL_LESS);
     }
 
     void countVolumes(std::size_t first, std::size_t last) {
@@ -247,8 +235,8 @@ struct ShadowVolumes final : Demo {
             glStencilFunc(GL_ALWAYS, start, ~0U);
             glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
             drawEverywhere(vec4(0));
+            glStencilFunc(GL_ALWAYS, 0, ~0U);
         }
-        glStencilFunc(GL_ALWAYS, 0, ~0U);
         if (method == Method::zFail) {
             // From the far end of the view towards what is seen: in through a back face, out through a front face
             glStencilOpSeparate(GL_BACK, GL_KEEP, GL_INCR_WRAP, GL_KEEP);
@@ -299,6 +287,7 @@ struct ShadowVolumes final : Demo {
     // The sides of the volumes as glass: those that a way from the eye enters by in yellow, those it leaves by in blue.
     void drawGlass() {
         glDisable(GL_STENCIL_TEST);
+        glDepthFunc(GL_LESS);
         glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
         glEnable(GL_BLEND);
         glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
@@ -392,6 +381,7 @@ const bool added = addDemo<ShadowVolumes>({
     .number = 13,
     .width = 640,
     .height = 480,
+    .background = vec4(0.70, 0.77, 0.85, 1),
     .needs = {.depth = true, .stencil = true},
     .study =
         Study{

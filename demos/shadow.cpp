@@ -46,11 +46,7 @@ struct Shadow final : Demo {
     }
 
     void draw(const Frame& frame) override {
-        // Clear the picture
-        glClearColor(1, 1, 1, 1);
-        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         glEnable(GL_DEPTH_TEST);
-        glDepthFunc(GL_LESS);
 
         // Let the light go round
         const double theta = 0.1 * frame.index();
@@ -131,6 +127,7 @@ const bool added = addDemo<Shadow>({
     .width = 512,
     .height = 512,
     .animated = true,
+    .background = vec4(1),
     .needs = {.depth = true},
 });
 

@@ -190,10 +190,8 @@ struct SoftShadows final : Demo {
     // Nothing is dark yet; and what is seen has its depth, so that only that is darkened.
     void begin(const View& view, const Scene& scene) {
         view.target.bind();
-        glClearColor(0, 0, 0, 0);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
         glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-        glDepthFunc(GL_LESS);
         plain.use();
         for (std::size_t i = 0; i < view.objects; ++i) drawPlain(view.clipFromWorld, scene, i);
         glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -228,6 +226,7 @@ struct SoftShadows final : Demo {
             }
         }
         glDepthMask(GL_TRUE);
+        glDepthFunc(GL_LESS);
         glDisable(GL_STENCIL_TEST);
         glDisable(GL_BLEND);
     }
@@ -237,7 +236,6 @@ struct SoftShadows final : Demo {
         mapKeptFor.reset();
         lightOfMap = fitLightView(from, down, scene.lights.front().halfV, casterPoints(scene), 0.1);
         map.bindForDrawing();
-        glDepthFunc(GL_LESS);
         glClear(GL_DEPTH_BUFFER_BIT);
         glEnable(GL_POLYGON_OFFSET_FILL);
         glPolygonOffset(2, 4);  // farther than it is by two texels of its slope, so that no surface shades itself
@@ -276,6 +274,7 @@ struct SoftShadows final : Demo {
             byMap.set("worldFromObject", scene.objects[i].worldFromObject);
             drawOnMap(byMap, view, scene, i);
         }
+        glDepthFunc(GL_LESS);
         glDisable(GL_BLEND);
     }
 
@@ -294,6 +293,7 @@ struct SoftShadows final : Demo {
         byPcss.set("far", lightOfMap.bounds.far);
         byPcss.set("side", int(taps));
         for (std::size_t i = 0; i < view.objects; ++i) drawOnMap(byPcss, view, scene, i);
+        glDepthFunc(GL_LESS);
     }
 
     void drawOnMap(const Program& program, const View& view, const Scene& scene, std::size_t i) {
@@ -304,11 +304,7 @@ struct SoftShadows final : Demo {
 
     // Shades what is seen by the part of the lamp that reaches it.
     void shade(const Frame& frame, const Scene& scene) {
-        const float empty = frame.measuring() ? -1.0F : 0.9F;
         frame.bindTarget();
-        glClearColor(empty, empty, empty, 1);
-        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-        glDepthFunc(GL_LESS);
         picture.bindColor(0);
         shading.use();
         shading.set("darkness", 0);
@@ -360,6 +356,7 @@ const bool added = addDemo<SoftShadows>({
     .number = 15,
     .width = 640,
     .height = 480,
+    .background = vec4(0.9, 0.9, 0.9, 1),
     .needs = {.depth = true,
               .beyondEs = "targets of floats that are blended into; --accumulate 8-bit needs none, up to 256 points"},
     .pose = {{"lights", "256"}, {"caster-height", "0.2"}},

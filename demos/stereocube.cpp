@@ -87,14 +87,12 @@ struct StereoCube final : Demo {
         frame.show("clipFromRight", right.clipFromEye);
         frame.show("worldFromModel", worldFromModel());
 
-        // Clear the picture: glClear, too, writes only what the mask lets through
+        // Clear the picture before there is a mask: glClear, too, writes only what it lets through
         const bool white = background == Paper::white;
         const float paper = white ? 1.0F : 0.0F;
-        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
         glClearColor(paper, paper, paper, 1);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         glEnable(GL_DEPTH_TEST);
-        glDepthFunc(GL_LESS);
 
         // The red filter is before the left eye and shows it the red channel. So the left picture is the one that
         // changes red: on white the cyan lines do, which take red away; on black the red ones.
@@ -110,7 +108,6 @@ struct StereoCube final : Demo {
             glClear(GL_DEPTH_BUFFER_BIT);  // the eyes do not hide things from each other
             glColorMask(GL_FALSE, GL_TRUE, GL_TRUE, GL_TRUE);
             drawCube(right, Eyes::right, ink);
-            glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
         }
         if (frame.readouts()) measure(frame, left, right);
     }

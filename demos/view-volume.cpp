@@ -155,11 +155,8 @@ struct ViewVolume final : Demo {
     }
 
     void draw(const Frame& frame) override {
-        glClearColor(0.5F, 0.5F, 0.5F, 1);
-        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         glClearColor(1, 1, 1, 1);
         glEnable(GL_DEPTH_TEST);
-        glDepthFunc(GL_LESS);
         glEnable(GL_SCISSOR_TEST);
 
         // Leave out what is whole outside of one plane. A matrix takes points from the right, and planes back from the left
@@ -302,6 +299,7 @@ const bool added = addDemo<ViewVolume>({
     .number = 5,
     .width = 960,
     .height = 480,
+    .background = vec4(0.5, 0.5, 0.5, 1),
     .needs = {.depth = true},
     .study =
         Study{.quantity = "the six planes of the view volume: normals, and distances over far",

@@ -77,10 +77,7 @@ struct Viewpoints final : Demo {
     }
 
     void draw(const Frame& frame) override {
-        glClearColor(0.7F, 1.0F, 0.7F, 1.0F);
-        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         glEnable(GL_DEPTH_TEST);
-        glDisable(GL_CULL_FACE);
 
         // Drive: clockwise seen from above, 3 degrees a frame
         const double d = 3.0 * (frame.index() % 120);
@@ -176,6 +173,7 @@ const bool added = addDemo<Viewpoints>({
     .width = 700,
     .height = 700,
     .animated = true,
+    .background = vec4(0.7, 1.0, 0.7, 1.0),
     .needs = {.depth = true},
 });
 

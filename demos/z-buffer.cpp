@@ -141,13 +141,10 @@ struct ZBuffer final : Demo {
         glClear(GL_COLOR_BUFFER_BIT);
         glClearBufferfv(GL_DEPTH, 0, &farthest);
         if (depthTest) glEnable(GL_DEPTH_TEST);
-        if (!depthTest) glDisable(GL_DEPTH_TEST);
-        glDepthFunc(nearIsOne() ? GL_GREATER : GL_LESS);
+        if (nearIsOne()) glDepthFunc(GL_GREATER);
         if (zeroToOne()) glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
         if (opacity < 1) glEnable(GL_BLEND);
-        if (opacity == 1) glDisable(GL_BLEND);
         glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-        glDisable(GL_CULL_FACE);
 
         if (mapping == Mapping::logarithmic && !byLogarithm) byLogarithm.emplace("z-buffer", "logarithmic");
         const Program& program = mapping == Mapping::logarithmic ? *byLogarithm : byMatrix;

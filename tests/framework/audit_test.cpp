@@ -23,12 +23,13 @@ const char* const mapFragment =
 
 // Draws a square; told to, wastes work in one way.
 struct Wasteful final : Demo {
-    enum class Kind { none, state, uniform, twice, sample, outside, buffer, texture, pass, repeated, object };
+    enum class Kind { none, state, initial, uniform, twice, sample, outside, buffer, texture, pass, repeated, object };
     Choice<Kind> kind{this,
                       "kind",
                       Kind::none,
                       {{"none"},
                        {"state-again"},
+                       {"initial-state"},
                        {"uniform-again"},
                        {"uniform-twice"},
                        {"no-sample"},
@@ -56,11 +57,8 @@ struct Wasteful final : Demo {
     void draw(const Frame& frame) override {
         glClearColor(0, 0, 0, 1);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-        if (kind != Kind::buffer) {
-            glEnable(GL_DEPTH_TEST);
-        } else {
-            glDisable(GL_DEPTH_TEST);
-        }
+        if (kind != Kind::buffer) glEnable(GL_DEPTH_TEST);
+        if (kind == Kind::initial) glDisable(GL_BLEND);
         const mat4 upright = rotateX(90) * scale(1.5);
         program.use();
         if (kind == Kind::state) glEnable(GL_DEPTH_TEST);
@@ -124,6 +122,10 @@ TEST(Audit, a_frame_without_waste_is_clean) {
     EXPECT_EQ(report.first.triangles.surviving, 2);
     EXPECT_EQ(report.first.samplesPassed, 24 * 24) << "a square of 1.5 in a picture 2 wide and 32 pixels across";
     EXPECT_EQ(report.first.bytesUploaded, 64 + 16) << "a matrix and a colour";
+    const std::vector<std::string> undone{"glBindVertexArray", "glClearColor", "glUseProgram",
+                                          "glEnable(GL_DEPTH_TEST)"};
+    EXPECT_EQ(report.undone, undone);
+    EXPECT_NE(auditText(report).find("undone after it: glBindVertexArray, "), std::string::npos) << auditText(report);
     EXPECT_FALSE(auditing());
 }
 
@@ -145,6 +147,10 @@ TEST(Audit, each_waste_is_found_by_name) {
         }
     }
     EXPECT_EQ(kindsFound(auditOf("uniform-twice", made)), std::vector<std::string>{waste::uniformAgain});
+    // A draw begins in OpenGL's initial state: to set that is to set it again.
+    const AuditReport initial = auditOf("initial-state", made);
+    EXPECT_EQ(kindsFound(initial), std::vector<std::string>{waste::stateAgain});
+    EXPECT_EQ(initial.findings.at(0).what, "glEnable/glDisable(GL_BLEND)");
 }
 
 TEST(Audit, findings_name_the_culprit) {

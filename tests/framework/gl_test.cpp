@@ -9,6 +9,7 @@
 
 #include "mv/geometry/shapes.h"
 #include "mv/gl/shader_source.h"
+#include "mv/gl/state.h"
 #include "mv/image/file.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
@@ -387,7 +388,7 @@ TEST_F(Gl, clip_control_is_called_only_where_it_was_asked_for) {
     ASSERT_TRUE(allowClipControl()) << "llvmpipe has it";
     EXPECT_TRUE(clipControlAllowed());
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
-    resetState();
+    restoreInitialState();
     GLint depth = 0;
     glGetIntegerv(GL_CLIP_DEPTH_MODE, &depth);
     EXPECT_EQ(depth, GL_NEGATIVE_ONE_TO_ONE);

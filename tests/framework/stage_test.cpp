@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <iostream>
 #include <map>
 #include <set>
 #include <utility>
 
 #include "mv/gl/gl.h"
+#include "mv/gl/state.h"
 #include "mv/run/report.h"
 #include "support/demo_run.h"
 
@@ -106,6 +108,41 @@ TEST(Stage, demos_leave_no_trace) {
         EXPECT_EQ(liveObjects(), 0) << names[a];
     }
     EXPECT_EQ(steps.size(), names.size() * (names.size() - 1));
+}
+
+// What the stage undoes is what a reader has to, who pastes a draw into a loop of their own: each demo drawn twice without
+// it, those that then differ, and that they do not once it is undone.
+TEST(Stage, a_draw_pasted_elsewhere_needs_what_is_undone) {
+    std::vector<std::string> differing;
+    for (const std::string& name : demoNames()) {
+        const DemoInfo& info = findDemo(name);
+        stage().open(info, info.width, info.height);
+        strikePose(stage().demo(), info);
+        const auto drawAlone = [&] {
+            FrameNotes notes;
+            FrameMode mode;
+            mode.bindTarget = [] { stage().front().bind(); };
+            stage().front().bind();
+            const fvec4 color(info.background.value_or(vec4(0)));
+            glClearColor(color.r, color.g, color.b, color.a);
+            glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+            glClearColor(0, 0, 0, 0);
+            stage().demo().draw(Frame(1, info.width, info.height, notes, mode));
+            return stage().picture();
+        };
+        stage().draw(1);
+        const Picture right = stage().picture();
+        EXPECT_EQ(drawAlone(), right) << name << ": the first draw by itself";
+        if (drawAlone() != right) differing.push_back(name);
+        restoreInitialState();
+        EXPECT_EQ(drawAlone(), right) << name << ": after what was undone";
+        EXPECT_FALSE(stage().undone().empty()) << name;
+    }
+    stage().close();
+    std::string list;
+    for (const std::string& name : differing) list += " " + name;
+    std::cout << "drawn twice without undoing, another picture:" << list << "\n";
+    EXPECT_FALSE(differing.empty()) << "then nothing would have to be undone";
 }
 
 TEST(Stage, errors_are_thrown_and_a_leak_is_found) {

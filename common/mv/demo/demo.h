@@ -28,7 +28,9 @@ class Demo {
 
     // Makes the GL objects; a context is current. Called once, before the first draw.
     virtual void init() = 0;
-    // Draws frame.index(): a pure function of the knobs and the index. Sets every state it relies on.
+    // Draws frame.index(): a pure function of the knobs and the index. OpenGL is in its initial state; the picture is the
+    // target, all of it the viewport, and cleared where the demo declares its background. What draw() changes is undone
+    // after it.
     virtual void draw(const Frame& frame) = 0;
     // Throws Error where settings that are each in range make no picture together (near beyond far, eye at the target).
     // Headless that ends the program; the window keeps its last picture and shows the sentence.
@@ -98,6 +100,9 @@ struct DemoInfo {
     int number = 0;                 // its row in the course's catalogue, which orders the lists
     int width = 512, height = 512;  // the original's canvas
     bool animated = false;          // the picture depends on the frame index
+    // The colour that the picture is cleared to before each draw, with depth to 1 and the stencil to 0; without one, the
+    // demo clears. A measured quantity is cleared to -1, which is nothing to compare, by either.
+    std::optional<vec4> background = {};
     Needs needs = {};
     // Knobs and values that show the demo better than its first picture does (a cube seen straight on): its small pictures
     // are drawn in this pose, and the sweep test moves one knob at a time from it.

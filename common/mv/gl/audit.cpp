@@ -30,7 +30,7 @@ class Recorder {
     FrameWork end();
     std::vector<Finding> take();
 
-    // ---- State: set again to what it was is needless. The frame's first setting never is: a demo sets all it relies on.
+    // ---- State: set again to what it was is needless, and a frame begins in OpenGL's initial state.
     void before_Enable(GLenum cap) { state("glEnable/glDisable(" + stateName(cap) + ")", "on"); }
     void before_Disable(GLenum cap) { state("glEnable/glDisable(" + stateName(cap) + ")", "off"); }
     void before_DepthFunc(GLenum f) { state("glDepthFunc", f); }
@@ -228,6 +228,7 @@ class Recorder {
         return "uniform at " + std::to_string(at);
     }
 
+    void expectInitialState();
     void find(const char* kind, const std::string& what) { ++findings_[{kind, what}]; }
     void beginDraw();
     template <class Draw>
@@ -458,9 +459,42 @@ void Recorder::checkAttachments() {
 
 // ---- Frames
 
-void Recorder::begin(bool repeats) {
-    work_ = {};
+// As if it had been set so just before.
+void Recorder::expectInitialState() {
     state_.clear();
+    for (const GLenum capability : std::initializer_list<GLenum>{
+             GL_BLEND, GL_CULL_FACE, GL_DEPTH_CLAMP, GL_DEPTH_TEST, GL_FRAMEBUFFER_SRGB, GL_POLYGON_OFFSET_FILL,
+             GL_PROGRAM_POINT_SIZE, GL_RASTERIZER_DISCARD, GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_COVERAGE,
+             GL_SCISSOR_TEST, GL_STENCIL_TEST}) {
+        before_Disable(capability);
+    }
+    for (GLenum i = 0; i < 8; ++i) before_Disable(GL_CLIP_DISTANCE0 + i);
+    before_Enable(GL_DITHER);
+    before_Enable(GL_MULTISAMPLE);
+    before_BlendEquation(GL_FUNC_ADD);
+    before_BlendFunc(GL_ONE, GL_ZERO);
+    before_ClearColor(0, 0, 0, 0);
+    before_ClearDepth(1);
+    before_ClearStencil(0);
+    before_ClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+    before_ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    before_CullFace(GL_BACK);
+    before_DepthFunc(GL_LESS);
+    before_DepthMask(GL_TRUE);
+    before_DepthRange(0, 1);
+    before_FrontFace(GL_CCW);
+    before_LineWidth(1);
+    before_PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    before_PolygonOffset(0, 0);
+    before_StencilFunc(GL_ALWAYS, 0, ~0U);
+    before_StencilMask(~0U);
+    before_StencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+}
+
+void Recorder::begin(bool repeats) {
+    inFrame_ = true;
+    expectInitialState();
+    work_ = {};
     uniforms_.clear();
     pending_.clear();
     bound_.clear();
@@ -476,7 +510,6 @@ void Recorder::begin(bool repeats) {
     program_ = static_cast<GLuint>(value);
     below.GetIntegerv(GL_VERTEX_ARRAY_BINDING, &value);
     vertexArray_ = static_cast<GLuint>(value);
-    inFrame_ = true;
 }
 
 FrameWork Recorder::end() {

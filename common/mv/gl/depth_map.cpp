@@ -1,6 +1,7 @@
 #include "mv/gl/depth_map.h"
 
 #include "mv/error.h"
+#include "mv/gl/state.h"
 
 namespace mv {
 
@@ -11,6 +12,7 @@ DepthMap::DepthMap(int size, const std::string& label) : size_(size) {
         throw Error(label, "must have 1 .. " + std::to_string(largest) + " texels a side on this driver",
                     std::to_string(size));
     }
+    const StateScope scope;
     texture_ = makeTexture();
     glBindTexture(GL_TEXTURE_2D, texture_.id());
     glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, size, size, 0, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, nullptr);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "mv/error.h"
+#include "mv/gl/state.h"
 
 #define X(name, TYPE, version) PFNGL##TYPE##PROC gl##name = nullptr;
 #include "mv/gl/function_list.inc"
@@ -143,7 +144,7 @@ void layCountersOver() {
     glDeleteShader = countedDeleteShader;
 }
 
-// What may be called now, then what counts, then what listens.
+// What may be called now, then what counts, what keeps the state, and what listens.
 void fillTable() {
 #define X(name, TYPE, version) \
     gl##name = version <= allowed ? driver.name : &Refusal<facts##name, PFNGL##TYPE##PROC>::call;
@@ -151,6 +152,7 @@ void fillTable() {
 #undef X
     if (clipControl) glClipControl = driver.ClipControl;
     layCountersOver();
+    keepState();
     if (extraLayer) extraLayer();
     // ES 3.0 lacks a few functions of desktop GL; those stay null there and no demo that claims ES calls them.
     if (!glGetString || !glDrawArrays) throw Error("OpenGL", "has no functions; is a driver installed?");
@@ -187,6 +189,7 @@ void loadFunctions(const std::function<void*(const char*)>& address) {
     counted = {};
     live = 0;
     vertexArray = 0;
+    forgetState();
     debugMessages.clear();
     allowVersion(33);
 
@@ -203,11 +206,12 @@ void loadFunctions(const std::function<void*(const char*)>& address) {
     if (!driverObjectLabel) driverObjectLabel = lookUp<PFNGLOBJECTLABELPROC>(address, "glObjectLabelKHR");
     if (!callback) return;
     callback(onDebugMessage, nullptr);
-    glEnable(GL_DEBUG_OUTPUT);
-    glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
+    driver.Enable(GL_DEBUG_OUTPUT);
+    driver.Enable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
 }
 
 void allowVersion(int newest) {
+    restoreInitialState();  // while what was set may still be called
     allowed = newest;
     clipControl = false;
     fillTable();

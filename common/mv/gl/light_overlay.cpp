@@ -6,6 +6,8 @@
 #include <string>
 
 #include "mv/geometry/shapes.h"
+#include "mv/gl/gl.h"
+#include "mv/gl/state.h"
 #include "mv/gl/text.h"
 #include "mv/math/transform.h"
 
@@ -69,12 +71,14 @@ void LightOverlay::drawMap(const Frame& frame, const DepthMap& map, const LightV
     const double aspect = std::abs((bounds.right - bounds.left) / (bounds.top - bounds.bottom));
     const double most = 0.3 * std::min(frame.width(), frame.height());
     const double width = std::min(most, most * aspect), height = width / aspect;
-    // Words first: drawText switches off what would be in the way of the map, too
     TextStyle style;
     style.height = 14;
     const std::string size = std::to_string(map.size());
     drawText(frame, 0, frame.height() - int(std::lround(height)) - textHeight(style), "map " + size + " x " + size,
              style);
+    const StateScope scope;
+    switchOff(GL_DEPTH_TEST);
+    switchOff(GL_CULL_FACE);
     corner_.use();
     corner_.set("map", 0);
     map.bind(0, DepthLookup::depth);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "mv/demo/lit_reference.h"
+#include "mv/gl/measured.h"
 #include "mv/gl/text.h"
 
 namespace mv {
@@ -35,11 +36,7 @@ LitDifference::Found LitDifference::show(const Scene& scene, const Frame& frame,
 
 std::vector<float> LitDifference::drawn(const Frame& frame, const std::function<void()>& draw) {
     target_.fit(frame.width(), frame.height(), {.depth = true, .stencil = true, .color = GL_R32F}, "lit fraction");
-    target_.bind();
-    draw();
-    std::vector<float> lit = target_.readRed();
-    frame.bindTarget();
-    return lit;
+    return drawMeasured(target_, frame, draw);
 }
 
 std::vector<float> LitDifference::byRays(const Scene& scene, const Frame& frame) {

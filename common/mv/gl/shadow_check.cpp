@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mv/demo/lit_reference.h"
+#include "mv/gl/measured.h"
 
 namespace mv {
 
@@ -13,10 +14,7 @@ FalseShadows ShadowCheck::compare(const Scene& scene, const Frame& frame, const 
     const int width = std::max(1, int(std::lround(scale * frame.width())));
     const int height = std::max(1, int(std::lround(scale * frame.height())));
     target_.fit(width, height, {.depth = true, .stencil = true, .color = GL_R32F}, "shadow check");
-    target_.bind();
-    draw();
-    const std::vector<float> drawn = target_.readRed();
-    frame.bindTarget();
+    const std::vector<float> drawn = drawMeasured(target_, frame, draw);
 
     FrameNotes notes;
     const Reference right = litReference(scene, Frame(frame.index(), width, height, notes), {}, {});

@@ -17,8 +17,8 @@ class ShadowCheck {
   public:
     // Has `draw` draw the lit fraction as for a study (0..1 in red, -1 where there is none) into a target of at most
     // 96 x 96 pixels with depth and stencil, in the shape of the frame, and casts a ray from the middle of each, and one
-    // to scene.lights[0]. More than half lit is lit. Leaves the frame's picture bound. For readouts; a study (--study)
-    // measures all pixels.
+    // to scene.lights[0]. More than half lit is lit. `draw` finds the state as it was and the target cleared; the state
+    // comes back, and the frame's picture is bound. For readouts; a study (--study) measures all pixels.
     FalseShadows compare(const Scene& scene, const Frame& frame, const std::function<void()>& draw);
 
   private:

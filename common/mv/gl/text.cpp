@@ -13,6 +13,7 @@
 #include "mv/gl/font.h"
 #include "mv/gl/mesh.h"
 #include "mv/gl/program.h"
+#include "mv/gl/state.h"
 
 #define STB_TRUETYPE_IMPLEMENTATION
 #define STBTT_STATIC
@@ -219,17 +220,15 @@ out vec4 fragColor;
 void main() { fragColor = texture(picture, coordinate); }
 )";
 
-// Sets the state for what lies over a picture.
-void beginOverlay() {
+// Sets the state for what lies over a picture; the caller's comes back with its StateScope.
+void setOverlayState() {
     if (!programs()) programs() = std::make_unique<Programs>();
-    glDisable(GL_DEPTH_TEST);
-    glDisable(GL_CULL_FACE);
+    switchOff(GL_DEPTH_TEST);
+    switchOff(GL_CULL_FACE);
     glEnable(GL_BLEND);
     // Alpha by itself, so that an opaque picture stays opaque, saved ones too.
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
 }
-
-void endOverlay() { glDisable(GL_BLEND); }
 
 }  // namespace
 
@@ -253,14 +252,14 @@ void drawText(const Frame& frame, std::span<const TextLine> lines) {
         if (lines[i].style.background.a > 0) append(rectangles, frame, box, lines[i].style.background, {});
         append(rectangles, frame, box, lines[i].style.color, sheet.places[i]);
     }
-    beginOverlay();
+    const StateScope scope;
+    setOverlayState();
     Program& program = programs()->words;
     if (program.id() == 0) program = Program::fromText("words", wordsVertex, wordsFragment);
     program.use();
     program.set("sheet", 0);
     const TextureObject texture = uploaded(sheet.all);
     Mesh(rectangles, "words").draw();
-    endOverlay();
 }
 
 int textWidth(std::string_view text, const TextStyle& style) {
@@ -278,7 +277,8 @@ std::string rounded(const char* format, double value) {
 int textHeight(const TextStyle& style) { return style.height + 2 * padding; }
 
 void showImage(const Frame& frame, int x, int y, const Picture& picture) {
-    beginOverlay();
+    const StateScope scope;
+    setOverlayState();
     Program& program = programs()->image;
     if (program.id() == 0) {
         program = Program::fromText("image", quadVertex, quadFragment);
@@ -292,7 +292,6 @@ void showImage(const Frame& frame, int x, int y, const Picture& picture) {
     texture.bind(0);
     glBindVertexArray(programs()->vertexArray.id());
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
-    endOverlay();
 }
 
 void forgetText() { programs().reset(); }

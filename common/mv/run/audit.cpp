@@ -61,6 +61,7 @@ AuditReport auditDemo(Stage& stage, const DemoInfo& info, const std::vector<Knob
             beginAuditedFrame(repeats);
             stage.draw(index);
             (repeats ? report.steady : report.first) = endAuditedFrame();
+            report.undone = stage.undone();
         }
         findings = stopAudit();
     } catch (...) {
@@ -74,6 +75,10 @@ AuditReport auditDemo(Stage& stage, const DemoInfo& info, const std::vector<Knob
 
 std::string auditText(const AuditReport& report) {
     std::string text = line("first frame   ", report.first) + line("next, the same ", report.steady);
+    for (std::size_t i = 0; i < report.undone.size(); ++i) {
+        text += (i == 0 ? "undone after it: " : ", ") + report.undone[i];
+    }
+    if (!report.undone.empty()) text += "\n";
     for (const Finding& finding : report.findings) text += "needless  " + findingText(finding) + "\n";
     for (const auto& [finding, reason] : report.excused) {
         text += "declared  " + findingText(finding) + " (" + reason + ")\n";

@@ -11,8 +11,9 @@ namespace mv {
 
 struct AuditReport {
     std::string demo;
-    FrameWork first;   // the first frame after the demo is opened
-    FrameWork steady;  // the same frame once more: what stays to be done while nothing changes
+    FrameWork first;                  // the first frame after the demo is opened
+    FrameWork steady;                 // the same frame once more: what stays to be done while nothing changes
+    std::vector<std::string> undone;  // Stage::undone() of that frame
     std::vector<Finding> findings;
     // Findings that the demo declares, with its reasons.
     std::vector<std::pair<Finding, std::string>> excused;

@@ -22,7 +22,6 @@ Picture compareSettings(Stage& stage, int index, const std::string& knob, const 
     const int strip = style.height + 8;
     const Target sheet(3 * width + 2 * gap, strip + height, {}, "comparison");
     FrameNotes notes;
-    resetState();
     const Frame frame(index, sheet.width(), sheet.height(), notes);
     glClearColor(1, 1, 1, 1);
     glClear(GL_COLOR_BUFFER_BIT);

@@ -1,8 +1,8 @@
 #include "mv/run/stage.h"
 
-#include <initializer_list>
 #include <utility>
 
+#include "mv/gl/state.h"
 #include "mv/gl/text.h"
 
 namespace mv {
@@ -15,46 +15,16 @@ std::string glText(GLenum name) {
 
 std::string versionText(int version) { return std::to_string(version / 10) + "." + std::to_string(version % 10); }
 
-}  // namespace
-
-void resetState() {
-    for (const GLenum capability : std::initializer_list<GLenum>{
-             GL_BLEND, GL_CULL_FACE, GL_DEPTH_TEST, GL_POLYGON_OFFSET_FILL, GL_RASTERIZER_DISCARD, GL_SCISSOR_TEST,
-             GL_STENCIL_TEST, GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_COVERAGE}) {
-        glDisable(capability);
-    }
-    glEnable(GL_DITHER);
-    if (!isEs()) {
-        for (GLenum i = 0; i < 6; ++i) glDisable(GL_CLIP_DISTANCE0 + i);
-        glDisable(GL_DEPTH_CLAMP);
-        glDisable(GL_FRAMEBUFFER_SRGB);
-        glDisable(GL_PROGRAM_POINT_SIZE);
-        glEnable(GL_MULTISAMPLE);
-        glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
-        glClearDepth(1);
-        glDepthRange(0, 1);
-    }
-    if (clipControlAllowed()) glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
-    glBlendEquation(GL_FUNC_ADD);
-    glBlendFunc(GL_ONE, GL_ZERO);
+// All that the target has: the colour, 1 in the depth buffer, 0 in the stencil buffer.
+void clearTarget(const vec4& color, const Needs& needs) {
+    const fvec4 rounded(color);
+    glClearColor(rounded.r, rounded.g, rounded.b, rounded.a);
+    glClear(GL_COLOR_BUFFER_BIT | (needs.depth ? GL_DEPTH_BUFFER_BIT : 0U) |
+            (needs.stencil ? GL_STENCIL_BUFFER_BIT : 0U));
     glClearColor(0, 0, 0, 0);
-    glClearStencil(0);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    glCullFace(GL_BACK);
-    glFrontFace(GL_CCW);
-    glDepthFunc(GL_LESS);
-    glDepthMask(GL_TRUE);
-    glLineWidth(1);
-    glPolygonOffset(0, 0);
-    glStencilFunc(GL_ALWAYS, 0, ~0U);
-    glStencilMask(~0U);
-    glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
-    glUseProgram(0);
-    glBindVertexArray(0);
-    glBindBuffer(GL_ARRAY_BUFFER, 0);
-    glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, 0);
 }
+
+}  // namespace
 
 Stage::Stage(const Context& context, bool keepLast) : keepLast_(keepLast) {
     loadFunctions([&](const char* name) { return context.address(name); });
@@ -86,7 +56,6 @@ void Stage::open(const DemoInfo& info, int width, int height) {
                     versionText(driver_.glVersion) + " (" + driver_.renderer + ")");
     }
     info_ = &info;
-    resetState();
     allowVersion(info.needs.gl);
     takeErrors();
     makeTargets(width, height);
@@ -116,13 +85,26 @@ void Stage::drawInto(const Target& target, int index, FrameMode mode) {
     demo_->check();
     FrameNotes notes;
     mode.bindTarget = [&target] { target.bind(); };
+    restoreInitialState();
     target.bind();
+    if (mode.measuring) {
+        clearTarget(vec4(-1), info_->needs);
+    } else if (info_->background) {
+        clearTarget(*info_->background, info_->needs);
+    }
     if (mode.readouts) {
         for (Readout* readout : demo_->readouts()) readout->clear();
     }
     resetCounters();
-    demo_->draw(Frame(index, target.width(), target.height(), notes, mode));
+    try {
+        demo_->draw(Frame(index, target.width(), target.height(), notes, mode));
+    } catch (...) {
+        restoreInitialState();
+        throw;
+    }
     counters_ = counters();
+    undone_ = changedState();
+    restoreInitialState();
     const std::vector<std::string> errors = takeErrors();
     if (!errors.empty()) throw Error("OpenGL in " + info_->name, "must report no error", errors.front());
     notes_ = std::move(notes);

@@ -2,6 +2,7 @@
 #pragma once
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "mv/demo/demo.h"
 #include "mv/gl/functions.h"
@@ -41,6 +42,8 @@ class Stage {
     // What the last good draw, or measure, left.
     const FrameNotes& notes() const { return notes_; }
     const Counters& frameCounters() const { return counters_; }
+    // What of OpenGL's state the last draw left changed, and the stage put back, as changedState() names it.
+    const std::vector<std::string>& undone() const { return undone_; }
     Picture picture() const { return front().read(); }
     const Target& front() const { return targets_[shown_]; }
 
@@ -60,9 +63,7 @@ class Stage {
     int shown_ = 0;
     FrameNotes notes_;
     Counters counters_;
+    std::vector<std::string> undone_;
 };
-
-// OpenGL's own initial state, but for the framebuffer: so that nobody draws with what a demo left behind.
-void resetState();
 
 }  // namespace mv

@@ -151,7 +151,6 @@ const Target& Comparison::sheet() {
         return sheet_;
     }
     sheet_.bind();
-    resetState();
     FrameNotes notes;
     const Frame frame(0, width, height, notes);
     showImage(frame, 0, 0, composed());

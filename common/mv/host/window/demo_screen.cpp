@@ -232,7 +232,6 @@ const Target* DemoScreen::shownTarget() {
 
 void DemoScreen::showPicture() {
     const Target* shown = shownTarget();
-    resetState();  // what the demo has switched on would change how its picture is copied
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glViewport(0, 0, window_.pixelWidth(), window_.pixelHeight());
     glClearColor(0.2F, 0.2F, 0.2F, 1);

@@ -1,0 +1,279 @@
+#include "mv/gl/state.h"
+
+#include <array>
+#include <map>
+#include <tuple>
+
+#include "mv/gl/functions.h"
+#include "mv/gl/state_names.h"
+
+namespace mv {
+namespace {
+
+template <class Function>
+struct Arguments;
+template <class... A>
+struct Arguments<void (*)(A...)> {
+    using type = std::tuple<A...>;
+};
+
+// The calls that set one thing to what they are given: X(name, OpenGL's initial values).
+#define MV_PLAIN_STATE(X)                                  \
+    X(ActiveTexture, GL_TEXTURE0)                          \
+    X(BindVertexArray, 0)                                  \
+    X(BlendEquation, GL_FUNC_ADD)                          \
+    X(BlendFuncSeparate, GL_ONE, GL_ZERO, GL_ONE, GL_ZERO) \
+    X(ClearColor, 0, 0, 0, 0)                              \
+    X(ClearDepth, 1)                                       \
+    X(ClearStencil, 0)                                     \
+    X(ClipControl, GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE)  \
+    X(ColorMask, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE)       \
+    X(CullFace, GL_BACK)                                   \
+    X(DepthFunc, GL_LESS)                                  \
+    X(DepthMask, GL_TRUE)                                  \
+    X(DepthRange, 0, 1)                                    \
+    X(FrontFace, GL_CCW)                                   \
+    X(LineWidth, 1)                                        \
+    X(PatchParameteri, GL_PATCH_VERTICES, 3)               \
+    X(PolygonMode, GL_FRONT_AND_BACK, GL_FILL)             \
+    X(PolygonOffset, 0, 0)                                 \
+    X(SampleCoverage, 1, GL_FALSE)                         \
+    X(StencilMask, ~0U)                                    \
+    X(UseProgram, 0)
+
+bool initiallyOn(GLenum capability) { return capability == GL_DITHER || capability == GL_MULTISAMPLE; }
+
+using StencilTest = std::tuple<GLenum, GLint, GLuint>;
+using StencilChange = std::tuple<GLenum, GLenum, GLenum>;
+
+struct Values {
+#define X(name, ...) Arguments<decltype(gl##name)>::type name{__VA_ARGS__};
+    MV_PLAIN_STATE(X)
+#undef X
+    // front, back
+    std::array<StencilTest, 2> stencilTest{StencilTest(GL_ALWAYS, 0, ~0U), StencilTest(GL_ALWAYS, 0, ~0U)};
+    std::array<StencilChange, 2> stencilChange{StencilChange(GL_KEEP, GL_KEEP, GL_KEEP),
+                                               StencilChange(GL_KEEP, GL_KEEP, GL_KEEP)};
+    // What differs from the initial value, and nothing else: so that equal states are equal maps.
+    std::map<GLenum, bool> switches;
+    std::map<GLenum, GLint> pixelStore;                    // initially 4, the alignments
+    std::map<GLenum, GLuint> buffers;                      // by target; initially 0
+    std::map<std::pair<GLenum, GLenum>, GLuint> textures;  // by unit and target; initially 0
+};
+Values now;
+
+template <class Map, class Key, class Value>
+void keep(Map& map, const Key& key, const Value& value, const Value& initial) {
+    if (value == initial) {
+        map.erase(key);
+    } else {
+        map[key] = value;
+    }
+}
+
+// ---- The layer: each call goes on to the table below, and is kept when that has taken it.
+
+struct Table {
+#define X(name, TYPE, version) PFNGL##TYPE##PROC name = nullptr;
+#include "mv/gl/function_list.inc"
+#undef X
+};
+Table below;
+
+template <auto function, auto value, class Function>
+struct Kept;
+template <auto function, auto value, class... A>
+struct Kept<function, value, void (*)(A...)> {
+    static void call(A... arguments) {
+        (below.*function)(arguments...);
+        now.*value = {arguments...};
+    }
+};
+
+void setSwitch(GLenum capability, bool on) {
+    on ? below.Enable(capability) : below.Disable(capability);
+    keep(now.switches, capability, on, initiallyOn(capability));
+}
+void keptEnable(GLenum capability) { setSwitch(capability, true); }
+void keptDisable(GLenum capability) { setSwitch(capability, false); }
+void keptBlendFunc(GLenum from, GLenum to) {
+    below.BlendFunc(from, to);
+    now.BlendFuncSeparate = {from, to, from, to};
+}
+
+template <class T>
+void keepFaces(std::array<T, 2>& faces, GLenum face, const T& value) {
+    if (face != GL_BACK) faces[0] = value;
+    if (face != GL_FRONT) faces[1] = value;
+}
+void keptStencilFuncSeparate(GLenum face, GLenum function, GLint reference, GLuint mask) {
+    below.StencilFuncSeparate(face, function, reference, mask);
+    keepFaces(now.stencilTest, face, {function, reference, mask});
+}
+void keptStencilFunc(GLenum function, GLint reference, GLuint mask) {
+    below.StencilFunc(function, reference, mask);
+    keepFaces(now.stencilTest, GL_FRONT_AND_BACK, {function, reference, mask});
+}
+void keptStencilOpSeparate(GLenum face, GLenum fail, GLenum depthFail, GLenum pass) {
+    below.StencilOpSeparate(face, fail, depthFail, pass);
+    keepFaces(now.stencilChange, face, {fail, depthFail, pass});
+}
+void keptStencilOp(GLenum fail, GLenum depthFail, GLenum pass) {
+    below.StencilOp(fail, depthFail, pass);
+    keepFaces(now.stencilChange, GL_FRONT_AND_BACK, {fail, depthFail, pass});
+}
+
+void keptPixelStorei(GLenum name, GLint value) {
+    below.PixelStorei(name, value);
+    keep(now.pixelStore, name, value, 4);
+}
+void keptBindTexture(GLenum target, GLuint texture) {
+    below.BindTexture(target, texture);
+    keep(now.textures, std::pair{std::get<0>(now.ActiveTexture), target}, texture, 0U);
+}
+void keptBindBuffer(GLenum target, GLuint buffer) {
+    below.BindBuffer(target, buffer);
+    if (target != GL_ELEMENT_ARRAY_BUFFER) keep(now.buffers, target, buffer, 0U);  // that one is the vertex array's
+}
+
+// GL unbinds what is deleted; another object may then be given its name.
+void forgetName(auto& bindings, GLuint name) {
+    std::erase_if(bindings, [&](const auto& binding) { return binding.second == name; });
+}
+void keptDeleteTextures(GLsizei count, const GLuint* names) {
+    below.DeleteTextures(count, names);
+    for (GLsizei i = 0; i < count; ++i) forgetName(now.textures, names[i]);
+}
+void keptDeleteBuffers(GLsizei count, const GLuint* names) {
+    below.DeleteBuffers(count, names);
+    for (GLsizei i = 0; i < count; ++i) forgetName(now.buffers, names[i]);
+}
+void keptDeleteProgram(GLuint program) {
+    // GL keeps one that is in use until another one is used, which then may not be this one again.
+    if (program != 0 && std::get<0>(now.UseProgram) == program) glUseProgram(0);
+    below.DeleteProgram(program);
+}
+void keptDeleteVertexArrays(GLsizei count, const GLuint* names) {
+    below.DeleteVertexArrays(count, names);
+    for (GLsizei i = 0; i < count; ++i) {
+        if (std::get<0>(now.BindVertexArray) == names[i]) now.BindVertexArray = {0};
+    }
+}
+
+// ---- Putting back
+
+// Sets what differs from `wanted`, by the table, so that who listens hears it; how many calls it took.
+int change(const Values& wanted) {
+    int calls = 0;
+    // The units' textures first: they move the active unit.
+    const auto textures = now.textures;
+    const auto bind = [&](const std::pair<GLenum, GLenum>& place, GLuint texture) {
+        if (std::get<0>(now.ActiveTexture) != place.first) glActiveTexture(place.first), ++calls;
+        glBindTexture(place.second, texture);
+        ++calls;
+    };
+    for (const auto& [place, texture] : textures) {
+        if (!wanted.textures.contains(place)) bind(place, 0);
+    }
+    for (const auto& [place, texture] : wanted.textures) {
+        const auto bound = textures.find(place);
+        if (bound == textures.end() || bound->second != texture) bind(place, texture);
+    }
+#define X(name, ...)                       \
+    if (now.name != wanted.name) {         \
+        std::apply(gl##name, wanted.name); \
+        ++calls;                           \
+    }
+    MV_PLAIN_STATE(X)
+#undef X
+    for (const int side : {0, 1}) {
+        const auto at = static_cast<std::size_t>(side);
+        const GLenum face = side == 0 ? GL_FRONT : GL_BACK;
+        if (now.stencilTest[at] != wanted.stencilTest[at]) {
+            std::apply([&](auto... v) { glStencilFuncSeparate(face, v...); }, wanted.stencilTest[at]);
+            ++calls;
+        }
+        if (now.stencilChange[at] != wanted.stencilChange[at]) {
+            std::apply([&](auto... v) { glStencilOpSeparate(face, v...); }, wanted.stencilChange[at]);
+            ++calls;
+        }
+    }
+    const auto each = [&](const auto& before, const auto& after, const auto& set, const auto& initial) {
+        const auto had = before;  // changes while it is gone through
+        for (const auto& [key, value] : had) {
+            if (!after.contains(key)) set(key, initial(key)), ++calls;
+        }
+        for (const auto& [key, value] : after) {
+            const auto found = had.find(key);
+            if (found == had.end() || found->second != value) set(key, value), ++calls;
+        }
+    };
+    each(
+        now.switches, wanted.switches,
+        [](GLenum capability, bool on) { on ? glEnable(capability) : glDisable(capability); }, initiallyOn);
+    each(now.pixelStore, wanted.pixelStore, glPixelStorei, [](GLenum) { return 4; });
+    each(now.buffers, wanted.buffers, glBindBuffer, [](GLenum) { return 0U; });
+    return calls;
+}
+
+}  // namespace
+
+int restoreInitialState() { return change({}); }
+
+void switchOff(GLenum capability) {
+    const auto found = now.switches.find(capability);
+    if (found == now.switches.end() ? initiallyOn(capability) : found->second) glDisable(capability);
+}
+
+std::vector<std::string> changedState() {
+    const Values initial;
+    std::vector<std::string> calls;
+#define X(name, ...)              \
+    if (now.name != initial.name) \
+        calls.emplace_back(#name == std::string("BlendFuncSeparate") ? "glBlendFunc" : "gl" #name);
+    MV_PLAIN_STATE(X)
+#undef X
+    if (now.stencilTest != initial.stencilTest) calls.emplace_back("glStencilFunc");
+    if (now.stencilChange != initial.stencilChange) calls.emplace_back("glStencilOp");
+    for (const auto& [capability, on] : now.switches) {
+        calls.push_back((on ? "glEnable(" : "glDisable(") + stateName(capability) + ")");
+    }
+    if (!now.pixelStore.empty()) calls.emplace_back("glPixelStorei");
+    if (!now.buffers.empty()) calls.emplace_back("glBindBuffer");
+    if (!now.textures.empty()) calls.emplace_back("glBindTexture");
+    return calls;
+}
+
+struct StateScope::Saved {
+    Values values;
+};
+StateScope::StateScope() : saved_(std::make_unique<Saved>(Saved{now})) {}
+StateScope::~StateScope() { change(saved_->values); }
+
+void forgetState() { now = {}; }
+
+void keepState() {
+#define X(name, TYPE, version) below.name = gl##name;
+#include "mv/gl/function_list.inc"
+#undef X
+#define X(name, ...) \
+    if (gl##name) gl##name = Kept<&Table::name, &Values::name, decltype(gl##name)>::call;
+    MV_PLAIN_STATE(X)
+#undef X
+    glEnable = keptEnable;
+    glDisable = keptDisable;
+    glBlendFunc = keptBlendFunc;
+    glStencilFunc = keptStencilFunc;
+    glStencilFuncSeparate = keptStencilFuncSeparate;
+    glStencilOp = keptStencilOp;
+    glStencilOpSeparate = keptStencilOpSeparate;
+    glPixelStorei = keptPixelStorei;
+    glBindTexture = keptBindTexture;
+    glBindBuffer = keptBindBuffer;
+    glDeleteProgram = keptDeleteProgram;
+    glDeleteTextures = keptDeleteTextures;
+    glDeleteBuffers = keptDeleteBuffers;
+    glDeleteVertexArrays = keptDeleteVertexArrays;
+}
+
+}  // namespace mv

@@ -1,0 +1,40 @@
+// The state of OpenGL, as the function table has seen it set: so that it can be put back without asking the driver, and
+// without setting what is as it should be.
+//
+// Kept are the switches, what depth, stencil, blending, masks, clears, culling and polygons are set to, the bindings of
+// program, vertex array, buffers and textures, and the layout of pixels in memory. Not kept: framebuffer and viewport,
+// which whoever draws sets; the scissor's box, whose initial value is a window's; and what belongs to an object.
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace mv {
+
+// Sets what differs from OpenGL's initial state, and returns how many calls that took.
+int restoreInitialState();
+
+// Switches off what is on; what is off is left alone.
+void switchOff(unsigned capability);
+
+// What differs from it now, as calls: "glEnable(GL_DEPTH_TEST)", "glDepthFunc".
+std::vector<std::string> changedState();
+
+// What is set within a scope is undone at its end: for a helper that draws in the midst of somebody else's picture.
+class StateScope {
+  public:
+    StateScope();
+    ~StateScope();
+    StateScope(const StateScope&) = delete;
+    StateScope& operator=(const StateScope&) = delete;
+
+  private:
+    struct Saved;
+    std::unique_ptr<Saved> saved_;
+};
+
+// For the function table. Lays the keeping over it; and forgets, for another context, which begins in its initial state.
+void keepState();
+void forgetState();
+
+}  // namespace mv
