@@ -130,14 +130,25 @@ TEST(CommandLine, help_has_every_knob_with_its_range) {
 TEST(CommandLine, a_copyable_command_says_what_differs) {
     const DemoInfo& info = findDemo("cube-cull");
     const auto demo = info.make();
-    EXPECT_EQ(copyableCommand(info, *demo, 1, 600, 600), "cube-cull");
+    EXPECT_EQ(copyableCommand(info.name, info, *demo, 1, 600, 600), "cube-cull");
     demo->knob("spin-x").parse("0.1");
     demo->knob("cull").parse("front");
-    EXPECT_EQ(copyableCommand(info, *demo, 9, 300, 200), "cube-cull --cull front --spin-x 0.1 --size 300x200")
+    EXPECT_EQ(copyableCommand(info.name, info, *demo, 9, 300, 200),
+              "cube-cull --cull front --spin-x 0.1 --size 300x200")
         << "no frame: nothing moves in this demo";
     // The present value is the first of the two, so it stands nowhere else.
-    const std::string both = copyableCommand(info, *demo, 1, 600, 600, {"cull", "none"});
+    const std::string both = copyableCommand(info.name, info, *demo, 1, 600, 600, {"cull", "none"});
     EXPECT_EQ(both, "cube-cull --spin-x 0.1 --compare cull=front,none");
+}
+
+// A shell gives each word back as it was.
+TEST(CommandLine, what_a_shell_would_read_otherwise_is_quoted) {
+    EXPECT_EQ(quotedForShell("0,0.5/1,2"), "0,0.5/1,2");
+    EXPECT_EQ(quotedForShell(""), "''");
+    EXPECT_EQ(quotedForShell("a b"), "'a b'");
+    EXPECT_EQ(quotedForShell("it's $HOME `date` \\ *"), "'it'\\''s $HOME `date` \\ *'");
+    EXPECT_EQ(startOf("/my folder/run", findDemo("shadow")), "'/my folder/run' shadow");
+    EXPECT_EQ(startOf("", findDemo("shadow")), "shadow");
 }
 
 TEST(CommandLine, frame_files_are_numbered) {

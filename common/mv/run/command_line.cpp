@@ -295,15 +295,32 @@ Command parseCommandLine(const std::vector<std::string>& arguments) {
     }
 }
 
-std::string copyableCommand(const DemoInfo& info, const Demo& demo, int frame, int width, int height,
-                            const ComparedKnob& compared) {
-    std::string text = info.name;
+std::string quotedForShell(const std::string& text) {
+    const auto plain = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+               std::string_view("-_./=,:+@%").find(c) != std::string_view::npos;
+    };
+    if (!text.empty() && std::all_of(text.begin(), text.end(), plain)) return text;
+    std::string quoted = "'";
+    for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return quoted + "'";
+}
+
+std::string startOf(const std::string& program, const DemoInfo& info) {
+    if (program.empty()) return info.name;
+    return quotedForShell(program) + (catalogue().size() == 1 ? "" : " " + info.name);
+}
+
+std::string copyableCommand(const std::string& start, const DemoInfo& info, const Demo& demo, int frame, int width,
+                            int height, const ComparedKnob& compared) {
+    std::string text = start;
     for (const Knob* knob : demo.knobs()) {
         if (knob->name() == compared.name) continue;
-        if (!knob->isInitial()) text += " --" + knob->name() + " " + knob->text();
+        if (!knob->isInitial()) text += " --" + knob->name() + " " + quotedForShell(knob->text());
     }
     if (!compared.name.empty()) {
-        text += " --compare " + compared.name + "=" + demo.knob(compared.name).text() + "," + compared.other;
+        text += " --compare " +
+                quotedForShell(compared.name + "=" + demo.knob(compared.name).text() + "," + compared.other);
     }
     if (info.animated && frame != 1) text += " --frame " + std::to_string(frame);
     if (width != info.width || height != info.height) {

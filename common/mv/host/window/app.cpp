@@ -83,6 +83,7 @@ void runWindow(const Command& command) {
         if (wish.kind == Wish::Kind::quit) return;
         next = {};
         next.report = command.report;
+        next.program = command.program;
         next.demo = wish.kind == Wish::Kind::open ? wish.demo : nullptr;
     }
 }

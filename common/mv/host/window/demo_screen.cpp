@@ -39,6 +39,7 @@ DemoScreen::DemoScreen(Window& window, Gui& gui, Stage& stage, const Command& co
       stage_(stage),
       info_(*command.demo),
       report_(command.report),
+      program_(command.program),
       menu_(menu),
       knobs_(gui, places_),
       study_(*command.demo, gui, places_),
@@ -346,7 +347,7 @@ std::string DemoScreen::defaultName() const { return info_.name + "-" + std::to_
 
 std::string DemoScreen::commandLine() const {
     const Target& target = stage_.front();
-    return copyableCommand(info_, stage_.demo(), drawnFrame_, target.width(), target.height(),
+    return copyableCommand(startOf(program_, info_), info_, stage_.demo(), drawnFrame_, target.width(), target.height(),
                            comparison_.on() ? comparison_.compared() : ComparedKnob{});
 }
 

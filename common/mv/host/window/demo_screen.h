@@ -60,6 +60,7 @@ class DemoScreen final : public Screen {
     Stage& stage_;
     const DemoInfo& info_;
     ReportForm report_;
+    std::string program_;  // how it was started
     bool menu_;
     Places places_;
     KnobPanel knobs_;
