@@ -110,7 +110,7 @@ Picture soundPicture(int frame) {
 
 std::string presentCommand(int frame) {
     const Picture size = stage().picture();
-    return copyableCommand(stage().info(), stage().demo(), frame, size.width, size.height);
+    return copyableCommand(stage().info().name, stage().info(), stage().demo(), frame, size.width, size.height);
 }
 
 // The frame is drawn, without an error and with the same bytes the second time.

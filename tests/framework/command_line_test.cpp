@@ -58,6 +58,15 @@ TEST(CommandLine, reads_what_is_meant) {
     const Command both = parseCommandLine({"cube-cull", "--compare", "cull=back,front"});
     EXPECT_EQ(both.action, Action::window);
     EXPECT_EQ(both.compareKnob, "cull");
+
+    // A report is printed, and the program ends, whether there is a display or not; a window is asked for by name.
+    EXPECT_EQ(parseCommandLine({"cube-cull", "--report"}).action, Action::render);
+    EXPECT_EQ(parseCommandLine({"cube-cull", "--report=json"}).report, ReportForm::json);
+    const Command live = parseCommandLine({"cube-cull", "--window", "--report=json"});
+    EXPECT_EQ(live.action, Action::window);
+    EXPECT_EQ(live.report, ReportForm::json);
+    EXPECT_EQ(parseCommandLine({"cube-cull", "--window"}).report, ReportForm::none);
+    EXPECT_EQ(parseCommandLine({"--window", "--report"}).demo, nullptr) << "the launcher's menu, with a report";
 }
 
 TEST(CommandLine, refuses_with_the_rule_and_the_nearest_name) {
@@ -91,6 +100,20 @@ TEST(CommandLine, refuses_with_the_rule_and_the_nearest_name) {
     EXPECT_TRUE(has(refusal({"cube-cull", "--compare", "cull=back,front", "--headless"}), "needs --shot"));
     EXPECT_TRUE(has(refusal({"cube-cull", "--headless=glx"}), "must be osmesa | egl | egl-device"));
     EXPECT_TRUE(has(refusal({"cube-cull", "--report=xml"}), "must be json"));
+    EXPECT_TRUE(has(refusal({"cube-cull", "--compare", "cull=back,front", "--report"}), "needs --shot"));
+    for (const std::vector<std::string>& windowless : {std::vector<std::string>{"--shot", "a.png"},
+                                                       {"--headless"},
+                                                       {"--study", "out"},
+                                                       {"--audit"},
+                                                       {"--knobs"},
+                                                       {"--copyable"},
+                                                       {"--list"},
+                                                       {"--version"}}) {
+        std::vector<std::string> line{"cube-cull", "--window"};
+        line.insert(line.end(), windowless.begin(), windowless.end());
+        EXPECT_TRUE(has(refusal(line), "--window: must not stand beside")) << windowless.front();
+    }
+    EXPECT_TRUE(has(refusal({"--report"}), "must be named first"));
     EXPECT_TRUE(has(refusal({"--shot", "a.png"}), "must be named first"));
     EXPECT_TRUE(has(refusal({"--gallery", "g", "--compare", "cull=back,front"}), "must be named first"));
 }
@@ -107,14 +130,25 @@ TEST(CommandLine, help_has_every_knob_with_its_range) {
 TEST(CommandLine, a_copyable_command_says_what_differs) {
     const DemoInfo& info = findDemo("cube-cull");
     const auto demo = info.make();
-    EXPECT_EQ(copyableCommand(info, *demo, 1, 600, 600), "cube-cull");
+    EXPECT_EQ(copyableCommand(info.name, info, *demo, 1, 600, 600), "cube-cull");
     demo->knob("spin-x").parse("0.1");
     demo->knob("cull").parse("front");
-    EXPECT_EQ(copyableCommand(info, *demo, 9, 300, 200), "cube-cull --cull front --spin-x 0.1 --size 300x200")
+    EXPECT_EQ(copyableCommand(info.name, info, *demo, 9, 300, 200),
+              "cube-cull --cull front --spin-x 0.1 --size 300x200")
         << "no frame: nothing moves in this demo";
     // The present value is the first of the two, so it stands nowhere else.
-    const std::string both = copyableCommand(info, *demo, 1, 600, 600, {"cull", "none"});
+    const std::string both = copyableCommand(info.name, info, *demo, 1, 600, 600, {"cull", "none"});
     EXPECT_EQ(both, "cube-cull --spin-x 0.1 --compare cull=front,none");
+}
+
+// A shell gives each word back as it was.
+TEST(CommandLine, what_a_shell_would_read_otherwise_is_quoted) {
+    EXPECT_EQ(quotedForShell("0,0.5/1,2"), "0,0.5/1,2");
+    EXPECT_EQ(quotedForShell(""), "''");
+    EXPECT_EQ(quotedForShell("a b"), "'a b'");
+    EXPECT_EQ(quotedForShell("it's $HOME `date` \\ *"), "'it'\\''s $HOME `date` \\ *'");
+    EXPECT_EQ(startOf("/my folder/run", findDemo("shadow")), "'/my folder/run' shadow");
+    EXPECT_EQ(startOf("", findDemo("shadow")), "shadow");
 }
 
 TEST(CommandLine, frame_files_are_numbered) {

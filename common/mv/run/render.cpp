@@ -102,7 +102,8 @@ void writeGallery(const std::string& folder) {
         html += "<figure><a href=\"" + info.name + ".png\"><img src=\"" + info.name + ".png\" alt=\"" +
                 htmlEscaped(info.sentence) + "\"></a><figcaption><b>" + info.name + "</b> &middot; " + info.chapter +
                 "<br>" + htmlEscaped(info.sentence) + "<br><i>Look for:</i> " + htmlEscaped(info.lookFor) +
-                "<br><code>./run " + copyableCommand(info, headless.stage.demo(), 1, info.width, info.height) +
+                "<br><code>" +
+                copyableCommand(startOf("./run", info), info, headless.stage.demo(), 1, info.width, info.height) +
                 "</code></figcaption></figure>\n";
     }
     html += "</main>\n</html>\n";
