@@ -58,6 +58,15 @@ TEST(CommandLine, reads_what_is_meant) {
     const Command both = parseCommandLine({"cube-cull", "--compare", "cull=back,front"});
     EXPECT_EQ(both.action, Action::window);
     EXPECT_EQ(both.compareKnob, "cull");
+
+    // A report is printed, and the program ends, whether there is a display or not; a window is asked for by name.
+    EXPECT_EQ(parseCommandLine({"cube-cull", "--report"}).action, Action::render);
+    EXPECT_EQ(parseCommandLine({"cube-cull", "--report=json"}).report, ReportForm::json);
+    const Command live = parseCommandLine({"cube-cull", "--window", "--report=json"});
+    EXPECT_EQ(live.action, Action::window);
+    EXPECT_EQ(live.report, ReportForm::json);
+    EXPECT_EQ(parseCommandLine({"cube-cull", "--window"}).report, ReportForm::none);
+    EXPECT_EQ(parseCommandLine({"--window", "--report"}).demo, nullptr) << "the launcher's menu, with a report";
 }
 
 TEST(CommandLine, refuses_with_the_rule_and_the_nearest_name) {
@@ -91,6 +100,20 @@ TEST(CommandLine, refuses_with_the_rule_and_the_nearest_name) {
     EXPECT_TRUE(has(refusal({"cube-cull", "--compare", "cull=back,front", "--headless"}), "needs --shot"));
     EXPECT_TRUE(has(refusal({"cube-cull", "--headless=glx"}), "must be osmesa | egl | egl-device"));
     EXPECT_TRUE(has(refusal({"cube-cull", "--report=xml"}), "must be json"));
+    EXPECT_TRUE(has(refusal({"cube-cull", "--compare", "cull=back,front", "--report"}), "needs --shot"));
+    for (const std::vector<std::string>& windowless : {std::vector<std::string>{"--shot", "a.png"},
+                                                       {"--headless"},
+                                                       {"--study", "out"},
+                                                       {"--audit"},
+                                                       {"--knobs"},
+                                                       {"--copyable"},
+                                                       {"--list"},
+                                                       {"--version"}}) {
+        std::vector<std::string> line{"cube-cull", "--window"};
+        line.insert(line.end(), windowless.begin(), windowless.end());
+        EXPECT_TRUE(has(refusal(line), "--window: must not stand beside")) << windowless.front();
+    }
+    EXPECT_TRUE(has(refusal({"--report"}), "must be named first"));
     EXPECT_TRUE(has(refusal({"--shot", "a.png"}), "must be named first"));
     EXPECT_TRUE(has(refusal({"--gallery", "g", "--compare", "cull=back,front"}), "must be named first"));
 }

@@ -2,7 +2,7 @@
 # window_test.sh CASE CUBE-CULL LAUNCHER: one test of the window, on a display of its own.
 #
 # It does with xdotool what a user does with keyboard and mouse, closes the window with Escape, and looks at what the
-# program then reports (--report=json): settings, frames drawn, and where each widget stood.
+# program then reports (--window --report=json): settings, frames drawn, and where each widget stood.
 set -u
 case=$1 cubeCull=$2 launcher=$3
 
@@ -115,7 +115,7 @@ sameAsHeadless() { # FILE, by the command line the window reported
 # ---- Cases
 
 opens() {
-    start 'mvgl: cube-cull' "$cubeCull" --report=json
+    start 'mvgl: cube-cull' "$cubeCull" --window --report=json
     equal "window's size" "960x600" "$(xdotool getwindowgeometry "$window" | sed -n 's/.*Geometry: //p')"
     import -window root screen.png
     # The picture's corner has its background, the panel its own, and the picture is where it belongs.
@@ -131,15 +131,15 @@ opens() {
 }
 
 keys() {
-    start 'mvgl: cube-cull' "$cubeCull" --report=json
+    start 'mvgl: cube-cull' "$cubeCull" --window --report=json
     for _ in 1 2 3; do xdotool key Up && sleep 0.1; done
     quit
     equal "z-dist after three times Up" -3.4 "$(reported z-dist)"
-    start 'mvgl: cube-cull' "$cubeCull" --report=json
+    start 'mvgl: cube-cull' "$cubeCull" --window --report=json
     xdotool keydown Down && sleep 1.5 && xdotool keyup Down # held down, it repeats
     quit
     atMost "z-dist after Down was held" "$(reported z-dist)" -4.6
-    start 'mvgl: probe' "$launcher" probe --report=json
+    start 'mvgl: probe' "$launcher" probe --window --report=json
     xdotool key KP_4 && sleep 0.2 # the number pad
     xdotool key s && sleep 0.2    # the demo has S for itself
     quit
@@ -149,8 +149,8 @@ keys() {
 }
 
 slider() {
-    learnPlaces 'mvgl: cube-cull' "$cubeCull" --report=json
-    start 'mvgl: cube-cull' "$cubeCull" --report=json
+    learnPlaces 'mvgl: cube-cull' "$cubeCull" --window --report=json
+    start 'mvgl: cube-cull' "$cubeCull" --window --report=json
     read -r x y <<<"$(place z-dist)"
     at $((x - 40)) "$y" && sleep 0.2 && xdotool mousedown 1 && sleep 0.2
     at $((x + 60)) "$y" && sleep 0.3 && xdotool mouseup 1 && sleep 0.2
@@ -159,15 +159,15 @@ slider() {
     # The bar runs from -10 to 10 over some 220 pixels; 60 right of its middle is between 4 and 7.
     atLeast "z-dist" "$(reported z-dist)" 4
     atMost "z-dist" "$(reported z-dist)" 7
-    start 'mvgl: cube-cull' "$cubeCull" --z-dist 3 --cull none --report=json
+    start 'mvgl: cube-cull' "$cubeCull" --z-dist 3 --cull none --window --report=json
     clickOn "Reset all"
     quit
     equal "command after Reset all" cube-cull "$(reported command)"
 }
 
 typed() {
-    learnPlaces 'mvgl: cube-cull' "$cubeCull" --report=json
-    start 'mvgl: cube-cull' "$cubeCull" --report=json
+    learnPlaces 'mvgl: cube-cull' "$cubeCull" --window --report=json
+    start 'mvgl: cube-cull' "$cubeCull" --window --report=json
     read -r x y <<<"$(place z-dist)"
     typeValue() {
         at "$x" "$y" && sleep 0.2
@@ -177,7 +177,7 @@ typed() {
     typeValue 2.125
     quit
     equal "typed z-dist" 2.125 "$(reported z-dist)"
-    start 'mvgl: cube-cull' "$cubeCull" --report=json
+    start 'mvgl: cube-cull' "$cubeCull" --window --report=json
     typeValue 99
     import -window root screen.png
     # Refused, its field red, and not moved to the nearest value that is allowed.
@@ -190,8 +190,8 @@ typed() {
 }
 
 choice() {
-    learnPlaces 'mvgl: cube-cull' "$cubeCull" --report=json
-    start 'mvgl: cube-cull' "$cubeCull" --report=json
+    learnPlaces 'mvgl: cube-cull' "$cubeCull" --window --report=json
+    start 'mvgl: cube-cull' "$cubeCull" --window --report=json
     clickOn cull
     xdotool key Escape && sleep 0.3 # closes the list, and only that
     kill -0 $pid || fail "Escape in a list closed the window"
@@ -205,7 +205,7 @@ choice() {
 }
 
 wheel() {
-    start 'mvgl: cube-cull' "$cubeCull" --report=json
+    start 'mvgl: cube-cull' "$cubeCull" --window --report=json
     at 300 300 && sleep 0.2
     for _ in 1 2 3; do xdotool click 4 && sleep 0.1; done
     at 780 300 && sleep 0.2
@@ -215,7 +215,7 @@ wheel() {
 }
 
 drag() {
-    start 'mvgl: cube-cull' "$cubeCull" --report=json
+    start 'mvgl: cube-cull' "$cubeCull" --window --report=json
     at 300 300
     xdotool mousedown 1
     at 340 300
@@ -227,7 +227,7 @@ drag() {
     equal "spin-y after 40 pixels to the right" -40 "$(reported spin-y)"
     equal "spin-x after 30 pixels down" 30 "$(reported spin-x)"
     # A drag that begins on the panel is the panel's, wherever it goes.
-    start 'mvgl: cube-cull' "$cubeCull" --report=json
+    start 'mvgl: cube-cull' "$cubeCull" --window --report=json
     at 700 20 && sleep 0.2 && xdotool mousedown 1 && sleep 0.1
     at 300 300 && sleep 0.1 && at 320 300 && sleep 0.1 && xdotool mouseup 1
     settle
@@ -237,7 +237,7 @@ drag() {
 
 replay() {
     RANDOM=4711
-    start 'mvgl: cube-cull' "$cubeCull" --report=json
+    start 'mvgl: cube-cull' "$cubeCull" --window --report=json
     at 300 300 && xdotool mousedown 1
     for _ in $(seq 25); do at $((RANDOM % 590 + 5)) $((RANDOM % 590 + 5)); done
     xdotool mouseup 1 && xdotool click 4 && xdotool click 4
@@ -249,7 +249,7 @@ replay() {
 }
 
 save() {
-    start 'mvgl: cube-cull' "$cubeCull" --report=json
+    start 'mvgl: cube-cull' "$cubeCull" --window --report=json
     xdotool key s && sleep 0.3 && xdotool key s && sleep 0.3
     cp cube-cull-1.png first.png && xdotool key Up && xdotool key s && sleep 0.5
     quit
@@ -258,7 +258,7 @@ save() {
     cmp cube-cull-1.png cube-cull-1-2.png || fail "the same picture gave other bytes"
     sameAsHeadless cube-cull-1-3.png
     # A folder that cannot be written to: a sentence, and the window stays.
-    mkdir gone && (cd gone && exec "$cubeCull" --report=json >../out 2>../err) &
+    mkdir gone && (cd gone && exec "$cubeCull" --window --report=json >../out 2>../err) &
     pid=$!
     waitFor windowCalled 'mvgl: cube-cull' && settle
     rmdir gone && xdotool key s && sleep 0.5
@@ -268,8 +268,8 @@ save() {
 }
 
 clipboard() {
-    learnPlaces 'mvgl: cube-cull' "$cubeCull" --size 600x1000 --report=json
-    start 'mvgl: cube-cull' "$cubeCull" --size 600x1000 --report=json
+    learnPlaces 'mvgl: cube-cull' "$cubeCull" --size 600x1000 --window --report=json
+    start 'mvgl: cube-cull' "$cubeCull" --size 600x1000 --window --report=json
     clickOn "Copy command line"
     clickOn "file name" # the way to look into the clipboard: paste it, and save under that name
     withControl v && sleep 0.3 && xdotool key Return && sleep 0.2
@@ -279,7 +279,7 @@ clipboard() {
 }
 
 error() {
-    start 'mvgl: cube-cull' "$cubeCull" --z-dist -0.2 --report=json
+    start 'mvgl: cube-cull' "$cubeCull" --z-dist -0.2 --window --report=json
     import -window root before.png
     xdotool key Up && sleep 0.5
     import -window root after.png
@@ -290,7 +290,7 @@ error() {
     quit
     equal "the report's error" "--z-dist: must not be 0: the eye would stand on the point it looks at" "$(reported error)"
     equal "z-dist" 0 "$(reported z-dist)"
-    start 'mvgl: cube-cull' "$cubeCull" --z-dist -0.2 --report=json
+    start 'mvgl: cube-cull' "$cubeCull" --z-dist -0.2 --window --report=json
     xdotool key Up && sleep 0.3 && xdotool key Up && sleep 0.3
     quit
     equal "error after it was mended" "" "$(reported error)"
@@ -298,17 +298,17 @@ error() {
 }
 
 resize() {
-    start 'mvgl: cube-cull' "$cubeCull" --report=json
+    start 'mvgl: cube-cull' "$cubeCull" --window --report=json
     xdotool windowsize "$window" 800 500 && settle
     xdotool key s && sleep 0.5
     quit
     equal "picture" 440x500 "$(reported width)x$(reported height)"
     sameAsHeadless cube-cull-1.png
-    start 'mvgl: cube-cull' "$cubeCull" --report=json
+    start 'mvgl: cube-cull' "$cubeCull" --window --report=json
     xdotool key h && settle
     quit
     equal "picture without the panel" 960x600 "$(reported width)x$(reported height)"
-    start 'mvgl: cube-cull' "$cubeCull" --report=json --size 333x217
+    start 'mvgl: cube-cull' "$cubeCull" --window --report=json --size 333x217
     xdotool windowsize "$window" 200 100 && settle # no room for a picture at all
     xdotool windowsize "$window" 693 217 && settle
     xdotool windowunmap "$window" && sleep 0.3 && xdotool windowmap "$window" && settle
@@ -319,7 +319,7 @@ resize() {
 
 storm() {
     # A hundred sizes in quick succession, each change of which asks for a picture: down to a single pixel, and minimised.
-    start 'mvgl: probe' "$launcher" probe --report=json
+    start 'mvgl: probe' "$launcher" probe --window --report=json
     local storm=() i
     RANDOM=1234
     for i in $(seq 100); do
@@ -349,7 +349,7 @@ storm() {
 
 time_() {
     # Frames go by the clock: 60 a second, however many of them were drawn.
-    start 'mvgl: probe' "$launcher" probe --report=json
+    start 'mvgl: probe' "$launcher" probe --window --report=json
     sleep 3
     quit
     local expected
@@ -358,7 +358,7 @@ time_() {
     atMost "frame" "$(reported frame)" "$expected"
     # ... and no more are drawn than that, though the swap does not wait on this display.
     atMost "frames drawn" "$(reported window_frames)" "$(awk -v s="$(reported seconds)" 'BEGIN { print 63 * s + 10 }')"
-    start 'mvgl: probe' "$launcher" probe --report=json
+    start 'mvgl: probe' "$launcher" probe --window --report=json
     xdotool key space && settle
     sleep 2
     quit
@@ -367,18 +367,18 @@ time_() {
 }
 
 paused() {
-    start 'mvgl: probe' "$launcher" probe --frame 37 --report=json
+    start 'mvgl: probe' "$launcher" probe --frame 37 --window --report=json
     xdotool key ctrl+s && sleep 0.5
     quit
     equal "frame" 37 "$(reported frame)"
     equal "command" "probe --frame 37" "$(reported command)"
     "$launcher" probe --frame 37 --shot replay.png && cmp replay.png probe-37.png || fail "not frame 37's picture"
-    learnPlaces 'mvgl: probe' "$launcher" probe --frame 37 --size 400x900 --report=json
-    start 'mvgl: probe' "$launcher" probe --frame 37 --size 400x900 --report=json
+    learnPlaces 'mvgl: probe' "$launcher" probe --frame 37 --size 400x900 --window --report=json
+    start 'mvgl: probe' "$launcher" probe --frame 37 --size 400x900 --window --report=json
     clickOn Step && clickOn Step
     quit
     equal "frame after two steps" 39 "$(reported frame)"
-    start 'mvgl: probe' "$launcher" probe --frame 37 --size 400x900 --report=json
+    start 'mvgl: probe' "$launcher" probe --frame 37 --size 400x900 --window --report=json
     clickOn Restart
     quit
     equal "frame after Restart" 1 "$(reported frame)"
@@ -401,7 +401,7 @@ END
         equal "$1" "$2" "$found"
     }
     fragment 'level, 1.0, 0.0, 1.0'
-    start 'mvgl: probe' "$launcher" probe --frame 1 --level 0 --report=json
+    start 'mvgl: probe' "$launcher" probe --frame 1 --level 0 --window --report=json
     equal "the square" "srgb(0,255,0)" "$(middle)"
     fragment '1.0, level, 0.0, 1.0'
     showsWithinASecond "the square after an edit" "srgb(255,0,0)"
@@ -413,7 +413,7 @@ END
     showsWithinASecond "the square after it was mended" "srgb(0,0,255)"
     quit
     equal "error after it was mended" "" "$(reported error)"
-    start 'mvgl: probe' "$launcher" probe --frame 1 --level 0 --report=json
+    start 'mvgl: probe' "$launcher" probe --frame 1 --level 0 --window --report=json
     fragment 'nonsense'
     waitFor grep -q '^error: ' err
     quit
@@ -434,14 +434,14 @@ launcher_() {
     waitFor windowCalled 'mvgl: cube-cull' && settle
     quit
     # With reports, and by mouse
-    start 'mvgl: probe' "$launcher" probe --report=json
+    start 'mvgl: probe' "$launcher" probe --window --report=json
     xdotool key BackSpace
     waitFor windowCalled 'mvgl' && settle
     quit
     cp out places
     equal "reports of the demo and the menu" "probe 1" "$(reported demo) $(grep -c '"menu"' out)"
     sed -i '1,/^}/d' places # the menu's own
-    start 'mvgl: probe' "$launcher" probe --report=json
+    start 'mvgl: probe' "$launcher" probe --window --report=json
     xdotool key BackSpace
     waitFor windowCalled 'mvgl' && settle
     clickOn cube-cull
@@ -455,7 +455,7 @@ launcher_() {
 }
 
 sameAgain() {
-    start 'mvgl: cube-cull' "$launcher" cube-cull --report=json
+    start 'mvgl: cube-cull' "$launcher" cube-cull --window --report=json
     xdotool key s && sleep 0.5 && xdotool key BackSpace
     waitFor windowCalled 'mvgl' && settle
     xdotool key Left && sleep 0.2 && xdotool key Left && sleep 0.2 && xdotool key Return
@@ -471,7 +471,7 @@ sameAgain() {
 
 idle() {
     ticks() { awk '{ print $14 + $15 }' /proc/$pid/stat; }
-    start 'mvgl: cube-cull' "$cubeCull" --report=json
+    start 'mvgl: cube-cull' "$cubeCull" --window --report=json
     sleep 1
     local before after
     before=$(ticks) && sleep 3 && after=$(ticks)
@@ -482,7 +482,7 @@ idle() {
     atMost "window frames of a window at rest" "$(reported window_frames)" 30
     equal "demo frames of a window at rest" 1 "$(reported demo_frames)"
     # The same for an animated demo while it is paused, and for the menu.
-    start 'mvgl: probe' "$launcher" probe --frame 5 --report=json
+    start 'mvgl: probe' "$launcher" probe --frame 5 --window --report=json
     sleep 3
     xdotool key BackSpace
     waitFor windowCalled 'mvgl'
@@ -497,7 +497,7 @@ compare_() {
     {
         "$cubeCull" $settings --cull back --shot back.png
         "$cubeCull" $settings --cull front --shot front.png
-        start 'mvgl: cube-cull' "$cubeCull" $settings --compare cull=back,front --report=json
+        start 'mvgl: cube-cull' "$cubeCull" $settings --compare cull=back,front --window --report=json
     }
     # Columns of the picture, below its labels, are those of one setting: sides SAVED LEFT-TO-X RIGHT-FROM-X
     sides() {
@@ -532,7 +532,7 @@ compare_() {
         "$(reported difference)"
     # The other knobs are for both.
     # shellcheck disable=SC2086
-    start 'mvgl: cube-cull' "$cubeCull" $settings --compare cull=back,front --report=json
+    start 'mvgl: cube-cull' "$cubeCull" $settings --compare cull=back,front --window --report=json
     at 100 300 && xdotool mousedown 1 && at 110 300 && xdotool mouseup 1 && sleep 0.3
     xdotool key s && sleep 0.5
     quit
@@ -541,7 +541,7 @@ compare_() {
     "$cubeCull" --spin-x 20 --spin-y 20 --cull front --shot front.png
     sides cube-cull-1.png 299 302
     # At rest
-    start 'mvgl: cube-cull' "$cubeCull" --compare cull=back,front --report=json
+    start 'mvgl: cube-cull' "$cubeCull" --compare cull=back,front --window --report=json
     sleep 4
     quit
     equal "demo frames at rest" 2 "$(reported demo_frames)"
@@ -549,7 +549,7 @@ compare_() {
 }
 
 comparePanel() {
-    local probe=("$launcher" probe --frame 5 --size 400x1000 --report=json)
+    local probe=("$launcher" probe --frame 5 --size 400x1000 --window --report=json)
     learnPlaces 'mvgl: probe' "${probe[@]}"
     start 'mvgl: probe' "${probe[@]}"
     clickOn "Compare with"
@@ -590,7 +590,7 @@ comparePanel() {
     # 128 levels apart: 96 + 159 * 128 / 255 green in full red
     equal "view difference" "srgb(255,175,0) srgb(255,175,0)" "$(middle view-difference.png)"
     # A key and a drag that move the compared knob move A; a setting that B cannot have is told with its name.
-    start 'mvgl: probe' "$launcher" probe --frame 5 --mood loud --compare level=0.5,1 --report=json
+    start 'mvgl: probe' "$launcher" probe --frame 5 --mood loud --compare level=0.5,1 --window --report=json
     xdotool key n && sleep 0.3
     quit
     equal "error" "with level = 1: --level: must be less than 1 while --mood is loud" "$(reported error)"
@@ -604,7 +604,7 @@ comparePanel() {
 }
 
 study() {
-    local integral=("$launcher" integral --size 400x1000 --report=json)
+    local integral=("$launcher" integral --size 400x1000 --window --report=json)
     learnPlaces 'mvgl: integral' "${integral[@]}"
     equal "where it was measured" "Committed, measured on: no driver, a machine of long ago, 1 thread." "$(reported study)"
     equal "the row of the present settings" "trapezia 4" "$(reported here)"
@@ -639,7 +639,7 @@ study() {
 
 measure() {
     mkdir tmp && export TMPDIR=$PWD/tmp
-    local integral=("$launcher" integral --n 16 --size 400x1000 --report=json) child
+    local integral=("$launcher" integral --n 16 --size 400x1000 --window --report=json) child
     made() { [ -n "$(ls tmp)" ]; }
     gone() { [ -z "$(ls tmp)" ]; }
     learnPlaces 'mvgl: integral' "${integral[@]}"

@@ -81,7 +81,7 @@ std::string knobHelp(const Knob& knob) {
 // The flags of the command line; each has one line here, and its value is read below.
 struct Flags {
     std::string shot, frame, frames, headless, size, compare, report, knobs, gallery, docs, study, vary;
-    bool list = false, version = false, copyable = false, audit = false, all = false;
+    bool list = false, version = false, copyable = false, audit = false, all = false, window = false;
 };
 
 void declareFlags(CLI::App& app, Flags& flags, bool launcher) {
@@ -99,7 +99,12 @@ void declareFlags(CLI::App& app, Flags& flags, bool launcher) {
         ->type_name("DIR");
     app.add_option("--vary", flags.vary, "a study by hand: KNOB=A..B:N or KNOB=a,b,c (with --study)")
         ->type_name("WHAT");
-    app.add_flag("--report{text}", flags.report, "print readouts, counters, matrices and times; =json as JSON");
+    app.add_flag("--report{text}", flags.report,
+                 "print readouts, counters, matrices and times; =json as JSON; opens no window");
+    app.add_flag(
+        "--window", flags.window,
+        "open a window, as without any flag; with --report, it prints one each time\nit has come to rest, once a "
+        "second while something moves, and when it closes");
     app.add_flag("--audit", flags.audit, "print the work of a frame, and name what of it was needless");
     app.add_flag("--knobs{text}", flags.knobs, "list the knobs; =json as JSON");
     app.add_flag("--copyable", flags.copyable, "print the command line of these settings");
@@ -179,13 +184,16 @@ Command readFlags(const Flags& flags, Command command, const Demo* demo) {
         command.action = Action::knobs;
     } else if (flags.copyable) {
         command.action = Action::copyable;
-    } else if (!flags.shot.empty() || !flags.headless.empty()) {
+    } else if (!flags.shot.empty() || !flags.headless.empty() || (!flags.report.empty() && !flags.window)) {
         command.action = Action::render;
+    }
+    if (flags.window && command.action != Action::window) {
+        throw UsageError("--window", "must not stand beside a flag that opens none, but for --report");
     }
     const bool wantsDemo = command.action == Action::knobs || command.action == Action::copyable ||
                            command.action == Action::render || command.action == Action::study ||
                            (command.action == Action::audit && !command.all) || !flags.compare.empty() ||
-                           !flags.size.empty() || command.frameGiven || !flags.report.empty();
+                           !flags.size.empty() || command.frameGiven;
     if (!demo && wantsDemo) {
         throw UsageError("demo", "must be named first, as in: mvgl cube-cull --shot a.png (--list shows them)");
     }
@@ -196,7 +204,7 @@ Command readFlags(const Flags& flags, Command command, const Demo* demo) {
     if (demo && !flags.compare.empty()) {
         readCompare(flags.compare, *demo, command);
         if (flags.shot.empty() && command.action == Action::render) {
-            throw UsageError("--compare", "needs --shot FILE for its picture, or a window");
+            throw UsageError("--compare", "needs --shot FILE for its picture, or --window");
         }
     }
     if (command.lastFrame > command.firstFrame) {
