@@ -82,6 +82,8 @@ TEST(Knobs, note_that_they_were_read) {
 
 TEST(Knobs, refuse_with_their_range) {
     Settings settings;
+    EXPECT_EQ(errorOf(settings.real, "+-1"), "--real: must be -2 .. 3 m, '+-1'");
+    EXPECT_EQ(errorOf(settings.whole, "+-3"), "--whole: must be 1 .. 40, '+-3'");
     EXPECT_EQ(errorOf(settings.real, "3.5"), "--real: must be -2 .. 3 m, '3.5'");
     EXPECT_EQ(errorOf(settings.whole, "0"), "--whole: must be 1 .. 40, '0'");
     EXPECT_EQ(errorOf(settings.toggle, "yes"), "--toggle: must be on | off, 'yes'");
