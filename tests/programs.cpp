@@ -243,6 +243,18 @@ TEST(Program, several_frames_and_comparisons_are_written) {
     const Picture sheet = loadPicture(folder.file("c.png"));
     EXPECT_EQ(sheet.width, 3 * 200 + 8);
     EXPECT_GT(sheet.height, 150);
+    // Both at once: a sheet a frame, each what it is alone.
+    const std::vector<std::string> squares{program("shadow"), "--compare", "light-height=1.5,2", "--size", "64x48"};
+    const auto run = [&](std::vector<std::string> more) {
+        std::vector<std::string> words = squares;
+        words.insert(words.end(), more.begin(), more.end());
+        return runProcess(words).status;
+    };
+    EXPECT_EQ(run({"--frames", "2..9", "--shot", folder.file("both%d.png")}), 0);
+    EXPECT_EQ(run({"--frame", "9", "--shot", folder.file("ninth.png")}), 0);
+    EXPECT_FALSE(fs::exists(folder / "both%d.png"));
+    EXPECT_EQ(loadPicture(folder.file("both9.png")), loadPicture(folder.file("ninth.png")));
+    EXPECT_NE(loadPicture(folder.file("both2.png")), loadPicture(folder.file("ninth.png"))) << "the square turns";
 }
 
 TEST(Program, the_gallery_has_every_demo) {

@@ -1,5 +1,7 @@
 #include "mv/run/command_line.h"
 
+#include "mv/run/flag_table.h"
+
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
@@ -78,7 +80,9 @@ std::string knobHelp(const Knob& knob) {
     return text;
 }
 
-// The flags of the command line; each has one line here, and its value is read below.
+constexpr const char* knobGroup = "Knobs";  // their heading in the help
+
+// The flags of the command line; each has one line here, and its value is read below. Which go together: flag_table.cpp.
 struct Flags {
     std::string shot, frame, frames, headless, size, compare, report, knobs, gallery, docs, study, vary;
     bool list = false, version = false, copyable = false, audit = false, all = false, window = false;
@@ -134,6 +138,24 @@ std::string helpText(const CLI::App& app) {
     return text;
 }
 
+// The flags that are given, each with its value if it takes one. Error: one without its value, or twice.
+GivenFlags givenFlags(const CLI::App& app, bool demo) {
+    GivenFlags given;
+    given.demo = demo;
+    for (const CLI::Option* option : app.get_options()) {
+        if (option->count() == 0) continue;
+        const std::string name = option->get_name();
+        if (option->count() > 1) throw UsageError(name, "must be given once");
+        const std::string& value = option->results().front();
+        if (value.empty()) throw UsageError(name, "must have a value", "''");
+        if (value.starts_with("--")) {
+            throw UsageError(name, "must have a value before the next flag; a file of such a name is ./" + value);
+        }
+        (option->get_group() == knobGroup ? given.knobs : given.flags).push_back(name);
+    }
+    return given;
+}
+
 // A flag that is no flag, said with the nearest one.
 UsageError unknown(const CLI::App& app, const std::string& word) {
     std::vector<std::string> names;
@@ -144,7 +166,6 @@ UsageError unknown(const CLI::App& app, const std::string& word) {
 }
 
 Command readFlags(const Flags& flags, Command command, const Demo* demo) {
-    if (!flags.frame.empty() && !flags.frames.empty()) throw UsageError("--frame", "must not stand beside --frames");
     if (!flags.frame.empty()) command.firstFrame = command.lastFrame = frameNumber("--frame", flags.frame);
     if (!flags.frames.empty()) readFrames(flags.frames, command);
     command.frameGiven = !flags.frame.empty() || !flags.frames.empty();
@@ -163,33 +184,9 @@ Command readFlags(const Flags& flags, Command command, const Demo* demo) {
         command.json = flags.knobs == "json";
     }
     command.shot = flags.shot;
-    if (flags.list) {
-        command.action = Action::list;
-    } else if (flags.version) {
-        command.action = Action::version;
-    } else if (!flags.gallery.empty()) {
-        command.action = Action::gallery;
-        command.folder = flags.gallery;
-    } else if (!flags.docs.empty()) {
-        command.action = Action::docs;
-        command.folder = flags.docs;
-    } else if (!flags.study.empty()) {
-        command.action = Action::study;
-        command.folder = flags.study;
-        command.vary = flags.vary;
-    } else if (flags.audit) {
-        command.action = Action::audit;
-        command.all = flags.all;
-    } else if (!flags.knobs.empty()) {
-        command.action = Action::knobs;
-    } else if (flags.copyable) {
-        command.action = Action::copyable;
-    } else if (!flags.shot.empty() || !flags.headless.empty() || (!flags.report.empty() && !flags.window)) {
-        command.action = Action::render;
-    }
-    if (flags.window && command.action != Action::window) {
-        throw UsageError("--window", "must not stand beside a flag that opens none, but for --report");
-    }
+    command.folder = flags.gallery + flags.docs + flags.study;  // of which one at most is given
+    command.vary = flags.vary;
+    command.all = flags.all;
     const bool wantsDemo = command.action == Action::knobs || command.action == Action::copyable ||
                            command.action == Action::render || command.action == Action::study ||
                            (command.action == Action::audit && !command.all) || !flags.compare.empty() ||
@@ -197,21 +194,11 @@ Command readFlags(const Flags& flags, Command command, const Demo* demo) {
     if (!demo && wantsDemo) {
         throw UsageError("demo", "must be named first, as in: mvgl cube-cull --shot a.png (--list shows them)");
     }
-    if (flags.all && !flags.audit) throw UsageError("--all", "needs --audit");
     if (flags.all && demo)
         throw UsageError("--all", "must not stand beside a demo's name", "'" + command.demo->name + "'");
-    if (!flags.vary.empty() && flags.study.empty()) throw UsageError("--vary", "needs --study DIR for its files");
-    if (demo && !flags.compare.empty()) {
-        readCompare(flags.compare, *demo, command);
-        if (flags.shot.empty() && command.action == Action::render) {
-            throw UsageError("--compare", "needs --shot FILE for its picture, or --window");
-        }
-    }
-    if (command.lastFrame > command.firstFrame) {
-        if (flags.shot.empty()) throw UsageError("--frames", "needs --shot FILE with %d or %04d in its name");
-        if (frameFile(flags.shot, 1) == flags.shot) {
-            throw UsageError("--shot", "must have %d or %04d in its name for several frames", "'" + flags.shot + "'");
-        }
+    if (demo && !flags.compare.empty()) readCompare(flags.compare, *demo, command);
+    if (command.lastFrame > command.firstFrame && frameFile(flags.shot, 1) == flags.shot) {
+        throw UsageError("--shot", "must have %d or %04d in its name for several frames", "'" + flags.shot + "'");
     }
     // A report without a window needs no picture, but it is headless: that is asked for by name.
     if (command.action == Action::render && flags.shot.empty() && command.report == ReportForm::none) {
@@ -271,8 +258,12 @@ Command parseCommandLine(const std::vector<std::string>& arguments) {
                    },
                    knobHelp(*knob))
                 ->type_name("VALUE")
-                ->group("Knobs");
+                ->group(knobGroup);
         }
+    }
+    for (CLI::Option* option : app.get_options()) option->take_last();  // two are refused below, in our words
+    for (const std::string& word : rest) {
+        if (word.starts_with("--") && word.ends_with('=')) throw UsageError(word, "must have a value after the =");
     }
     try {
         std::reverse(rest.begin(), rest.end());  // CLI11 takes its words from the back
@@ -281,10 +272,14 @@ Command parseCommandLine(const std::vector<std::string>& arguments) {
         command.action = Action::help;
         command.text = helpText(app);
         return command;
+    } catch (const CLI::ArgumentMismatch& error) {
+        const std::string text = error.what();  // "--shot: 1 required FILE missing"
+        throw UsageError(text.substr(0, text.find(':')), "must have a value (--help says which)");
     } catch (const CLI::ParseError& error) {
         throw UsageError(command.demo ? command.demo->name : "mvgl", error.what());
     }
     if (const auto left = app.remaining(); !left.empty()) throw unknown(app, left.front());
+    command.action = actionOf(givenFlags(app, launcher && demo));
     try {
         if (demo) applyKnobs(*demo, command.knobs);
         return readFlags(flags, command, demo.get());
