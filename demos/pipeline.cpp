@@ -297,8 +297,7 @@ StudyLine line(const std::string& method, const std::string& products) {
     return {.method = method,
             .settings = {{"products", products}},
             .knob = "offset",
-            .values = {"0", "1e2", "1e4", "1e6", "1e7"},
-            .changesReference = true};
+            .values = {"0", "1e2", "1e4", "1e6", "1e7"}};
 }
 
 const bool added = addDemo<Pipeline>({

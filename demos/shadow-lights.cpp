@@ -325,8 +325,8 @@ Study lightsStudy() {
     study.reference = "one ray through each pixel and one to each light, in double precision";
     study.scenes = {{"circle", {{"scene", "circle"}}}, {"lamps", {{"scene", "lamps"}}}};
     const std::vector<std::string> counts{"1", "2", "4", "8"}, sizes{"256", "512", "1024", "2048"};
-    study.lines = {{"volumes, by lights", {{"method", "volumes"}, {"keep", "off"}}, "lights", counts, true, {"circle"}},
-                   {"maps, by lights", {{"method", "maps"}, {"keep", "off"}}, "lights", counts, true, {"circle"}},
+    study.lines = {{"volumes, by lights", {{"method", "volumes"}, {"keep", "off"}}, "lights", counts, {"circle"}},
+                   {"maps, by lights", {{"method", "maps"}, {"keep", "off"}}, "lights", counts, {"circle"}},
                    {"maps, by resolution", {{"method", "maps"}, {"keep", "off"}}, "resolution", sizes}};
     study.axis = ErrorAxis::fraction;
     study.wrongBeyond = 0.05;  // less than one light of eight

@@ -134,12 +134,13 @@ struct ShadowMethods final : Demo {
         glEnable(GL_DEPTH_TEST);
         glEnable(GL_CULL_FACE);
         const std::optional<Method> other = frame.measuring() ? std::nullopt : second();
-        if (usesMap(method) || (other && usesMap(*other))) makeMap(frame);
-        if (method == Method::volume || other == Method::volume) makeVolumes();
+        const Method beside = other.value_or(method);
+        if (usesMap(method) || usesMap(beside)) makeMap(frame);
+        if (method == Method::volume || beside == Method::volume) makeVolumes();
         if (usesMap(method))
             frame.count("texels a lookup", (method == Method::map ? 1 : 4) * looksAlong(method) * looksAlong(method));
         if (frame.measuring()) return drawScene(method, true);
-        if (which == Which::stillLife && (method == Method::matrix || other == Method::matrix)) {
+        if (which == Which::stillLife && (method == Method::matrix || beside == Method::matrix)) {
             frame.say("The matrix flattens onto floor and wall; no body has a shadow of its own or of another.");
         }
         if (show == Show::difference) {

@@ -287,8 +287,7 @@ StudyLine lineOf(const std::string& method, const std::string& planes) {
     return {.method = method,
             .settings = {{"planes", planes}},
             .knob = "closer",
-            .values = {"1", "10", "100", "1e3", "1e4", "1e5", "1e6", "1e7", "1e8"},
-            .changesReference = true};
+            .values = {"1", "10", "100", "1e3", "1e4", "1e5", "1e6", "1e7", "1e8"}};
 }
 
 const bool added = addDemo<ViewVolume>({

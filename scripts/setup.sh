@@ -6,7 +6,7 @@ build=$root/build
 # Each with its reason in the README's table of dependencies.
 run_packages=(g++ cmake ninja-build libglfw3-dev libimgui-dev libglm-dev libstb-dev libpng-dev libcli11-dev
   nlohmann-json3-dev libgl-dev libegl-dev libegl1 libgl1-mesa-dri fonts-dejavu-core gnuplot-nox libosmesa6)
-test_packages=(git libgtest-dev libboost-dev xvfb xauth xdotool imagemagick clang-format clang-tidy clang libclang-rt-dev
+test_packages=(git libgtest-dev libboost-dev xvfb x11-utils xdotool imagemagick clang-format clang-tidy clang libclang-rt-dev
   libembree-dev)
 # What serves in the place of a package that not every distribution has.
 declare -A instead=([libosmesa6]="EGL draws the pictures instead"

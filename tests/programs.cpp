@@ -1,10 +1,10 @@
 // The programs as a user or a CI job starts them: exit statuses, messages, files, hosts.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <sstream>
 
 #include "mv/image/load.h"
 #include "support/demo_run.h"
@@ -87,11 +87,10 @@ TEST_P(Programs, copyable_line_makes_the_same_picture) {
     ASSERT_EQ(line.status, 0) << line.err;
     EXPECT_TRUE(has(line.out, "--" + knob.name() + " " + value)) << line.out;
 
-    std::vector<std::string> copied{program("mvgl")};
-    std::istringstream printed(line.out);
-    for (std::string word; printed >> word;) copied.push_back(word);
-    copied.insert(copied.end(), {"--shot", folder.file("a.png")});
-    ASSERT_EQ(runProcess(copied).status, 0);
+    // Pasted as it is.
+    const std::string pasted = line.out.substr(0, line.out.find('\n')) + " --shot a.png";
+    const ProcessResult copied = runProcess({"/bin/sh", "-c", pasted}, {.folder = folder.path().string()});
+    ASSERT_EQ(copied.status, 0) << pasted << "\n" << copied.err;
     std::vector<std::string> direct{program(GetParam()), "--shot", folder.file("b.png")};
     direct.insert(direct.end(), settings.begin(), settings.end());
     ASSERT_EQ(runProcess(direct).status, 0);
@@ -120,6 +119,34 @@ TEST(Program, exit_statuses_and_messages) {
         EXPECT_FALSE(result.out.empty()) << flag;
         EXPECT_EQ(result.err, "") << flag;
     }
+}
+
+// A copied line works where the student is: in a source tree by ./run, which gives the program its own name.
+TEST(Program, run_is_what_a_copied_line_begins_with) {
+    TemporaryFolder folder;
+    fs::copy_file(MVGL_SOURCE_DIR "/run", folder.path() / "run");
+    fs::create_directory(folder.path() / "scripts");
+    fs::create_directory(folder.path() / "a folder");
+    // What is installed and built is none of this test's business.
+    std::ofstream(folder.file("scripts/setup.sh"))
+        << ". '" MVGL_SOURCE_DIR "/scripts/setup.sh'\nbuild='" MVGL_BINARY_DIR "'\n"
+        << "install_packages() { :; }\ncheck_versions() { :; }\nconfigure() { :; }\nbuild_targets() { :; }\n";
+    const std::string flags = " cube-cull --spin-x 20 --size 60x40";
+    for (const auto& [from, typed, start] : {std::array<std::string, 3>{"", "./run", "./run"},
+                                             {"", "bash run", "./run"},
+                                             {"a folder", "../run", "../run"}}) {
+        const ProcessOptions there{.folder = (folder.path() / from).string()};
+        const ProcessResult line = runProcess({"/bin/sh", "-c", typed + flags + " --copyable"}, there);
+        ASSERT_EQ(line.out, start + flags + "\n") << line.err;
+        const ProcessResult pasted = runProcess({"/bin/sh", "-c", start + flags + " --shot a.png"}, there);
+        EXPECT_EQ(pasted.status, 0) << pasted.err;
+        EXPECT_TRUE(fs::exists(folder.path() / from / "a.png"));
+    }
+    // A program that was built or installed is started as it was, whatever its folder is called.
+    fs::create_symlink(program("cube-cull"), folder.path() / "a folder" / "it's");
+    const ProcessResult own =
+        runProcess({"/bin/sh", "-c", "'a folder/it'\\''s' --copyable"}, {.folder = folder.path().string()});
+    EXPECT_EQ(own.out, "'a folder/it'\\''s'\n") << own.err;
 }
 
 TEST(Program, hosts_that_are_missing_are_named) {
@@ -216,6 +243,18 @@ TEST(Program, several_frames_and_comparisons_are_written) {
     const Picture sheet = loadPicture(folder.file("c.png"));
     EXPECT_EQ(sheet.width, 3 * 200 + 8);
     EXPECT_GT(sheet.height, 150);
+    // Both at once: a sheet a frame, each what it is alone.
+    const std::vector<std::string> squares{program("shadow"), "--compare", "light-height=1.5,2", "--size", "64x48"};
+    const auto run = [&](std::vector<std::string> more) {
+        std::vector<std::string> words = squares;
+        words.insert(words.end(), more.begin(), more.end());
+        return runProcess(words).status;
+    };
+    EXPECT_EQ(run({"--frames", "2..9", "--shot", folder.file("both%d.png")}), 0);
+    EXPECT_EQ(run({"--frame", "9", "--shot", folder.file("ninth.png")}), 0);
+    EXPECT_FALSE(fs::exists(folder / "both%d.png"));
+    EXPECT_EQ(loadPicture(folder.file("both9.png")), loadPicture(folder.file("ninth.png")));
+    EXPECT_NE(loadPicture(folder.file("both2.png")), loadPicture(folder.file("ninth.png"))) << "the square turns";
 }
 
 TEST(Program, the_gallery_has_every_demo) {

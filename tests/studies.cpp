@@ -117,5 +117,49 @@ TEST_P(Studies, errors_and_counts_hold) {
     std::printf("%s: %d of %zu rows measured again\n", demo.name.c_str(), compared, now.rows.size());
 }
 
+// --vary KNOB=a,b is two runs with --KNOB a and --KNOB b: each value is judged by what is right for it. Of every knob, the
+// ends of its range, after its initial value, whose reference must not serve them.
+TEST_P(Studies, a_varied_knob_is_judged_as_one_that_is_set) {
+    const DemoInfo& demo = findDemo(GetParam());
+    int compared = 0, moved = 0;
+    const auto declared = demo.make();
+    for (const Knob* knob : declared->knobs()) {
+        SCOPED_TRACE(knob->name());
+        const std::vector<std::string> sweep = knob->sweep(), values{knob->initialText(), sweep.front(), sweep.back()};
+        std::string vary = knob->name() + "=";
+        for (const std::string& value : values) vary += (vary.ends_with('=') ? "" : ",") + value;
+        // A few pixels suffice: a reference of other settings is wrong by far.
+        const auto run = [&](const std::vector<KnobSetting>& set, Study study) {
+            study.width = 24;
+            study.height = 18;
+            stage().open(demo, study.width, study.height);
+            applyKnobs(stage().demo(), set);
+            StudyRun rows = runStudy(stage(), study, {.timed = false});
+            stage().close();
+            return rows;
+        };
+        const StudyRun varied = run({}, studyOf(demo, {}, vary));
+        ASSERT_EQ(varied.rows.size(), values.size());
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            Study single = *demo.study;
+            single.scenes = {{"as set", {}}};
+            single.lines = {{"as set", {}}};
+            const StudyRow row = varied.rows[i], set = run({{knob->name(), values[i]}}, single).rows.at(0);
+            SCOPED_TRACE(values[i]);
+            EXPECT_EQ(row.status, set.status);
+            EXPECT_EQ(row.all.n, set.all.n);
+            EXPECT_EQ(row.all.rms, set.all.rms);
+            EXPECT_EQ(row.all.max, set.all.max);
+            EXPECT_EQ(row.all.fraction, set.all.fraction);
+            EXPECT_EQ(row.inside.rms, set.inside.rms);
+            EXPECT_EQ(row.unmatched, set.unmatched);
+            ++compared;
+            if (row.ok() && row.all.rms != varied.rows[0].all.rms) ++moved;
+        }
+    }
+    EXPECT_GT(moved, 0) << "a knob that matters must be among them";
+    std::printf("%s: %d settings, %d with errors of their own\n", demo.name.c_str(), compared, moved);
+}
+
 INSTANTIATE_TEST_SUITE_P(Committed, Studies, testing::ValuesIn(studiedDemos()), parameterWord);
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(Studies);

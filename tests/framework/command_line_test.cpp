@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <map>
+#include <set>
+#include <sstream>
+
 #include "support/hostile_lines.h"
 
 using namespace mv;
@@ -58,6 +63,15 @@ TEST(CommandLine, reads_what_is_meant) {
     const Command both = parseCommandLine({"cube-cull", "--compare", "cull=back,front"});
     EXPECT_EQ(both.action, Action::window);
     EXPECT_EQ(both.compareKnob, "cull");
+
+    // A report is printed, and the program ends, whether there is a display or not; a window is asked for by name.
+    EXPECT_EQ(parseCommandLine({"cube-cull", "--report"}).action, Action::render);
+    EXPECT_EQ(parseCommandLine({"cube-cull", "--report=json"}).report, ReportForm::json);
+    const Command live = parseCommandLine({"cube-cull", "--window", "--report=json"});
+    EXPECT_EQ(live.action, Action::window);
+    EXPECT_EQ(live.report, ReportForm::json);
+    EXPECT_EQ(parseCommandLine({"cube-cull", "--window"}).report, ReportForm::none);
+    EXPECT_EQ(parseCommandLine({"--window", "--report"}).demo, nullptr) << "the launcher's menu, with a report";
 }
 
 TEST(CommandLine, refuses_with_the_rule_and_the_nearest_name) {
@@ -83,7 +97,8 @@ TEST(CommandLine, refuses_with_the_rule_and_the_nearest_name) {
     }
     EXPECT_TRUE(has(refusal({"cube-cull", "--frames", "1..3"}), "needs --shot"));
     EXPECT_TRUE(has(refusal({"cube-cull", "--frames", "1..3", "--shot", "a.png"}), "must have %d"));
-    EXPECT_TRUE(has(refusal({"cube-cull", "--frames", "1..3", "--frame", "2"}), "must not stand beside"));
+    EXPECT_TRUE(has(refusal({"cube-cull", "--frames", "1..3", "--frame", "2", "--shot", "%d.png"}),
+                    "--frame: must not stand beside --frames"));
     for (const char* compare : {"cull", "cull=", "cull=back", "=back,front", "cull=a,b,c", "cull=back,fornt",
                                 "z-dist=99,1", "depht=on,off"}) {
         EXPECT_NE(refusal({"cube-cull", "--shot", "a.png", "--compare", compare}), "accepted") << compare;
@@ -91,8 +106,129 @@ TEST(CommandLine, refuses_with_the_rule_and_the_nearest_name) {
     EXPECT_TRUE(has(refusal({"cube-cull", "--compare", "cull=back,front", "--headless"}), "needs --shot"));
     EXPECT_TRUE(has(refusal({"cube-cull", "--headless=glx"}), "must be osmesa | egl | egl-device"));
     EXPECT_TRUE(has(refusal({"cube-cull", "--report=xml"}), "must be json"));
+    EXPECT_TRUE(has(refusal({"cube-cull", "--compare", "cull=back,front", "--report"}), "needs --shot"));
+    for (const std::vector<std::string>& windowless : {std::vector<std::string>{"--shot", "a.png"},
+                                                       {"--headless"},
+                                                       {"--study", "out"},
+                                                       {"--audit"},
+                                                       {"--knobs"},
+                                                       {"--copyable"},
+                                                       {"--list"},
+                                                       {"--version"}}) {
+        std::vector<std::string> line{"cube-cull", "--window"};
+        line.insert(line.end(), windowless.begin(), windowless.end());
+        EXPECT_TRUE(has(refusal(line), "--window")) << windowless.front();
+    }
+    EXPECT_TRUE(has(refusal({"--report"}), "must be named first"));
     EXPECT_TRUE(has(refusal({"--shot", "a.png"}), "must be named first"));
-    EXPECT_TRUE(has(refusal({"--gallery", "g", "--compare", "cull=back,front"}), "must be named first"));
+    EXPECT_TRUE(has(refusal({"--gallery", "g", "--compare", "cull=back,front"}), "does nothing beside --gallery"));
+}
+
+// A flag that does nothing beside another is refused, and both are named. All pairs, in both orders, against this list of
+// those that mean something together; every other pair is refused. `--help` is not among them: whoever asks for help gets it.
+TEST(CommandLine, every_pair_of_flags_means_something_or_is_refused) {
+    using Words = std::vector<std::string>;
+    const std::map<std::string, Words> flags{{"--cull", {"--cull", "front"}},
+                                             {"--shot", {"--shot", "a%d.png"}},
+                                             {"--frame", {"--frame", "3"}},
+                                             {"--frames", {"--frames", "3..5"}},
+                                             {"--size", {"--size", "64x48"}},
+                                             {"--headless", {"--headless=egl"}},
+                                             {"--compare", {"--compare", "depth=on,off"}},
+                                             {"--report", {"--report=json"}},
+                                             {"--window", {"--window"}},
+                                             {"--study", {"--study", "out"}},
+                                             {"--vary", {"--vary", "z-dist=1,2"}},
+                                             {"--audit", {"--audit"}},
+                                             {"--all", {"--all"}},
+                                             {"--knobs", {"--knobs"}},
+                                             {"--copyable", {"--copyable"}},
+                                             {"--list", {"--list"}},
+                                             {"--version", {"--version"}},
+                                             {"--gallery", {"--gallery", "g"}},
+                                             {"--docs", {"--docs", "d"}}};
+    // For each flag what it may stand beside; it is enough that one of two says so.
+    const std::map<std::string, Words> together{
+        {"--cull",
+         {"--shot", "--frame", "--size", "--headless", "--compare", "--report", "--window", "--study", "--audit",
+          "--knobs", "--copyable"}},
+        {"--shot", {"--frame", "--frames", "--size", "--headless", "--compare", "--report"}},
+        {"--frame", {"--size", "--headless", "--compare", "--report", "--window", "--study", "--audit", "--copyable"}},
+        {"--size", {"--headless", "--compare", "--report", "--window", "--study", "--copyable"}},
+        {"--headless", {"--report", "--study", "--audit"}},
+        {"--compare", {"--window", "--copyable"}},
+        {"--report", {"--window"}},
+        {"--study", {"--vary"}},
+        {"--audit", {"--all"}}};
+    const auto may = [&](const std::string& a, const std::string& b) {
+        const auto found = together.find(a);
+        return found != together.end() && std::count(found->second.begin(), found->second.end(), b) > 0;
+    };
+    // Alone it does nothing; and what is of no demo.
+    const std::set<std::string> idle{"--vary", "--frames", "--all"}, ofNoDemo{"--gallery", "--docs", "--all"};
+    // All flags of the program are here.
+    const auto demo = findDemo("cube-cull").make();
+    std::istringstream help(parseCommandLine({"--help"}).text + parseCommandLine({"cube-cull", "--help"}).text);
+    for (std::string word; help >> word;) {
+        if (!word.starts_with("--")) continue;
+        const std::string flag = word.substr(0, word.find_first_not_of("-abcdefghijklmnopqrstuvwxyz"));
+        bool known = flags.count(flag) > 0 || flag == "--help" || flag == "--";
+        for (const Knob* knob : demo->knobs()) known = known || flag == "--" + knob->name();
+        EXPECT_TRUE(known) << flag;
+    }
+    const auto line = [&](const Words& names) {
+        Words words;
+        bool named = true;
+        for (const std::string& name : names) named = named && ofNoDemo.count(name) == 0;
+        if (named) words.emplace_back("cube-cull");
+        for (const std::string& name : names) words.insert(words.end(), flags.at(name).begin(), flags.at(name).end());
+        return words;
+    };
+    int understood = 0, refused = 0;
+    for (const auto& [a, wordsOfA] : flags) {
+        const std::string alone = refusal(line({a}));
+        EXPECT_EQ(alone == "accepted", idle.count(a) == 0) << a << ": " << alone;
+        for (const auto& [b, wordsOfB] : flags) {
+            if (a == b) {
+                EXPECT_EQ(refusal(line({a, a})), a + ": must be given once");
+                continue;
+            }
+            const std::string said = refusal(line({a, b}));
+            if (may(a, b) || may(b, a)) {
+                ++understood;
+                EXPECT_EQ(said, "accepted") << a << " " << b;
+                continue;
+            }
+            // Two of which neither says what to do are for a window, which a third must not be needed for.
+            ++refused;
+            EXPECT_NE(said, "accepted") << a << " " << b;
+            const bool bothNamed = has(said, a) && has(said, b);
+            const bool demoMissing = (ofNoDemo.count(a) > 0 || ofNoDemo.count(b) > 0);  // no knob without its demo
+            const bool oneIdle = (idle.count(a) > 0 && has(said, a)) || (idle.count(b) > 0 && has(said, b));
+            EXPECT_TRUE(bothNamed || demoMissing || oneIdle) << a << " " << b << ": " << said;
+        }
+    }
+    EXPECT_EQ(understood + refused, 19 * 18);
+    EXPECT_NE(refusal({"cube-cull", "--gallery", "g"}), "accepted") << "it would be of all demos";
+    EXPECT_NE(refusal({"cube-cull", "--audit", "--all"}), "accepted");
+}
+
+TEST(CommandLine, empty_values_and_flags_as_values_are_refused) {
+    for (const char* flag : {"--shot", "--frame", "--frames", "--size", "--compare", "--study", "--vary", "--cull",
+                             "--z-dist", "--headless", "--report", "--knobs"}) {
+        EXPECT_TRUE(has(refusal({"cube-cull", std::string(flag) + "="}), "must have a value")) << flag;
+    }
+    for (const char* flag : {"--shot", "--frame", "--frames", "--size", "--compare", "--study", "--vary", "--cull"}) {
+        EXPECT_EQ(refusal({"cube-cull", flag, ""}), flag + std::string(": must have a value, ''"));
+        EXPECT_EQ(refusal({"cube-cull", flag}), flag + std::string(": must have a value (--help says which)"));
+        EXPECT_TRUE(has(refusal({"cube-cull", flag, "--report"}), flag + std::string(": must have a value before")));
+    }
+    EXPECT_EQ(parseCommandLine({"cube-cull", "--shot", "./--report"}).shot, "./--report");
+    EXPECT_EQ(parseCommandLine({"cube-cull", "--shot", "-"}).shot, "-") << "a file of that name";
+    for (const char* number : {"+-3", "++3", "-+3", "+", "-", "--3", "3-", ""}) {
+        EXPECT_NE(refusal({"cube-cull", "--z-dist", number}), "accepted") << number;
+    }
+    EXPECT_EQ(refusal({"cube-cull", "--z-dist", "+3", "--spin-x", "-3"}), "accepted");
 }
 
 TEST(CommandLine, help_has_every_knob_with_its_range) {
@@ -107,14 +243,25 @@ TEST(CommandLine, help_has_every_knob_with_its_range) {
 TEST(CommandLine, a_copyable_command_says_what_differs) {
     const DemoInfo& info = findDemo("cube-cull");
     const auto demo = info.make();
-    EXPECT_EQ(copyableCommand(info, *demo, 1, 600, 600), "cube-cull");
+    EXPECT_EQ(copyableCommand(info.name, info, *demo, 1, 600, 600), "cube-cull");
     demo->knob("spin-x").parse("0.1");
     demo->knob("cull").parse("front");
-    EXPECT_EQ(copyableCommand(info, *demo, 9, 300, 200), "cube-cull --cull front --spin-x 0.1 --size 300x200")
+    EXPECT_EQ(copyableCommand(info.name, info, *demo, 9, 300, 200),
+              "cube-cull --cull front --spin-x 0.1 --size 300x200")
         << "no frame: nothing moves in this demo";
     // The present value is the first of the two, so it stands nowhere else.
-    const std::string both = copyableCommand(info, *demo, 1, 600, 600, {"cull", "none"});
+    const std::string both = copyableCommand(info.name, info, *demo, 1, 600, 600, {"cull", "none"});
     EXPECT_EQ(both, "cube-cull --spin-x 0.1 --compare cull=front,none");
+}
+
+// A shell gives each word back as it was.
+TEST(CommandLine, what_a_shell_would_read_otherwise_is_quoted) {
+    EXPECT_EQ(quotedForShell("0,0.5/1,2"), "0,0.5/1,2");
+    EXPECT_EQ(quotedForShell(""), "''");
+    EXPECT_EQ(quotedForShell("a b"), "'a b'");
+    EXPECT_EQ(quotedForShell("it's $HOME `date` \\ *"), "'it'\\''s $HOME `date` \\ *'");
+    EXPECT_EQ(startOf("/my folder/run", findDemo("shadow")), "'/my folder/run' shadow");
+    EXPECT_EQ(startOf("", findDemo("shadow")), "shadow");
 }
 
 TEST(CommandLine, frame_files_are_numbered) {

@@ -54,8 +54,36 @@ TEST(Knobs, print_and_parse_are_inverse) {
     }
 }
 
+// By every way to the value: a study finds out so what a reference depends on.
+TEST(Knobs, note_that_they_were_read) {
+    Settings settings;
+    const auto notes = [](Knob& knob, const auto& read) {
+        knob.forgetRead();
+        EXPECT_FALSE(knob.wasRead()) << knob.name();
+        read();
+        EXPECT_TRUE(knob.wasRead()) << knob.name();
+    };
+    double number = 0;
+    const auto take = [&](double value) { number = value; };
+    notes(settings.real, [&] { take(settings.real); });
+    notes(settings.angle, [&] { take(settings.angle); });
+    notes(settings.whole, [&] { take(settings.whole); });
+    notes(settings.toggle, [&] { take(settings.toggle ? 1 : 0); });
+    notes(settings.fruit, [&] { take(settings.fruit == Fruit::pear ? 1 : 0); });
+    for (Knob* knob : settings.knobs()) notes(*knob, [&] { (void)knob->text(); });
+    // As of vec3(0, 0, real), which takes a knob by value
+    const auto byValue = [&](Real copy) { take(copy); };
+    notes(settings.real, [&] { byValue(settings.real); });
+    for (Knob* knob : settings.knobs()) knob->forgetRead();
+    settings.fruit.parse("plum");
+    settings.real.step(0.5);
+    for (const Knob* knob : settings.knobs()) EXPECT_FALSE(knob->wasRead()) << knob->name() << " was only set";
+}
+
 TEST(Knobs, refuse_with_their_range) {
     Settings settings;
+    EXPECT_EQ(errorOf(settings.real, "+-1"), "--real: must be -2 .. 3 m, '+-1'");
+    EXPECT_EQ(errorOf(settings.whole, "+-3"), "--whole: must be 1 .. 40, '+-3'");
     EXPECT_EQ(errorOf(settings.real, "3.5"), "--real: must be -2 .. 3 m, '3.5'");
     EXPECT_EQ(errorOf(settings.whole, "0"), "--whole: must be 1 .. 40, '0'");
     EXPECT_EQ(errorOf(settings.toggle, "yes"), "--toggle: must be on | off, 'yes'");

@@ -35,6 +35,7 @@ struct Step final : Demo {
     Toggle nowhere{this, "nowhere", false, "nothing is measured"};
     Program program;
     VertexArray empty;
+    inline static int references = 0;  // made so far
     void init() override {
         program = Program::fromText("step", quadShader, stepShader);
         empty = makeVertexArray();
@@ -58,6 +59,7 @@ struct Step final : Demo {
         frame.count("cells", cells);
     }
     Reference reference(const Frame& frame, const std::function<void(double)>& progress) const override {
+        ++references;
         Reference right;
         for (int y = 0; y < frame.height(); ++y) {
             for (int x = 0; x < frame.width(); ++x) right.values.push_back((x + 0.5) / frame.width() > edge ? 1 : 0);
@@ -78,8 +80,8 @@ Study stepStudy() {
                    {"broken", {{"broken", "on"}}, "cells", {"1024"}},
                    {"refused", {{"refused", "on"}}},
                    {"nowhere", {{"nowhere", "on"}}},
-                   {"edges", {{"cells", "1024"}}, "edge", {"0.1", "0.5", "0.9"}, true},
-                   {"edges, one reference", {{"cells", "1024"}}, "edge", {"0.9"}}};
+                   {"edges", {{"cells", "1024"}}, "edge", {"0.1", "0.5", "0.9"}},
+                   {"edges again", {{"cells", "512"}}, "edge", {"0.9"}}};
     study.axis = ErrorAxis::fraction;
     study.width = 1000;
     study.height = 4;
@@ -168,18 +170,62 @@ TEST(StudyRun, a_broken_method_shows) {
     EXPECT_LT(row(run, "cells", "1024").all.fraction, 0.002);
 }
 
-// A knob that changes what is right is judged by a reference for each of its values.
-TEST(StudyRun, each_value_may_have_its_reference) {
+// A knob that the reference reads has one for each of its values; rows that differ in others share it.
+TEST(StudyRun, each_setting_has_its_reference) {
+    const int before = Step::references;
     const StudyRun run = stepRun();
     for (const char* edge : {"0.1", "0.5", "0.9"}) EXPECT_LT(row(run, "edges", edge).all.fraction, 0.002) << edge;
-    EXPECT_NEAR(row(run, "edges, one reference", "0.9").all.fraction, 0.6, 0.002) << "judged by the line at 0.3";
+    EXPECT_LT(row(run, "edges again", "0.9").all.fraction, 0.004);
+    EXPECT_EQ(Step::references - before, 4) << "at 0.3, whatever the cells and whatever is broken, 0.1, 0.5 and 0.9";
+}
+
+// What the reference reads may depend on what it has read: `b` alone says nothing while `uses-b` is off.
+TEST(StudyRun, a_reference_depends_on_what_it_read) {
+    struct Branch final : Demo {
+        Toggle usesB{this, "uses-b", false, "whether b counts"};
+        Real b{this, "b", 1, {0, 9}, "a number"};
+        Whole more{this, "more", 0, {0, 9}, "how many times the method is wrong by 1"};
+        int* references = nullptr;
+        void init() override {}
+        void draw(const Frame&) override {}
+        double right() const { return usesB ? double(b) : 0; }
+        std::vector<double> values() const override { return {right() + more}; }
+        Reference reference(const Frame&, const std::function<void(double)>&) const override {
+            ++*references;
+            if (usesB && b > 8) throw Error("--b", "must be at most 8 for a reference", b.text());
+            return {.values = {right()}};
+        }
+    };
+    int references = 0;
+    DemoInfo made = infoOf<Branch>("branch", trapeziaStudy());
+    made.make = [&] {
+        auto demo = std::make_unique<Branch>();
+        demo->references = &references;
+        return demo;
+    };
+    Study study = trapeziaStudy();
+    study.lines = {{"off", {}, "b", {"1", "2", "3"}},
+                   {"on", {{"uses-b", "on"}}, "b", {"1", "2", "3", "9", "2"}},
+                   {"wrong", {{"uses-b", "on"}, {"b", "3"}}, "more", {"1", "4"}}};
+    stage().open(made, 4, 4);
+    const StudyRun run = runStudy(stage(), study, {.timed = false});
+    stage().close();
+    EXPECT_EQ(references, 5) << "one while it is off; of 1, 2, 3, and of 9 in vain";
+    for (const StudyRow& each : run.rows) {
+        if (each.parameter == "9") {
+            EXPECT_EQ(each.status, "--b: must be at most 8 for a reference, 9");
+            continue;
+        }
+        EXPECT_EQ(each.status, "ok") << each.method << " " << each.parameter;
+        EXPECT_EQ(each.all.max, each.method != "wrong" ? 0 : each.parameter == "1" ? 1 : 4) << each.parameter;
+    }
 }
 
 TEST(StudyRun, a_line_may_keep_to_some_scenes) {
     static const DemoInfo made = infoOf<Step>("step", stepStudy());
     Study study = stepStudy();
     study.scenes = {{"left", {{"edge", "0.2"}}}, {"right", {{"edge", "0.7"}}}};
-    study.lines = {{"cells", {}, "cells", {"64"}}, {"finer", {}, "cells", {"1024"}, false, {"right"}}};
+    study.lines = {{"cells", {}, "cells", {"64"}}, {"finer", {}, "cells", {"1024"}, {"right"}}};
     stage().open(made, 10, 10);
     const StudyRun run = runStudy(stage(), study, {.timed = false});
     stage().close();

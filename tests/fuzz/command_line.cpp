@@ -41,7 +41,7 @@ std::string copyable(const Command& command) {
         compared = {command.compareKnob, command.compareValues.at(1)};
     }
     const DemoInfo& info = *command.demo;
-    return copyableCommand(info, *demo, command.firstFrame, command.width ? command.width : info.width,
+    return copyableCommand(info.name, info, *demo, command.firstFrame, command.width ? command.width : info.width,
                            command.height ? command.height : info.height, compared);
 }
 

@@ -23,6 +23,7 @@ HostileLines::HostileLines(unsigned seed) : random_(seed) {
               "--docs",
               "--study",
               "--vary",
+              "--window",
               "--audit",
               "--all",
               "--",

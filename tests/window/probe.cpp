@@ -2,10 +2,11 @@
 // study.
 //
 // PROBE_SHADERS names a folder with probe.vert and probe.frag to read and watch, so that a test edits files of its own.
-// With PROBE_SLOW the study takes a minute.
+// PROBE_HOLD names a file: as long as it is there, the study goes on.
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <string>
 #include <thread>
 
@@ -122,9 +123,10 @@ struct Integral final : Demo {
         return {sum / n / (rule == Rule::simpson ? 3 : 2)};
     }
     Reference reference(const Frame&, const std::function<void(double)>& progress) const override {
-        for (int part = 0; std::getenv("PROBE_SLOW") && part < 600; ++part) {
+        const char* hold = std::getenv("PROBE_HOLD");
+        for (double done = 0; hold && std::filesystem::exists(hold); done += (1 - done) / 100) {
+            progress(done);
             std::this_thread::sleep_for(std::chrono::milliseconds(100));
-            progress(part / 600.0);
         }
         return {.values = {whole()}};
     }

@@ -13,7 +13,7 @@ namespace {
 // Reads the whole of `text` as a number; nan, inf and hexadecimal are no settings.
 template <class Number>
 bool readNumber(std::string_view text, Number& number) {
-    if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+    if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);  // which from_chars does not take
     const auto end = text.data() + text.size();
     const auto result = std::from_chars(text.data(), end, number);
     if (result.ec != std::errc() || result.ptr != end) return false;

@@ -1,6 +1,7 @@
 // Knobs: the settings of a demo. Declared once as a member, a knob is a value in the code, a flag on the command line,
 // a widget in the window, a row in the documentation and a case in the sweep test.
 #pragma once
+#include <atomic>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,7 @@ struct KnobSetting {
 };
 
 // A setting. To add a kind of knob, derive from it and answer these questions; nothing else has to know the new kind.
+// Every way to its value calls noteRead(): a study finds out so what a reference depends on.
 class Knob {
   public:
     Knob(Demo* owner, std::string name, std::string help, std::string unit);
@@ -47,14 +49,21 @@ class Knob {
     bool isInitial() const { return text() == initialText(); }
     void reset() { parse(initialText()); }
 
+    // Whether somebody has asked for the value, as text too, since forgetRead(). A thread may ask.
+    bool wasRead() const { return read_.load(std::memory_order_relaxed); }
+    void forgetRead() { read_.store(false, std::memory_order_relaxed); }
+
   protected:
-    // A copy belongs to no demo; it exists so that vec3(0, 0, knob) works, which takes its arguments by value.
-    Knob(const Knob&) = default;
+    // A copy belongs to no demo; it exists so that vec3(0, 0, knob) works, which takes its arguments by value. So it is
+    // made to be read.
+    Knob(const Knob& other) : name_(other.name_), help_(other.help_), unit_(other.unit_) { other.noteRead(); }
+    void noteRead() const { read_.store(true, std::memory_order_relaxed); }
     // The error of a value that is not allowed.
     Error refused(std::string_view text) const;
 
   private:
     std::string name_, help_, unit_;
+    mutable std::atomic<bool> read_{false};
 };
 
 // A number. Outside its range it is refused, never clamped.
@@ -64,9 +73,12 @@ class Real : public Knob {
         double low, high;
     };
     Real(Demo* owner, std::string name, double initial, Range range, std::string help, std::string unit = "");
-    operator double() const { return value_; }
+    operator double() const {
+        noteRead();
+        return value_;
+    }
 
-    std::string text() const override { return numberText(value_); }
+    std::string text() const override { return numberText(double(*this)); }
     void parse(std::string_view text) override;
     std::string initialText() const override { return numberText(initial_); }
     std::string range() const override;
@@ -95,9 +107,12 @@ class Whole : public Knob {
         int low, high;
     };
     Whole(Demo* owner, std::string name, int initial, Range range, std::string help, std::string unit = "");
-    operator int() const { return value_; }
+    operator int() const {
+        noteRead();
+        return value_;
+    }
 
-    std::string text() const override { return std::to_string(value_); }
+    std::string text() const override { return std::to_string(int(*this)); }
     void parse(std::string_view text) override;
     std::string initialText() const override { return std::to_string(initial_); }
     std::string range() const override;
@@ -115,9 +130,12 @@ class Whole : public Knob {
 class Toggle : public Knob {
   public:
     Toggle(Demo* owner, std::string name, bool initial, std::string help);
-    operator bool() const { return value_; }
+    operator bool() const {
+        noteRead();
+        return value_;
+    }
 
-    std::string text() const override { return value_ ? "on" : "off"; }
+    std::string text() const override { return bool(*this) ? "on" : "off"; }
     void parse(std::string_view text) override;
     std::string initialText() const override { return initial_ ? "on" : "off"; }
     std::string range() const override { return "on | off"; }
@@ -135,7 +153,7 @@ class WordChoice : public Knob {
   public:
     WordChoice(Demo* owner, std::string name, int initial, std::vector<Option> options, std::string help);
 
-    std::string text() const override { return options_[static_cast<std::size_t>(index_)].word; }
+    std::string text() const override { return options_[static_cast<std::size_t>(index())].word; }
     void parse(std::string_view text) override;
     std::string initialText() const override { return options_[static_cast<std::size_t>(initial_)].word; }
     std::string range() const override;
@@ -145,9 +163,13 @@ class WordChoice : public Knob {
     std::vector<Option> options() const override { return options_; }
 
   protected:
-    int index_;
+    int index() const {
+        noteRead();
+        return index_;
+    }
 
   private:
+    int index_;
     int initial_;
     std::vector<Option> options_;
 };
@@ -160,7 +182,7 @@ class Choice : public WordChoice {
   public:
     Choice(Demo* owner, std::string name, Enum initial, std::vector<Option> options, std::string help)
         : WordChoice(owner, std::move(name), static_cast<int>(initial), std::move(options), std::move(help)) {}
-    operator Enum() const { return static_cast<Enum>(index_); }
+    operator Enum() const { return static_cast<Enum>(index()); }
 };
 
 }  // namespace mv

@@ -16,12 +16,10 @@ struct StudyLine {
     std::vector<KnobSetting> settings;  // of all points of the line
     std::string knob = {};              // the knob that moves along the line; "" for a single point
     std::vector<std::string> values = {};
-    // The knob changes what is right (the number of lights, say): each value gets a reference of its own.
-    bool changesReference = false;
     std::vector<std::string> scenes = {};  // that it is measured in, by name; empty: all
 };
 
-// A scene in which every line is measured, against a reference of its own.
+// A scene in which every line is measured.
 struct StudyScene {
     std::string name;
     std::vector<KnobSetting> settings = {};
@@ -46,7 +44,8 @@ struct Study {
     bool ofValues = false;
 };
 
-// What is right, by the demo's other method.
+// What is right, by the demo's other method. Settings that it reads otherwise (the number of lights, say) get a reference
+// of their own; the knobs that it does not read are what is under study.
 struct Reference {
     // One for each number compared: for a picture one a pixel, the upper row first.
     std::vector<double> values;

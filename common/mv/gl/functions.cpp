@@ -75,6 +75,13 @@ void countedDrawElements(GLenum mode, GLsizei count, GLenum type, const void* in
     driver.DrawElements(mode, count, type, indices);
 }
 
+// What is deleted loses its label, too: drivers give a name only once, and labels of frames long gone would fill the memory.
+void countDeleted(GLenum kind, GLuint name) {
+    if (name == 0) return;  // GL ignores it
+    --live;
+    labels.erase({kind, name});
+}
+
 // Gen* and Delete* of the object kinds that all have the signatures (count, names).
 using Generate = void (*)(GLsizei, GLuint*);
 using Delete = void (*)(GLsizei, const GLuint*);
@@ -83,9 +90,9 @@ void countedGenerate(GLsizei count, GLuint* names) {
     (driver.*function)(count, names);
     live += count;
 }
-template <Delete Driver::*function>
+template <Delete Driver::*function, GLenum kind>
 void countedDelete(GLsizei count, const GLuint* names) {
-    for (GLsizei i = 0; i < count; ++i) live -= names[i] != 0 ? 1 : 0;  // GL ignores the name 0
+    for (GLsizei i = 0; i < count; ++i) countDeleted(kind, names[i]);
     (driver.*function)(count, names);
 }
 GLuint countedCreateProgram() {
@@ -97,11 +104,11 @@ GLuint countedCreateShader(GLenum kind) {
     return driver.CreateShader(kind);
 }
 void countedDeleteProgram(GLuint name) {
-    live -= name != 0 ? 1 : 0;
+    countDeleted(GL_PROGRAM, name);
     driver.DeleteProgram(name);
 }
 void countedDeleteShader(GLuint name) {
-    live -= name != 0 ? 1 : 0;
+    countDeleted(GL_SHADER, name);
     driver.DeleteShader(name);
 }
 
@@ -118,7 +125,7 @@ void trackedDeleteVertexArrays(GLsizei count, const GLuint* names) {
     for (GLsizei i = 0; i < count; ++i) {
         if (names[i] == vertexArray) vertexArray = 0;  // GL unbinds what is deleted
     }
-    countedDelete<&Driver::DeleteVertexArrays>(count, names);
+    countedDelete<&Driver::DeleteVertexArrays, GL_VERTEX_ARRAY>(count, names);
 }
 
 void layCountersOver() {
@@ -132,11 +139,11 @@ void layCountersOver() {
     glGenRenderbuffers = countedGenerate<&Driver::GenRenderbuffers>;
     glGenTextures = countedGenerate<&Driver::GenTextures>;
     glGenVertexArrays = countedGenerate<&Driver::GenVertexArrays>;
-    glDeleteBuffers = countedDelete<&Driver::DeleteBuffers>;
-    glDeleteFramebuffers = countedDelete<&Driver::DeleteFramebuffers>;
-    glDeleteQueries = countedDelete<&Driver::DeleteQueries>;
-    glDeleteRenderbuffers = countedDelete<&Driver::DeleteRenderbuffers>;
-    glDeleteTextures = countedDelete<&Driver::DeleteTextures>;
+    glDeleteBuffers = countedDelete<&Driver::DeleteBuffers, GL_BUFFER>;
+    glDeleteFramebuffers = countedDelete<&Driver::DeleteFramebuffers, GL_FRAMEBUFFER>;
+    glDeleteQueries = countedDelete<&Driver::DeleteQueries, GL_QUERY>;
+    glDeleteRenderbuffers = countedDelete<&Driver::DeleteRenderbuffers, GL_RENDERBUFFER>;
+    glDeleteTextures = countedDelete<&Driver::DeleteTextures, GL_TEXTURE>;
     glDeleteVertexArrays = trackedDeleteVertexArrays;
     glCreateProgram = countedCreateProgram;
     glCreateShader = countedCreateShader;
@@ -188,6 +195,7 @@ void loadFunctions(const std::function<void*(const char*)>& address) {
 #undef X
     counted = {};
     live = 0;
+    labels.clear();
     vertexArray = 0;
     forgetState();
     debugMessages.clear();
@@ -243,6 +251,7 @@ void resetCounters(const Counters& to) {
 }
 GLuint boundVertexArray() { return vertexArray; }
 long liveObjects() { return live; }
+std::size_t labelledObjects() { return labels.size(); }
 
 std::string labelOf(GLenum kind, GLuint id) {
     const auto found = labels.find({kind, id});

@@ -51,8 +51,10 @@ long liveObjects();
 
 // Names a GL object for debuggers and debug messages, where the context has KHR_debug.
 void labelObject(GLenum kind, GLuint id, const std::string& label);
-// That name in quotes, or "unnamed" and the number.
+// That name in quotes, or "unnamed" and the number. It ends with the object.
 std::string labelOf(GLenum kind, GLuint id);
+// Names that are kept: never more than there are objects.
+std::size_t labelledObjects();
 
 // KHR_debug messages of severity medium and high since the last call, and glGetError's codes by name.
 std::vector<std::string> takeErrors();

@@ -1,5 +1,7 @@
 #include "mv/run/command_line.h"
 
+#include "mv/run/flag_table.h"
+
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
@@ -78,10 +80,12 @@ std::string knobHelp(const Knob& knob) {
     return text;
 }
 
-// The flags of the command line; each has one line here, and its value is read below.
+constexpr const char* knobGroup = "Knobs";  // their heading in the help
+
+// The flags of the command line; each has one line here, and its value is read below. Which go together: flag_table.cpp.
 struct Flags {
     std::string shot, frame, frames, headless, size, compare, report, knobs, gallery, docs, study, vary;
-    bool list = false, version = false, copyable = false, audit = false, all = false;
+    bool list = false, version = false, copyable = false, audit = false, all = false, window = false;
 };
 
 void declareFlags(CLI::App& app, Flags& flags, bool launcher) {
@@ -99,7 +103,12 @@ void declareFlags(CLI::App& app, Flags& flags, bool launcher) {
         ->type_name("DIR");
     app.add_option("--vary", flags.vary, "a study by hand: KNOB=A..B:N or KNOB=a,b,c (with --study)")
         ->type_name("WHAT");
-    app.add_flag("--report{text}", flags.report, "print readouts, counters, matrices and times; =json as JSON");
+    app.add_flag("--report{text}", flags.report,
+                 "print readouts, counters, matrices and times; =json as JSON; opens no window");
+    app.add_flag(
+        "--window", flags.window,
+        "open a window, as without any flag; with --report, it prints one each time\nit has come to rest, once a "
+        "second while something moves, and when it closes");
     app.add_flag("--audit", flags.audit, "print the work of a frame, and name what of it was needless");
     app.add_flag("--knobs{text}", flags.knobs, "list the knobs; =json as JSON");
     app.add_flag("--copyable", flags.copyable, "print the command line of these settings");
@@ -129,6 +138,24 @@ std::string helpText(const CLI::App& app) {
     return text;
 }
 
+// The flags that are given, each with its value if it takes one. Error: one without its value, or twice.
+GivenFlags givenFlags(const CLI::App& app, bool demo) {
+    GivenFlags given;
+    given.demo = demo;
+    for (const CLI::Option* option : app.get_options()) {
+        if (option->count() == 0) continue;
+        const std::string name = option->get_name();
+        if (option->count() > 1) throw UsageError(name, "must be given once");
+        const std::string& value = option->results().front();
+        if (value.empty()) throw UsageError(name, "must have a value", "''");
+        if (value.starts_with("--")) {
+            throw UsageError(name, "must have a value before the next flag; a file of such a name is ./" + value);
+        }
+        (option->get_group() == knobGroup ? given.knobs : given.flags).push_back(name);
+    }
+    return given;
+}
+
 // A flag that is no flag, said with the nearest one.
 UsageError unknown(const CLI::App& app, const std::string& word) {
     std::vector<std::string> names;
@@ -139,7 +166,6 @@ UsageError unknown(const CLI::App& app, const std::string& word) {
 }
 
 Command readFlags(const Flags& flags, Command command, const Demo* demo) {
-    if (!flags.frame.empty() && !flags.frames.empty()) throw UsageError("--frame", "must not stand beside --frames");
     if (!flags.frame.empty()) command.firstFrame = command.lastFrame = frameNumber("--frame", flags.frame);
     if (!flags.frames.empty()) readFrames(flags.frames, command);
     command.frameGiven = !flags.frame.empty() || !flags.frames.empty();
@@ -158,52 +184,21 @@ Command readFlags(const Flags& flags, Command command, const Demo* demo) {
         command.json = flags.knobs == "json";
     }
     command.shot = flags.shot;
-    if (flags.list) {
-        command.action = Action::list;
-    } else if (flags.version) {
-        command.action = Action::version;
-    } else if (!flags.gallery.empty()) {
-        command.action = Action::gallery;
-        command.folder = flags.gallery;
-    } else if (!flags.docs.empty()) {
-        command.action = Action::docs;
-        command.folder = flags.docs;
-    } else if (!flags.study.empty()) {
-        command.action = Action::study;
-        command.folder = flags.study;
-        command.vary = flags.vary;
-    } else if (flags.audit) {
-        command.action = Action::audit;
-        command.all = flags.all;
-    } else if (!flags.knobs.empty()) {
-        command.action = Action::knobs;
-    } else if (flags.copyable) {
-        command.action = Action::copyable;
-    } else if (!flags.shot.empty() || !flags.headless.empty()) {
-        command.action = Action::render;
-    }
+    command.folder = flags.gallery + flags.docs + flags.study;  // of which one at most is given
+    command.vary = flags.vary;
+    command.all = flags.all;
     const bool wantsDemo = command.action == Action::knobs || command.action == Action::copyable ||
                            command.action == Action::render || command.action == Action::study ||
                            (command.action == Action::audit && !command.all) || !flags.compare.empty() ||
-                           !flags.size.empty() || command.frameGiven || !flags.report.empty();
+                           !flags.size.empty() || command.frameGiven;
     if (!demo && wantsDemo) {
         throw UsageError("demo", "must be named first, as in: mvgl cube-cull --shot a.png (--list shows them)");
     }
-    if (flags.all && !flags.audit) throw UsageError("--all", "needs --audit");
     if (flags.all && demo)
         throw UsageError("--all", "must not stand beside a demo's name", "'" + command.demo->name + "'");
-    if (!flags.vary.empty() && flags.study.empty()) throw UsageError("--vary", "needs --study DIR for its files");
-    if (demo && !flags.compare.empty()) {
-        readCompare(flags.compare, *demo, command);
-        if (flags.shot.empty() && command.action == Action::render) {
-            throw UsageError("--compare", "needs --shot FILE for its picture, or a window");
-        }
-    }
-    if (command.lastFrame > command.firstFrame) {
-        if (flags.shot.empty()) throw UsageError("--frames", "needs --shot FILE with %d or %04d in its name");
-        if (frameFile(flags.shot, 1) == flags.shot) {
-            throw UsageError("--shot", "must have %d or %04d in its name for several frames", "'" + flags.shot + "'");
-        }
+    if (demo && !flags.compare.empty()) readCompare(flags.compare, *demo, command);
+    if (command.lastFrame > command.firstFrame && frameFile(flags.shot, 1) == flags.shot) {
+        throw UsageError("--shot", "must have %d or %04d in its name for several frames", "'" + flags.shot + "'");
     }
     // A report without a window needs no picture, but it is headless: that is asked for by name.
     if (command.action == Action::render && flags.shot.empty() && command.report == ReportForm::none) {
@@ -263,8 +258,12 @@ Command parseCommandLine(const std::vector<std::string>& arguments) {
                    },
                    knobHelp(*knob))
                 ->type_name("VALUE")
-                ->group("Knobs");
+                ->group(knobGroup);
         }
+    }
+    for (CLI::Option* option : app.get_options()) option->take_last();  // two are refused below, in our words
+    for (const std::string& word : rest) {
+        if (word.starts_with("--") && word.ends_with('=')) throw UsageError(word, "must have a value after the =");
     }
     try {
         std::reverse(rest.begin(), rest.end());  // CLI11 takes its words from the back
@@ -273,10 +272,14 @@ Command parseCommandLine(const std::vector<std::string>& arguments) {
         command.action = Action::help;
         command.text = helpText(app);
         return command;
+    } catch (const CLI::ArgumentMismatch& error) {
+        const std::string text = error.what();  // "--shot: 1 required FILE missing"
+        throw UsageError(text.substr(0, text.find(':')), "must have a value (--help says which)");
     } catch (const CLI::ParseError& error) {
         throw UsageError(command.demo ? command.demo->name : "mvgl", error.what());
     }
     if (const auto left = app.remaining(); !left.empty()) throw unknown(app, left.front());
+    command.action = actionOf(givenFlags(app, launcher && demo));
     try {
         if (demo) applyKnobs(*demo, command.knobs);
         return readFlags(flags, command, demo.get());
@@ -287,15 +290,32 @@ Command parseCommandLine(const std::vector<std::string>& arguments) {
     }
 }
 
-std::string copyableCommand(const DemoInfo& info, const Demo& demo, int frame, int width, int height,
-                            const ComparedKnob& compared) {
-    std::string text = info.name;
+std::string quotedForShell(const std::string& text) {
+    const auto plain = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+               std::string_view("-_./=,:+@%").find(c) != std::string_view::npos;
+    };
+    if (!text.empty() && std::all_of(text.begin(), text.end(), plain)) return text;
+    std::string quoted = "'";
+    for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return quoted + "'";
+}
+
+std::string startOf(const std::string& program, const DemoInfo& info) {
+    if (program.empty()) return info.name;
+    return quotedForShell(program) + (catalogue().size() == 1 ? "" : " " + info.name);
+}
+
+std::string copyableCommand(const std::string& start, const DemoInfo& info, const Demo& demo, int frame, int width,
+                            int height, const ComparedKnob& compared) {
+    std::string text = start;
     for (const Knob* knob : demo.knobs()) {
         if (knob->name() == compared.name) continue;
-        if (!knob->isInitial()) text += " --" + knob->name() + " " + knob->text();
+        if (!knob->isInitial()) text += " --" + knob->name() + " " + quotedForShell(knob->text());
     }
     if (!compared.name.empty()) {
-        text += " --compare " + compared.name + "=" + demo.knob(compared.name).text() + "," + compared.other;
+        text += " --compare " +
+                quotedForShell(compared.name + "=" + demo.knob(compared.name).text() + "," + compared.other);
     }
     if (info.animated && frame != 1) text += " --frame " + std::to_string(frame);
     if (width != info.width || height != info.height) {

@@ -32,11 +32,12 @@ struct Command {
     std::string compareKnob;  // "" for no comparison
     std::vector<std::string> compareValues;
     ReportForm report = ReportForm::none;
-    bool json = false;   // --knobs=json
-    bool all = false;    // --audit --all
-    std::string folder;  // of --gallery, --docs and --study
-    std::string vary;    // of --study: KNOB=A..B:N or KNOB=a,b,c; "" for the demo's own study
-    std::string text;    // what --help prints
+    bool json = false;    // --knobs=json
+    bool all = false;     // --audit --all
+    std::string folder;   // of --gallery, --docs and --study
+    std::string vary;     // of --study: KNOB=A..B:N or KNOB=a,b,c; "" for the demo's own study
+    std::string text;     // what --help prints
+    std::string program;  // how the program was started: what to type to start it once more; "" where nobody knows
 };
 
 // Reads the arguments after the program's name. With one demo linked in, that is the demo; with more, the first
@@ -48,10 +49,17 @@ struct ComparedKnob {
     std::string name = {}, other = {};
 };
 
-// The command line that reproduces the picture: demo, the knobs that are not at their initial value, what is compared,
-// frame and size.
-std::string copyableCommand(const DemoInfo& info, const Demo& demo, int frame, int width, int height,
-                            const ComparedKnob& compared = {});
+// The command line that reproduces the picture: `start`, the knobs that are not at their initial value, what is compared,
+// frame and size. A shell reads each word as it is meant.
+std::string copyableCommand(const std::string& start, const DemoInfo& info, const Demo& demo, int frame, int width,
+                            int height, const ComparedKnob& compared = {});
+
+// What to type, where the program was started so, to start that demo: "./run shadow-map", "build/bin/shadow-map" for the
+// program of one demo.
+std::string startOf(const std::string& program, const DemoInfo& info);
+
+// The text as one word of a shell's command line: in quotes where it is not made of letters, digits and -_./=,:+@%.
+std::string quotedForShell(const std::string& text);
 
 // `pattern` with the frame's number for its "%d" or "%04d".
 std::string frameFile(const std::string& pattern, int frame);

@@ -54,22 +54,25 @@ void render(const Command& command) {
     stage.open(info, command.width ? command.width : info.width, command.height ? command.height : info.height);
     applyKnobs(stage.demo(), command.knobs);
 
-    if (!command.compareKnob.empty()) {
-        writePng(command.shot, compareSettings(stage, command.firstFrame, command.compareKnob, command.compareValues));
-        return;
-    }
     double firstMs = 0;
     auto shown = start;
     for (int index = command.firstFrame; index <= command.lastFrame; ++index) {
         const auto before = std::chrono::steady_clock::now();
-        stage.draw(index, command.report != ReportForm::none);
+        Picture sheet;
+        if (command.compareKnob.empty()) {
+            stage.draw(index, command.report != ReportForm::none);
+        } else {
+            sheet = compareSettings(stage, index, command.compareKnob, command.compareValues);
+        }
         if (command.report != ReportForm::none) glFinish();
         const auto now = std::chrono::steady_clock::now();
         if (index == command.firstFrame) {
             firstMs = std::chrono::duration<double, std::milli>(now - before).count();
             for (const std::string& message : stage.notes().messages) std::cerr << "note: " << message << "\n";
         }
-        if (!command.shot.empty()) writePng(frameFile(command.shot, index), stage.picture());
+        if (!command.shot.empty()) {
+            writePng(frameFile(command.shot, index), command.compareKnob.empty() ? stage.picture() : sheet);
+        }
         if (now - shown > std::chrono::seconds(2)) {
             shown = now;
             std::fprintf(stderr, "frame %d of %d..%d\n", index, command.firstFrame, command.lastFrame);
@@ -102,7 +105,8 @@ void writeGallery(const std::string& folder) {
         html += "<figure><a href=\"" + info.name + ".png\"><img src=\"" + info.name + ".png\" alt=\"" +
                 htmlEscaped(info.sentence) + "\"></a><figcaption><b>" + info.name + "</b> &middot; " + info.chapter +
                 "<br>" + htmlEscaped(info.sentence) + "<br><i>Look for:</i> " + htmlEscaped(info.lookFor) +
-                "<br><code>./run " + copyableCommand(info, headless.stage.demo(), 1, info.width, info.height) +
+                "<br><code>" +
+                copyableCommand(startOf("./run", info), info, headless.stage.demo(), 1, info.width, info.height) +
                 "</code></figcaption></figure>\n";
     }
     html += "</main>\n</html>\n";

@@ -56,7 +56,8 @@ void act(const Command& command) {
                 demo->knob(command.compareKnob).parse(command.compareValues[0]);
                 compared = {command.compareKnob, command.compareValues[1]};
             }
-            return print(copyableCommand(info, *demo, command.firstFrame, command.width ? command.width : info.width,
+            return print(copyableCommand(startOf(command.program, info), info, *demo, command.firstFrame,
+                                         command.width ? command.width : info.width,
                                          command.height ? command.height : info.height, compared) +
                          "\n");
         }
@@ -79,7 +80,9 @@ void act(const Command& command) {
 
 int runMain(int count, char** arguments) {
     try {
-        act(parseCommandLine({arguments + 1, arguments + count}));
+        Command command = parseCommandLine({arguments + 1, arguments + count});
+        if (count > 0) command.program = arguments[0];
+        act(command);
         return 0;
     } catch (const UsageError& error) {
         std::cerr << "error: " << error.what() << "\n";

@@ -115,37 +115,6 @@ std::vector<KnobSetting> presentSettings(const Demo& demo) {
     return settings;
 }
 
-// The settings that the references of the rows are made for; rows with the same ones share a reference.
-using References = std::vector<std::vector<KnobSetting>>;
-
-bool same(const std::vector<KnobSetting>& a, const std::vector<KnobSetting>& b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                      [](const KnobSetting& x, const KnobSetting& y) { return x.name == y.name && x.text == y.text; });
-}
-
-// Of the row: its scene's, and the value of a knob that changes what is right.
-std::vector<KnobSetting> referenceSettings(const Study& study, const StudyRow& row) {
-    std::vector<KnobSetting> settings;
-    for (const StudyScene& scene : study.scenes) {
-        if (scene.name == row.scene) settings = scene.settings;
-    }
-    for (const StudyLine& line : study.lines) {
-        if (line.method == row.method && line.changesReference) settings.push_back({line.knob, row.parameter});
-    }
-    return settings;
-}
-
-References referencesOf(const Study& study, const std::vector<StudyRow>& rows) {
-    References references;
-    for (const StudyRow& row : rows) {
-        const auto wanted = referenceSettings(study, row);
-        const bool known =
-            std::any_of(references.begin(), references.end(), [&](const auto& each) { return same(each, wanted); });
-        if (!known) references.push_back(wanted);
-    }
-    return references;
-}
-
 std::vector<StudyRow> rowsOf(const Study& study) {
     std::vector<StudyRow> rows;
     for (const StudyScene& scene : study.scenes) {
@@ -193,6 +162,40 @@ class Teller {
     std::function<void(const std::string&)> tell_;
     Clock::time_point last_ = Clock::now();
 };
+
+// ---- What is right
+
+// A reference, and the knobs that it was made of: where they have these values, whatever the others have, it is the same.
+struct KnownReference {
+    Reference reference;
+    std::vector<bool> band;
+    std::vector<KnobSetting> madeOf;
+
+    bool holds(const Demo& demo) const {
+        return std::all_of(madeOf.begin(), madeOf.end(),
+                           [&](const KnobSetting& setting) { return demo.knob(setting.name).text() == setting.text; });
+    }
+};
+
+// For the present settings. Error: they make no picture, or the demo cannot make a reference of them.
+KnownReference referenceHere(const Demo& demo, const Study& study, bool ownError,
+                             const std::function<void(double part)>& progress) {
+    if (!study.ofValues) demo.check();  // as before each picture; values need none
+    for (Knob* knob : demo.knobs()) knob->forgetRead();
+    FrameNotes notes;
+    KnownReference known;
+    known.reference =
+        demo.reference(Frame(study.frame, study.width, study.height, notes, {.ownError = ownError}), progress);
+    for (const Knob* knob : demo.knobs()) {
+        if (knob->wasRead()) known.madeOf.push_back({knob->name(), knob->text()});
+    }
+    const std::size_t pixels = static_cast<std::size_t>(study.width) * static_cast<std::size_t>(study.height);
+    if (!study.ofValues && known.reference.values.size() != pixels) {
+        throw Error("reference", "must have a value for each pixel", std::to_string(known.reference.values.size()));
+    }
+    known.band = edgeBand(known.reference, study.width, study.height, study.wrongBeyond);
+    return known;
+}
 
 // ---- One row
 
@@ -286,38 +289,47 @@ StudyRun runStudy(Stage& stage, const Study& study, const StudyOptions& options)
     };
 
     if (!study.ofValues) stage.resize(study.width, study.height);
-    for (const std::vector<KnobSetting>& settings : referencesOf(study, run.rows)) {
-        std::vector<StudyRow*> rows;
-        for (StudyRow& row : run.rows) {
-            if (row.ok() && same(referenceSettings(study, row), settings)) rows.push_back(&row);
-        }
-        if (rows.empty()) continue;
-        const std::string& scene = rows.front()->scene;
+    const auto apply = [&](const StudyRow& row) {
         applyKnobs(demo, before);
-        applyKnobs(demo, settings);
-        FrameNotes notes;
-        const Reference reference = demo.reference(
-            Frame(study.frame, study.width, study.height, notes, {.ownError = options.timed}), [&](double part) {
-                tell(at("reference " + scene + " " + std::to_string(std::lround(100 * part)) + " %"));
+        applyKnobs(demo, row.settings);
+    };
+    // A reference at a time, since it may be large and slow: with it all rows that it is right for.
+    std::vector<StudyRow*> left;
+    for (StudyRow& row : run.rows) {
+        if (row.ok()) left.push_back(&row);
+    }
+    while (!left.empty()) {
+        StudyRow& first = *left.front();
+        KnownReference known;
+        try {
+            apply(first);
+            known = referenceHere(demo, study, options.timed, [&](double part) {
+                tell(at("reference of " + nameOf(first) + " " + std::to_string(std::lround(100 * part)) + " %"));
             });
-        const std::size_t pixels = static_cast<std::size_t>(study.width) * static_cast<std::size_t>(study.height);
-        if (!study.ofValues && reference.values.size() != pixels) {
-            throw Error("reference", "must have a value for each pixel", std::to_string(reference.values.size()));
+        } catch (const Error& error) {
+            ++step;
+            first.status = error.what();
+            left.erase(left.begin());
+            continue;
         }
-        if (reference.ownError >= 0) noteOwnError(run, scene, reference.ownError);
-        const std::vector<bool> band = edgeBand(reference, study.width, study.height, study.wrongBeyond);
-        for (StudyRow* row : rows) {
+        if (known.reference.ownError >= 0) noteOwnError(run, first.scene, known.reference.ownError);
+        std::vector<StudyRow*> others;
+        for (StudyRow* row : left) {
+            apply(*row);
+            if (!known.holds(demo)) {
+                others.push_back(row);
+                continue;
+            }
             tell(at("errors of " + nameOf(*row)));
             ++step;
             try {
-                applyKnobs(demo, before);
-                applyKnobs(demo, row->settings);
-                measureErrors(*row, measuredValues(stage, study), reference, band, study);
+                measureErrors(*row, measuredValues(stage, study), known.reference, known.band, study);
                 countWork(stage, study, *row);
             } catch (const Error& error) {
                 row->status = error.what();
             }
         }
+        left = std::move(others);
     }
     std::vector<std::vector<double>> times(run.rows.size());
     for (int round = 0; options.timed && round < options.rounds; ++round) {
@@ -325,8 +337,7 @@ StudyRun runStudy(Stage& stage, const Study& study, const StudyOptions& options)
             ++step;
             if (!run.rows[i].ok()) continue;
             tell(at("round " + std::to_string(round + 1) + ", " + nameOf(run.rows[i])));
-            applyKnobs(demo, before);
-            applyKnobs(demo, run.rows[i].settings);
+            apply(run.rows[i]);
             times[i].push_back(timedMs(stage, study, times[i].empty() ? 0 : times[i].back()));
         }
     }

@@ -23,8 +23,9 @@ inline constexpr const char* notMeasured = "not measured";
 // Error: the demo declares none; --vary of a demo without a reference; a range the knob does not have.
 Study studyOf(const DemoInfo& info, const std::vector<KnobSetting>& knobs, const std::string& vary);
 
-// Runs it on the stage, which must be open with the demo; its knobs end as they were. A setting that fails is a row
-// with its reason as status. Error: the reference cannot be made.
+// Runs it on the stage, which must be open with the demo; its knobs end as they were. Each row is judged by a reference for
+// its own settings; rows share one where all knobs that making it read have the same values. A setting that fails, or of
+// which no reference can be made, is a row with its reason as status.
 StudyRun runStudy(Stage& stage, const Study& study, const StudyOptions& options);
 
 // What table, plot and page have in common: scenes and methods in the order of the rows, an error with three digits ("0"

@@ -8,13 +8,11 @@
 #include <cmath>
 #include <cstdio>
 #include <iostream>
-#include <nlohmann/json.hpp>
 
 #include "mv/gl/program.h"
 #include "mv/host/window/keys.h"
 #include "mv/host/window/save.h"
 #include "mv/image/png.h"
-#include "mv/run/report.h"
 
 namespace mv {
 namespace {
@@ -39,6 +37,7 @@ DemoScreen::DemoScreen(Window& window, Gui& gui, Stage& stage, const Command& co
       stage_(stage),
       info_(*command.demo),
       report_(command.report),
+      program_(command.program),
       menu_(menu),
       knobs_(gui, places_),
       study_(*command.demo, gui, places_),
@@ -55,8 +54,8 @@ DemoScreen::DemoScreen(Window& window, Gui& gui, Stage& stage, const Command& co
         comparison_.start(knob, command.compareValues[1]);
     }
     // A size that was asked for is meant in pixels; an original's canvas grows with the screen's density, like the panel.
-    const double units = (sizeGiven ? 1 : window_.contentScale()) / window_.pixelsPerUnit();
-    const double panel = panelUnits * window_.contentScale() / window_.pixelsPerUnit();
+    const double units = (sizeGiven ? 1 : window_.contentScale()) / window_.size().pixelsPerUnit();
+    const double panel = panelUnits * window_.contentScale() / window_.size().pixelsPerUnit();
     window_.setTitle("mvgl: " + info_.name);
     window_.show(static_cast<int>(std::lround(width * units + panel)), static_cast<int>(std::lround(height * units)),
                  !sizeGiven);
@@ -65,17 +64,18 @@ DemoScreen::DemoScreen(Window& window, Gui& gui, Stage& stage, const Command& co
 // ---- What the user does
 
 int DemoScreen::pictureWidth() const {
-    if (!panelShown_) return window_.pixelWidth();
-    return std::max(0, window_.pixelWidth() - static_cast<int>(std::lround(panelUnits * window_.contentScale())));
+    if (!panelShown_) return window_.size().pixelWidth();
+    return std::max(0,
+                    window_.size().pixelWidth() - static_cast<int>(std::lround(panelUnits * window_.contentScale())));
 }
 
 bool DemoScreen::overPicture(double x) const {
-    return !gui_.popupOpen() && x * window_.pixelsPerUnit() < pictureWidth();
+    return !gui_.popupOpen() && x * window_.size().pixelsPerUnit() < pictureWidth();
 }
 
 std::optional<double> DemoScreen::dividerX() const {
     if (!comparison_.drawn() || comparison_.view() != Comparison::View::divider) return {};
-    return comparison_.divider() * comparison_.sideA().picture.width / window_.pixelsPerUnit();
+    return comparison_.divider() * comparison_.sideA().picture.width / window_.size().pixelsPerUnit();
 }
 
 bool DemoScreen::overDivider(double x) const {
@@ -84,7 +84,7 @@ bool DemoScreen::overDivider(double x) const {
 }
 
 void DemoScreen::moveDivider(double x) {
-    if (dividerX()) comparison_.moveDivider(x * window_.pixelsPerUnit() / comparison_.sideA().picture.width);
+    if (dividerX()) comparison_.moveDivider(x * window_.size().pixelsPerUnit() / comparison_.sideA().picture.width);
 }
 
 void DemoScreen::handle(const Event& event) {
@@ -164,7 +164,7 @@ bool DemoScreen::advance(double seconds) {
     }
     changed |= study_.advance();
     if (!study_.measuring()) stale_ |= playback_.advance(seconds);  // two that draw would spoil what one measures
-    return changed || stale_;
+    return changed || pending();
 }
 
 void DemoScreen::reloadShaders() {
@@ -188,7 +188,7 @@ void DemoScreen::reloadShaders() {
 void DemoScreen::redraw() {
     stale_ = false;
     triedWidth_ = pictureWidth();
-    triedHeight_ = window_.pixelHeight();
+    triedHeight_ = window_.size().pixelHeight();
     // What another part of the window did wrong is not the demo's.
     for (const std::string& problem : takeErrors()) std::cerr << "window: OpenGL: " << problem << "\n";
     try {
@@ -233,15 +233,15 @@ const Target* DemoScreen::shownTarget() {
 void DemoScreen::showPicture() {
     const Target* shown = shownTarget();
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    glViewport(0, 0, window_.pixelWidth(), window_.pixelHeight());
+    glViewport(0, 0, window_.size().pixelWidth(), window_.size().pixelHeight());
     glClearColor(0.2F, 0.2F, 0.2F, 1);
     glClear(GL_COLOR_BUFFER_BIT);
     // The upper left corner stays where it is while a picture of another size is the last good one.
-    if (shown) shown->blitToWindow(0, window_.pixelHeight() - shown->height());
+    if (shown) shown->blitToWindow(0, window_.size().pixelHeight() - shown->height());
 }
 
 void DemoScreen::draw() {
-    const bool sizeChanged = pictureWidth() != triedWidth_ || window_.pixelHeight() != triedHeight_;
+    const bool sizeChanged = pictureWidth() != triedWidth_ || window_.size().pixelHeight() != triedHeight_;
     if ((stale_ || sizeChanged) && pictureWidth() > 0) redraw();
     showPicture();
     gui_.begin();
@@ -269,10 +269,10 @@ std::vector<Message> DemoScreen::messages() const {
 }
 
 void DemoScreen::showPanel() {
-    const auto units = static_cast<float>(1 / window_.pixelsPerUnit());
-    const float left = float(pictureWidth()) * units, height = float(window_.height());
+    const auto units = static_cast<float>(1 / window_.size().pixelsPerUnit());
+    const float left = float(pictureWidth()) * units, height = float(window_.size().height());
     ImGui::SetNextWindowPos({left, 0});
-    ImGui::SetNextWindowSize({float(window_.width()) - left, height});
+    ImGui::SetNextWindowSize({float(window_.size().width()) - left, height});
     ImGui::Begin("panel", nullptr, fixedWindow | ImGuiWindowFlags_NoScrollWithMouse);
     const std::vector<Message> shown = messages();
     const float below = messagesHeight(shown, ImGui::GetContentRegionAvail().x, height * 0.5F);
@@ -289,7 +289,7 @@ void DemoScreen::showPanel() {
 void DemoScreen::showOverlay() {
     const std::vector<Message> shown = messages();
     if (shown.empty()) return;
-    const auto width = float(window_.width()), height = float(window_.height());
+    const auto width = float(window_.size().width()), height = float(window_.size().height());
     const float padding = ImGui::GetStyle().WindowPadding.x;
     const float tall = messagesHeight(shown, width - 2 * padding, height * 0.5F) + 2 * padding;
     ImGui::SetNextWindowPos({0, height - tall});
@@ -304,7 +304,7 @@ void DemoScreen::showDividerHandle() {
     const std::optional<double> divider = dividerX();
     if (!divider) return;
     const float scale = gui_.scale(), radius = 11 * scale;
-    const ImVec2 middle{static_cast<float>(*divider), float(window_.height()) / 2};
+    const ImVec2 middle{static_cast<float>(*divider), float(window_.size().height()) / 2};
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     list.AddCircleFilled(middle, radius, ImGui::GetColorU32(ImGuiCol_WindowBg));
     list.AddCircle(middle, radius, ImGui::GetColorU32(ImGuiCol_Text), 0, 1.5F * scale);
@@ -345,7 +345,7 @@ std::string DemoScreen::defaultName() const { return info_.name + "-" + std::to_
 
 std::string DemoScreen::commandLine() const {
     const Target& target = stage_.front();
-    return copyableCommand(info_, stage_.demo(), drawnFrame_, target.width(), target.height(),
+    return copyableCommand(startOf(program_, info_), info_, stage_.demo(), drawnFrame_, target.width(), target.height(),
                            comparison_.on() ? comparison_.compared() : ComparedKnob{});
 }
 
@@ -393,58 +393,5 @@ void DemoScreen::save() {
 }
 
 void DemoScreen::copyCommand() { window_.copyToClipboard(commandLine()); }
-
-// ---- The report
-
-void DemoScreen::finish(long windowFrames, double seconds) {
-    if (report_ == ReportForm::none) return;
-    FrameTimes times{firstMs_, lastMs_, 0, 0};
-    if (error_.empty() && hasPicture_) {
-        try {
-            times = timeFrames(stage_, drawnFrame_, 9, firstMs_);
-        } catch (const std::exception& error) {
-            error_ = error.what();
-        }
-    }
-    std::string problem;
-    for (const Message& message : messages()) {
-        if (message.error) problem += (problem.empty() ? "" : "\n") + message.text;
-    }
-    std::string text;
-    if (report_ == ReportForm::json) {
-        auto json = nlohmann::ordered_json::parse(reportJson(stage_, drawnFrame_, times));
-        json["command"] = commandLine();
-        if (!problem.empty()) json["error"] = problem;
-        auto& window = json["window"];
-        window = {{"demo_frames", demoFrames_}, {"window_frames", windowFrames}, {"seconds", seconds}};
-        window["playing"] = playback_.playing();
-        if (study_.any()) {
-            window["study"] = study_.origin();
-            window["here"] = study_.here(stage_.demo());
-            window["measuring"] = study_.measuring();
-        }
-        if (comparison_.drawn()) {
-            window["compare"] = comparison_.compared().name;
-            window["compare_with"] = comparison_.other();
-            window["divider"] = comparison_.divider();
-            window["difference"] = comparison_.difference();
-        }
-        for (const auto& [name, r] : places_) {  // "left,top,right,bottom", in window coordinates
-            window["places"][name] =
-                numberText(r.x) + "," + numberText(r.y) + "," + numberText(r.z) + "," + numberText(r.w);
-        }
-        text = json.dump(2) + "\n";
-    } else {
-        char line[128];
-        std::snprintf(line, sizeof line, "window    %ld demo frames, %ld window frames drawn in %.2f s\n", demoFrames_,
-                      windowFrames, seconds);
-        text = reportText(stage_, drawnFrame_, times);
-        text += "command   " + commandLine() + "\n";
-        if (!problem.empty()) text += "error     " + problem + "\n";
-        text += line;
-    }
-    std::cout << text << std::flush;
-    if (!std::cout) throw Error("standard output", "could not be written");
-}
 
 }  // namespace mv

@@ -13,6 +13,7 @@
 #include "mv/host/window/screen.h"
 #include "mv/host/window/study_section.h"
 #include "mv/run/command_line.h"
+#include "mv/run/report.h"
 #include "mv/run/stage.h"
 
 namespace mv {
@@ -25,9 +26,10 @@ class DemoScreen final : public Screen {
 
     void handle(const Event& event) override;
     bool advance(double seconds) override;
-    bool moving() const override { return (playback_.playing() && !study_.measuring()) || stale_; }
+    bool moving() const override { return playback_.playing() && !study_.measuring(); }
+    bool pending() const override { return stale_ && pictureWidth() > 0; }
     void draw() override;
-    void finish(long windowFrames, double seconds) override;
+    void report(const WindowState& state) override;
 
   private:
     // The picture takes the framebuffer's left part, of this many pixels; the panel the rest.
@@ -52,6 +54,7 @@ class DemoScreen final : public Screen {
     void save();
     void copyCommand();
     std::string commandLine() const;
+    FrameTimes timesForReport(bool closing);
     std::string defaultName() const;
     std::vector<Message> messages() const;
 
@@ -60,6 +63,7 @@ class DemoScreen final : public Screen {
     Stage& stage_;
     const DemoInfo& info_;
     ReportForm report_;
+    std::string program_;  // how it was started
     bool menu_;
     Places places_;
     KnobPanel knobs_;

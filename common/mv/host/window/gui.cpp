@@ -78,7 +78,7 @@ Gui::~Gui() {
 }
 
 void Gui::setLooks() {
-    const double contentScale = window_.contentScale(), pixelsPerUnit = window_.pixelsPerUnit();
+    const double contentScale = window_.contentScale(), pixelsPerUnit = window_.size().pixelsPerUnit();
     if (contentScale == contentScale_ && pixelsPerUnit == pixelsPerUnit_) return;
     contentScale_ = contentScale;
     pixelsPerUnit_ = pixelsPerUnit;
@@ -145,8 +145,13 @@ void Gui::begin() {
     setLooks();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
-    // The backend asks where the mouse is and what is pressed by now; the events of this frame may not be as far yet.
+    // The backend asks how large the window is, where the mouse is and what is pressed by now; the events of this frame may
+    // not be as far yet.
     ImGuiIO& io = ImGui::GetIO();
+    const WindowSize& size = window_.size();
+    io.DisplaySize = {static_cast<float>(size.width()), static_cast<float>(size.height())};
+    io.DisplayFramebufferScale = {static_cast<float>(size.pixelsPerUnit()),
+                                  static_cast<float>(size.pixelsPerUnitDown())};
     const bool here = glfwGetWindowAttrib(window_.handle(), GLFW_HOVERED) != 0;
     const bool held = std::any_of(down_.begin(), down_.end(), [](bool down) { return down; });
     io.MousePos =

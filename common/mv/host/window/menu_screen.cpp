@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "mv/gl/functions.h"
 #include "mv/host/window/panel_parts.h"
+#include "mv/host/window/window_report.h"
 
 namespace mv {
 namespace {
@@ -23,7 +23,7 @@ constexpr int menuWidth = 1000, menuHeight = 760;
 MenuScreen::MenuScreen(Window& window, Gui& gui, Stage& stage, Cards& cards, std::string problem, ReportForm report)
     : window_(window), gui_(gui), stage_(stage), cards_(cards), problem_(std::move(problem)), report_(report) {
     if (cards_.selected.empty() && !catalogue().empty()) cards_.selected = catalogue().front().name;
-    const double scale = window_.contentScale() / window_.pixelsPerUnit();
+    const double scale = window_.contentScale() / window_.size().pixelsPerUnit();
     window_.setTitle("mvgl");
     window_.show(static_cast<int>(std::lround(menuWidth * scale)), static_cast<int>(std::lround(menuHeight * scale)),
                  true);
@@ -110,13 +110,13 @@ void MenuScreen::draw() {
     glDisable(GL_SCISSOR_TEST);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    glViewport(0, 0, window_.pixelWidth(), window_.pixelHeight());
+    glViewport(0, 0, window_.size().pixelWidth(), window_.size().pixelHeight());
     glClearColor(0.118F, 0.129F, 0.149F, 1);
     glClear(GL_COLOR_BUFFER_BIT);
 
     gui_.begin();
     places_.clear();
-    const auto width = float(window_.width()), height = float(window_.height());
+    const auto width = float(window_.size().width()), height = float(window_.size().height());
     ImGui::SetNextWindowPos({0, 0});
     ImGui::SetNextWindowSize({width, height});
     ImGui::Begin("menu", nullptr,
@@ -193,7 +193,7 @@ void MenuScreen::showCard(const DemoInfo& info, float width, float height, float
     const auto card = cards_.made.find(info.name);
     if (card != cards_.made.end() && card->second.error.empty()) {
         const Thumbnail& picture = card->second.picture;
-        const auto units = static_cast<float>(1 / window_.pixelsPerUnit());
+        const auto units = static_cast<float>(1 / window_.size().pixelsPerUnit());
         const ImVec2 size{float(picture.width()) * units, float(picture.height()) * units};
         const ImVec2 at{frame.x + std::round((side - size.x) / 2), frame.y + std::round((side - size.y) / 2)};
         list.AddImage(picture.imguiId(), at, {at.x + size.x, at.y + size.y});
@@ -212,19 +212,19 @@ void MenuScreen::showCard(const DemoInfo& info, float width, float height, float
                  info.sentence.c_str(), nullptr, side);
 }
 
-void MenuScreen::finish(long windowFrames, double seconds) {
+void MenuScreen::report(const WindowState& state) {
     if (report_ == ReportForm::none) return;
     if (report_ == ReportForm::text) {
-        std::cout << "menu, " << windowFrames << " window frames drawn in " << seconds << " s\n" << std::flush;
+        printReport("menu, " + cards_.selected + " is chosen\n" +
+                    (problem_.empty() ? "" : "error     " + problem_ + "\n") + windowText(state));
         return;
     }
     nlohmann::ordered_json json;
-    json["menu"] = {{"selected", cards_.selected}, {"window_frames", windowFrames}, {"seconds", seconds}};
+    json["menu"] = cards_.selected;
     if (!problem_.empty()) json["error"] = problem_;
-    for (const auto& [name, r] : places_) {
-        json["places"][name] = numberText(r.x) + "," + numberText(r.y) + "," + numberText(r.z) + "," + numberText(r.w);
-    }
-    std::cout << json.dump(2) << "\n" << std::flush;
+    json["window"] = windowJson(state);
+    json["places"] = placesJson(places_);
+    printReport(json.dump(2) + "\n");
 }
 
 }  // namespace mv

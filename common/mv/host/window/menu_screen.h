@@ -29,9 +29,10 @@ class MenuScreen final : public Screen {
 
     void handle(const Event& event) override;
     bool advance(double) override { return false; }
-    bool moving() const override { return cards_.made.size() < catalogue().size(); }
+    bool moving() const override { return false; }
+    bool pending() const override { return cards_.made.size() < catalogue().size(); }
     void draw() override;
-    void finish(long windowFrames, double seconds) override;
+    void report(const WindowState& state) override;
 
   private:
     void makeNextPicture();

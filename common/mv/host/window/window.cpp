@@ -54,6 +54,12 @@ std::string versionFound() {
     return version;
 }
 
+// Asks what only the X server can answer, which it does after all that it was told before.
+void roundTrip(GLFWwindow* handle) {
+    int width = 0;
+    glfwGetWindowSize(handle, &width, nullptr);
+}
+
 }  // namespace
 
 // GLFW's callbacks: each notes the event, to be handed on in its frame.
@@ -93,8 +99,20 @@ struct WindowCallbacks {
         glfwSetWindowFocusCallback(handle, [](GLFWwindow* at, int) { other(at); });
         glfwSetWindowRefreshCallback(handle, [](GLFWwindow* at) { other(at); });
         glfwSetWindowIconifyCallback(handle, [](GLFWwindow* at, int) { other(at); });
-        glfwSetFramebufferSizeCallback(handle, [](GLFWwindow* at, int, int) { other(at); });
-        glfwSetWindowContentScaleCallback(handle, [](GLFWwindow* at, float, float) { other(at); });
+        // Both sizes as the window system tells them, one right after the other. Asked for, each would be that of its own
+        // moment: between two answers a window can grow from 1 to 1200.
+        glfwSetWindowSizeCallback(handle, [](GLFWwindow* at, int width, int height) {
+            of(at).size_.setUnits(width, height);
+            other(at);
+        });
+        glfwSetFramebufferSizeCallback(handle, [](GLFWwindow* at, int width, int height) {
+            of(at).size_.setPixels(width, height);
+            other(at);
+        });
+        glfwSetWindowContentScaleCallback(handle, [](GLFWwindow* at, float scale, float) {
+            of(at).contentScale_.set(double(scale));
+            other(at);
+        });
         glfwSetWindowCloseCallback(handle, [](GLFWwindow* at) { other(at); });
     }
 };
@@ -128,6 +146,18 @@ void Window::open() {
     glfwSetWindowUserPointer(handle_, this);
     WindowCallbacks::install(handle_);
     glfwGetCursorPos(handle_, &mouseX_, &mouseY_);
+    inputs_.mouseX = mouseX_;
+    inputs_.mouseY = mouseY_;
+    // Hidden as it is yet, nobody changes its size between these two.
+    int width = 0, height = 0;
+    glfwGetWindowSize(handle_, &width, &height);
+    size_.setUnits(width, height);
+    glfwGetFramebufferSize(handle_, &width, &height);
+    size_.setPixels(width, height);
+    size_.take();
+    float scale = 1;
+    glfwGetWindowContentScale(handle_, &scale, nullptr);
+    contentScale_.set(double(scale));
     glfwMakeContextCurrent(handle_);
     glfwSwapInterval(1);
 }
@@ -154,44 +184,16 @@ void Window::show(int width, int height, bool fit) {
         glfwSetWindowSize(handle_, width, height);
     }
     glfwShowWindow(handle_);
+    // The new size before the first frame, where the window system has it at once.
+    roundTrip(handle_);
+    glfwPollEvents();
+    size_.take();
 }
 
 void Window::copyToClipboard(const std::string& text) { glfwSetClipboardString(handle_, text.c_str()); }
 
-int Window::width() const {
-    int width = 0;
-    glfwGetWindowSize(handle_, &width, nullptr);
-    return width;
-}
-int Window::height() const {
-    int height = 0;
-    glfwGetWindowSize(handle_, nullptr, &height);
-    return height;
-}
-int Window::pixelWidth() const {
-    int width = 0;
-    glfwGetFramebufferSize(handle_, &width, nullptr);
-    return width;
-}
-int Window::pixelHeight() const {
-    int height = 0;
-    glfwGetFramebufferSize(handle_, nullptr, &height);
-    return height;
-}
-
-double Window::pixelsPerUnit() const {
-    const int units = width();
-    return units > 0 ? double(pixelWidth()) / units : 1;
-}
-
-double Window::contentScale() const {
-    float scale = 1;
-    glfwGetWindowContentScale(handle_, &scale, nullptr);
-    return std::clamp(double(scale), 0.5, 8.0);  // some servers report a density of 0
-}
-
 bool Window::hidden() const {
-    return glfwGetWindowAttrib(handle_, GLFW_ICONIFIED) || pixelWidth() < 1 || pixelHeight() < 1;
+    return glfwGetWindowAttrib(handle_, GLFW_ICONIFIED) || size_.pixelWidth() < 1 || size_.pixelHeight() < 1;
 }
 
 bool Window::closing() const { return glfwWindowShouldClose(handle_) != 0; }
@@ -202,6 +204,7 @@ std::vector<Event> Window::waitForEvents(double seconds) {
     } else {
         glfwPollEvents();
     }
+    size_.take();
     std::vector<Event> frame;
     bool keyDown = false, button = false;
     while (!events_.empty()) {
@@ -212,14 +215,48 @@ std::vector<Event> Window::waitForEvents(double seconds) {
         if (button && (isButton || event.kind == Event::Kind::move)) break;
         keyDown |= isKey && event.kind == Event::Kind::key;
         button |= isButton;
+        count(event);
         frame.push_back(event);
         events_.pop_front();
     }
     return frame;
 }
 
+void Window::count(const Event& event) {
+    inputs_.mouseX = event.x;
+    inputs_.mouseY = event.y;
+    switch (event.kind) {
+        case Event::Kind::key:
+            ++inputs_.keys;
+            if (!event.repeat) ++inputs_.keysHeld;
+            break;
+        case Event::Kind::keyUp:
+            inputs_.keysHeld = std::max(inputs_.keysHeld - 1, 0);  // one may have been pressed in another window
+            break;
+        case Event::Kind::press:
+            ++inputs_.buttons;
+            ++inputs_.buttonsHeld;
+            break;
+        case Event::Kind::release:
+            inputs_.buttonsHeld = std::max(inputs_.buttonsHeld - 1, 0);
+            break;
+        case Event::Kind::wheel:
+            ++inputs_.wheel;
+            break;
+        case Event::Kind::character:
+        case Event::Kind::move:
+        case Event::Kind::other:
+            break;
+    }
+}
+
 bool Window::eventsLeft() const { return !events_.empty(); }
 
 void Window::swap() { glfwSwapBuffers(handle_); }
+
+void Window::finish() {
+    glFinish();
+    roundTrip(handle_);
+}
 
 }  // namespace mv

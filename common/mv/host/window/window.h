@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mv/host/context.h"
+#include "mv/host/window/window_size.h"
 
 struct GLFWwindow;
 
@@ -20,6 +21,13 @@ struct Event {
     unsigned codePoint = 0;          // of a character
     double x = 0, y = 0;             // where the mouse was
     double across = 0, notches = 0;  // of the wheel; notches away from the user
+};
+
+// What a window has been given so far, as far as frames have had it.
+struct Inputs {
+    long keys = 0, buttons = 0, wheel = 0;  // pressed, a repeated key each time; turns of the wheel
+    int keysHeld = 0, buttonsHeld = 0;      // that are down
+    double mouseX = 0, mouseY = 0;          // where the last event had the mouse, in window coordinates
 };
 
 class Window final : public Context {
@@ -41,15 +49,10 @@ class Window final : public Context {
     void show(int width, int height, bool fit);
     void copyToClipboard(const std::string& text);
 
-    // Window coordinates, and pixels of the framebuffer.
-    int width() const;
-    int height() const;
-    int pixelWidth() const;
-    int pixelHeight() const;
-    // Pixels for each window coordinate: 1, except where the window system scales (Wayland).
-    double pixelsPerUnit() const;
+    // Its size as of the last waitForEvents: the same in all of a frame.
+    const WindowSize& size() const { return size_; }
     // Pixels for each pixel of a screen of ordinary density: what words and widgets are to grow by.
-    double contentScale() const;
+    double contentScale() const { return contentScale_.value(); }
     // Nothing can be seen of it: minimised, or without a pixel.
     bool hidden() const;
     bool closing() const;
@@ -60,13 +63,21 @@ class Window final : public Context {
     std::vector<Event> waitForEvents(double seconds);
     // Whether there are more for the next frame.
     bool eventsLeft() const;
+    // What frames have had, the last one included.
+    const Inputs& inputs() const { return inputs_; }
     void swap();
+    // Returns when the display has done all that was asked of it: what was swapped is seen.
+    void finish();
 
   private:
     friend struct WindowCallbacks;
     void open();
+    void count(const Event& event);
     GLFWwindow* handle_ = nullptr;
+    WindowSize size_;
+    Believed contentScale_{"the screen's scale"};
     std::deque<Event> events_;  // that no frame has had yet
+    Inputs inputs_;
     double mouseX_ = 0, mouseY_ = 0;
 };
 
