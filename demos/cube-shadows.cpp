@@ -1,16 +1,16 @@
 // cube-shadows: what stands before a floor and a wall, and its shadows on them: one matrix for any plane and any light.
 //
-// Claims (each is a test in tests/claims/cube-shadows.cpp):
+// Claims (each is a test in tests/claims/cube-shadows.cpp; the extreme ones are X11 to X16 in docs/stability.md):
 // - [cast-by-rays] The picture is what rays show, on floor, wall and leaning wall, from lamps and lights at infinity.
 // - [no-shadow-seen-from-the-light] An eye at the light, as in the first picture, sees no shadow.
 // - [special-case] On planes across an axis the slide's special case and the general matrix give the same picture.
-// - [transposed-is-wrong] The matrix as the slide prints it, for columns transposed, draws another picture (E7).
+// - [transposed-is-wrong] The matrix as the slide prints it, for columns transposed, draws another picture.
 // - [darkened-once] However many triangles and casters overlap in a shadow, each of its pixels is darkened once.
-// - [between-plane-and-light] What is above the light, at its height or behind the plane casts nothing (X11-X13).
+// - [between-plane-and-light] What is above the light, at its height or behind the plane casts nothing.
 // - [clip-or-discard] Clip distances and discard cut the same false shadows off.
-// - [light-in-the-plane] A light in the plane or behind it throws no shadow there, and a sentence says so (X14).
-// - [grazing-light] Under a light 1e-7 above the plane no pixel beside floor and wall is darkened (X15).
-// - [far-from-the-origin] With the plane 1e6 from the origin a shadow's place is right to 1e-5 of the cube (X16).
+// - [light-in-the-plane] A light in the plane or behind it throws no shadow there, and a sentence says so.
+// - [grazing-light] Under a light 1e-7 above the plane no pixel beside floor and wall is darkened.
+// - [far-from-the-origin] With the plane 1e6 from the origin a shadow's place is right to 1e-5 of the cube.
 // - [moved-by-hand] The arrow keys turn the light by 5 degrees.
 #include <algorithm>
 #include <array>
@@ -243,7 +243,7 @@ struct CubeShadows final : Demo {
         }
         if (place == Place::plane) setSeen(true);
         glStencilFunc(GL_ALWAYS, 0, 0xFF);
-        // The edges a little outside the faces, which would come through them else
+        // Draw the edges a little outside the faces: on the faces themselves, the faces would cover parts of them
         if (place != Place::stillLife)
             drawSurface(edges, viewFromWorld * worldFromObject(room.objects[0]) * scale(2.004));
         const mat4 viewFromLamp = viewFromWorld * translate(vec3(light()));

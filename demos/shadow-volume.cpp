@@ -71,7 +71,8 @@ struct ShadowVolumes final : Demo {
                       Show::volumes,
                       {{"shadow"}, {"volumes", "and their surfaces, as glass"}, {"count", "and the stencil buffer"}},
                       "what is drawn"};
-    Toggle silhouetteOnly{this, "silhouette", true, "draw out the edges of the silhouette only, else every triangle's"};
+    Toggle silhouetteOnly{this, "silhouette", true,
+                          "on: only the silhouette's edges are drawn out; off: the edges of every triangle"};
     Toggle groups{this, "groups", true, "count 127 casters at a time where more than 255 would wrap round"};
     Choice<Place> eye{this, "eye", Place::outside, {{"outside"}, {"in-volume"}}, "where the eye is"};
     Real far{this, "far", 0, {0, 100}, "end the view this far away, and the volumes with it; 0: nowhere"};

@@ -1,11 +1,11 @@
 // stereocube: a wire cube seen by two eyes, one picture in red and one in cyan for coloured glasses.
 //
-// Claims (each is a test in tests/claims/stereocube.cpp):
+// Claims (each is a test in tests/claims/stereocube.cpp; the extreme one is X39 in docs/stability.md):
 // - [left-is-red-channel] On white and on black, lines and masks alike, the left eye's picture is what changes red.
 // - [left-is-left] The eye behind the red filter is the one on the left: near things move right in its picture.
 // - [masks-lose-nothing] With masks each eye's picture is whole; with lines the nearer colour cuts gaps at crossings.
 // - [toe-in-is-crooked] Toe-in moves corners up in one eye and down in the other; the less, the further the eyes meet.
-// - [off-axis-is-level] Off-axis leaves no vertical parallax at all, whatever the convergence (X39).
+// - [off-axis-is-level] Off-axis leaves no vertical parallax at all, whatever the convergence.
 // - [zero-at-convergence] Off-axis, what is at the convergence distance has no parallax: the screen is there.
 // - [cube-out-of-view] With nothing of the cube before the eyes the setting is refused.
 #include "mv/demo/demo.h"
