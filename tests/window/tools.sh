@@ -38,40 +38,63 @@ openDisplay() {
 
 # ---- Reports
 
-# The last complete report of the program, into $state/report.
+# What the last complete report says, by name; where a widget stands is under "at WIDGET".
+declare -A values
+# Reads it, into $state/report too.
 lastReport() {
-    awk '/^{$/ { text = "" } { text = text $0 "\n" } /^}$/ { last = text } END { printf "%s", last }' "$state/out" \
-        >"$state/report"
+    local name value
+    values=()
+    while IFS=$'\t' read -r name value; do
+        [ -n "${values[$name]+set}" ] || values[$name]=$value
+    done < <(awk -v file="$state/report" '
+        /^{$/ { text = "" } { text = text $0 "\n" } /^}$/ { last = text }
+        END {
+            printf "%s", last >file
+            count = split(last, lines, "\n")
+            for (i = 1; i <= count; ++i) {
+                line = lines[i]
+                if (!sub(/^ *"/, "", line) || !(colon = index(line, "\": "))) continue
+                name = substr(line, 1, colon - 1)
+                value = substr(line, colon + 3)
+                sub(/,$/, "", value)
+                if (sub(/^"/, "", value)) sub(/"$/, "", value)
+                gsub(/\\"/, "\"", value)
+                gsub(/\\\\/, "\\", value)
+                if (value == "{" || value == "[") places = name == "places"
+                else print (places ? "at " : "") name "\t" value
+            }
+        }' "$state/out")
 }
-# What it says: the first line with that name, which is the setting of a knob rather than its place.
-reported() {
-    sed -n "/^ *\"$1\": \"\{0,1\}\([^\"]*[^\",]\)\"\{0,1\},\{0,1\}$/ { s//\1/; s/\\\\\(.\)/\1/g; p; q }" "$state/report"
-}
+reported() { echo "${values[$1]-}"; }
 # says NAME VALUE...: the window is at rest, and the report has these values.
 says() {
-    [ "$(reported settled)" = true ] || return 1
+    [ "${values[settled]-}" = true ] || return 1
     while [ $# -gt 0 ]; do
-        [ "$(reported "$1")" = "$2" ] || return 1
+        [ "${values[$1]-}" = "$2" ] || return 1
         shift 2
     done
 }
 
-# await WHAT COMMAND...: until the command succeeds, with a new report each time.
+# await WHAT COMMAND...: until the command succeeds. It is asked whenever there is another report, and ten times a second,
+# for what no report says.
 await() {
-    local what=$1 deadline=$((SECONDS + limit))
+    local what=$1 deadline=$((SECONDS + limit)) looks
     shift
-    while :; do
-        lastReport
-        "$@" >/dev/null 2>&1 && return
-        if [ -n "$pid" ] && ! kill -0 $pid 2>/dev/null; then
+    for ((looks = 0; ; ++looks)); do
+        if ((looks % 5 == 0)) || [ "$state/out" -nt "$state/report" ]; then
             lastReport
             "$@" >/dev/null 2>&1 && return
-            die "the program has ended, in wait for $what"
+            if [ -n "$pid" ] && ! kill -0 $pid 2>/dev/null; then
+                lastReport
+                "$@" >/dev/null 2>&1 && return
+                die "the program has ended, in wait for $what"
+            fi
+            [ $SECONDS -lt $deadline ] || die "waited $limit s in vain for $what"
         fi
-        [ $SECONDS -lt $deadline ] || die "waited $limit s in vain for $what"
-        sleep 0.02
+        read -rt 0.02 <&9 # sleeps without another program
     done
 }
+exec 9<> <(:) # which nobody writes to
 # awaitReport NAME VALUE...
 awaitReport() { await "$*" says "$@"; }
 
@@ -171,11 +194,11 @@ resize() {
 }
 pictureIs() { says && [ "$(reported width)x$(reported height)" = "$1" ]; }
 
-# The middle of a widget as it stands now, "x y".
+# place WIDGET: its middle as it stands now, "x y".
 place() {
-    awk -v name="\"$1\":" '/"places"/ { inside = 1 } inside && index($0, name) {
-        gsub(/[",]/, " ", $0); n = split($0, w, " ")
-        print int((w[n - 3] + w[n - 1]) / 2), int((w[n - 2] + w[n]) / 2); exit }' "$state/report"
+    local left top right bottom
+    IFS=, read -r left top right bottom <<<"${values["at $1"]-}"
+    [ -z "$bottom" ] || echo "$(((${left%.*} + ${right%.*}) / 2)) $(((${top%.*} + ${bottom%.*}) / 2))"
 }
 clickOn() { # WIDGET
     local x y
@@ -186,12 +209,11 @@ clickOn() { # WIDGET
 
 # ---- Pictures
 
-# screenshot FILE: of the screen come to rest: twice the same, and not of one colour.
+# screenshot FILE.ppm: of the screen come to rest: twice the same, and not of one colour.
 screenshot() { await "a screen at rest" twiceTheSame "$1"; }
 twiceTheSame() {
-    local first
-    import -window root "$1" && first=$(identify -format '%# %k' "$1")
-    import -window root "$1" && [ "$(identify -format '%# %k' "$1")" = "$first" ] && [ "${first#* }" -gt 1 ]
+    import -window root "$1" && import -window root "$state/again.ppm" && cmp "$1" "$state/again.ppm" &&
+        [ "$(identify -format %k "$1")" -gt 1 ]
 }
 pixel() { convert "$1" -format "%[pixel:p{$2}]" info: | sed 's/a(/(/;s/,1)/)/'; } # FILE X,Y
 differing() {                                                                  # FILE FILE: how many pixels

@@ -25,11 +25,11 @@ trap '[ -z "$pid" ] || kill $pid 2>/dev/null; [ -z "$server" ] || kill $server; 
 opens() {
     start 'mvgl: cube-cull' "$cubeCull"
     equal "window's size" "960x600" "$(xdotool getwindowgeometry "$window" | sed -n 's/.*Geometry: //p')"
-    screenshot "$state/screen.png"
+    screenshot "$state/screen.ppm"
     # The picture's corner has its background, the panel its own, and the picture is where it belongs.
-    equal "corner of the picture" "srgb(230,255,255)" "$(pixel "$state/screen.png" 3,3)"
-    equal "middle of the picture" "srgb(0,0,255)" "$(pixel "$state/screen.png" 300,290)"
-    equal "corner of the panel" "srgb(30,33,38)" "$(pixel "$state/screen.png" 603,3)"
+    equal "corner of the picture" "srgb(230,255,255)" "$(pixel "$state/screen.ppm" 3,3)"
+    equal "middle of the picture" "srgb(0,0,255)" "$(pixel "$state/screen.ppm" 300,290)"
+    equal "corner of the panel" "srgb(30,33,38)" "$(pixel "$state/screen.ppm" 603,3)"
     quit
     equal "picture's width" 600 "$(reported width)"
     equal "picture's height" 600 "$(reported height)"
@@ -117,9 +117,9 @@ typed() {
     quit
     start 'mvgl: cube-cull' "$cubeCull"
     typeValue 99
-    screenshot "$state/screen.png"
+    screenshot "$state/screen.ppm"
     # Refused, its field red, and not moved to the nearest value that is allowed.
-    atLeast "red pixels of the field" "$(convert "$state/screen.png" -crop 360x600+600+0 -fuzz 1% -fill white \
+    atLeast "red pixels of the field" "$(convert "$state/screen.ppm" -crop 360x600+600+0 -fuzz 1% -fill white \
         -opaque 'rgb(84,23,23)' -fill black +opaque white -format '%[fx:mean*w*h]' info:)" 100
     press Escape # leaves the field, and only that
     quit
@@ -226,14 +226,14 @@ clipboard() { # a copied line works where the window was opened from, pasted as 
 
 error() {
     start 'mvgl: cube-cull' "$cubeCull" --z-dist -0.2
-    screenshot "$state/before.png"
+    screenshot "$state/before.ppm"
     press Up
     awaitReport error "--z-dist: must not be 0: the eye would stand on the point it looks at"
-    screenshot "$state/after.png"
-    convert "$state/before.png" -crop 600x600+0+0 +repage "$state/a.png"
-    convert "$state/after.png" -crop 600x600+0+0 +repage "$state/b.png"
-    equal "pixels changed of the last good picture" 0 "$(differing "$state/a.png" "$state/b.png")"
-    atLeast "colours of the last good picture" "$(identify -format %k "$state/a.png")" 2
+    screenshot "$state/after.ppm"
+    convert "$state/before.ppm" -crop 600x600+0+0 +repage "$state/a.ppm"
+    convert "$state/after.ppm" -crop 600x600+0+0 +repage "$state/b.ppm"
+    equal "pixels changed of the last good picture" 0 "$(differing "$state/a.ppm" "$state/b.ppm")"
+    atLeast "colours of the last good picture" "$(identify -format %k "$state/a.ppm")" 2
     press s
     equal "pictures saved of settings that make none" "" "$(ls)"
     equal "z-dist" 0 "$(reported z-dist)"
@@ -318,14 +318,14 @@ torn() {
 # It looks like a window of twice the size: clicked at where it looks, the box of depth is unchecked, and the cube turns.
 # Everything is in pixels of the screen.
 looksTwiceAsLarge() {
-    screenshot "$state/screen.png"
-    equal "corner of the picture" "srgb(230,255,255)" "$(pixel "$state/screen.png" 3,3)"
-    equal "middle of the picture" "srgb(0,0,255)" "$(pixel "$state/screen.png" 600,580)"
-    equal "lower right corner of the picture" "srgb(230,255,255)" "$(pixel "$state/screen.png" 1197,1197)"
-    equal "corner of the panel" "srgb(30,33,38)" "$(pixel "$state/screen.png" 1203,3)"
+    screenshot "$state/screen.ppm"
+    equal "corner of the picture" "srgb(230,255,255)" "$(pixel "$state/screen.ppm" 3,3)"
+    equal "middle of the picture" "srgb(0,0,255)" "$(pixel "$state/screen.ppm" 600,580)"
+    equal "lower right corner of the picture" "srgb(230,255,255)" "$(pixel "$state/screen.ppm" 1197,1197)"
+    equal "corner of the panel" "srgb(30,33,38)" "$(pixel "$state/screen.ppm" 1203,3)"
     # The only check mark there is, by its colour: width x height + x + y of what has it.
     local w h x y
-    IFS='x+' read -r w h x y <<<"$(convert "$state/screen.png" -fill black +opaque 'rgb(140,192,255)' -format '%@' info:)"
+    IFS='x+' read -r w h x y <<<"$(convert "$state/screen.ppm" -fill black +opaque 'rgb(140,192,255)' -format '%@' info:)"
     atLeast "width of the check mark" "$w" 16 # 9 at ordinary density
     xdotool mousemove --window "$window" $((x + w / 2)) $((y + h / 2))
     click
@@ -451,7 +451,7 @@ END
     awaitReport error ""
     quit
 }
-squareIs() { import -window root "$state/screen.png" && [ "$(pixel "$state/screen.png" 200,150)" = "$1" ]; }
+squareIs() { import -window root "$state/screen.ppm" && [ "$(pixel "$state/screen.ppm" 200,150)" = "$1" ]; }
 hasMistake() { says && reported error | grep -q 'shaders/probe.frag:3'; }
 
 launcher_() {
