@@ -243,6 +243,21 @@ TEST(Program, several_frames_and_comparisons_are_written) {
     const Picture sheet = loadPicture(folder.file("c.png"));
     EXPECT_EQ(sheet.width, 3 * 200 + 8);
     EXPECT_GT(sheet.height, 150);
+    // The size that is named is the one that holds.
+    const auto compared = [&](const std::string& size) {
+        return runProcess(
+            {program("cube-cull"), "--shot", folder.file("wide.png"), "--compare", "cull=back,front", "--size", size});
+    };
+    const ProcessResult wide = compared("6000x10");
+    expectRefusal(wide, 1, "--compare: lays three pictures beside each other; each must be at most ");
+    expectRefusal(compared("10x16384"), 1, wide.err.substr(0, wide.err.find(" on this driver")));
+    const std::string most = " at most ";
+    const std::string named = wide.err.substr(wide.err.find(most) + most.size());
+    const int across = std::stoi(named), down = std::stoi(named.substr(named.find('x') + 1));
+    EXPECT_EQ(compared(std::to_string(across) + "x10").status, 0);
+    EXPECT_EQ(compared("10x" + std::to_string(down)).status, 0);
+    expectRefusal(compared(std::to_string(across + 1) + "x10"), 1, "each must be at most");
+    expectRefusal(compared("10x" + std::to_string(down + 1)), 1, "each must be at most");
     // Both at once: a sheet a frame, each what it is alone.
     const std::vector<std::string> squares{program("shadow"), "--compare", "light-height=1.5,2", "--size", "64x48"};
     const auto run = [&](std::vector<std::string> more) {

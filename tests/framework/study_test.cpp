@@ -6,7 +6,9 @@
 #include <cmath>
 
 #include "mv/gl/gl.h"
+#include "mv/run/gnuplot.h"
 #include "support/demo_run.h"
+#include "support/temporary_folder.h"
 
 using namespace mv;
 using namespace mv::test;
@@ -301,8 +303,27 @@ TEST(StudyData, json_reads_back) {
     const StudyRun run = stepRun();
     const std::string text = studyJson(run);
     EXPECT_EQ(studyJson(readStudy(text)), text);
-    EXPECT_THROW(readStudy("{}"), Error);
-    EXPECT_THROW(readStudy("no study"), Error);
+    const auto problem = [](const std::string& wrong) -> std::string {
+        try {
+            readStudy(wrong);
+            return "accepted";
+        } catch (const Error& error) {
+            return error.what();
+        }
+    };
+    const std::string rule = "study: must be the text of a study.json of this version, ";
+    EXPECT_EQ(problem("{}"), rule + "'demo' is missing or of another kind");
+    EXPECT_EQ(problem("no study"), rule + "it is no JSON from byte 2 on");
+    EXPECT_EQ(problem("[]"), rule + "'demo' is missing or of another kind");
+    const auto replaced = [&](const std::string& part, const std::string& other) {
+        std::string changed = text;
+        return changed.replace(changed.find(part), part.size(), other);
+    };
+    EXPECT_EQ(problem(replaced("\"rows\"", "\"lines\"")), rule + "'rows' is missing or of another kind");
+    EXPECT_EQ(problem(replaced("\"threads\": ", "\"threads\": \"many\", \"t\": ")),
+              rule + "'threads' is missing or of another kind");
+    EXPECT_EQ(problem(replaced("\"ms_median\": ", "\"ms_median\": -1")),
+              "study: must have no times and errors below 0; see 'ms_median', -10");
 }
 
 TEST(StudyData, csv_has_a_line_a_row) {
@@ -324,6 +345,47 @@ TEST(StudyPlot, is_an_svg_with_every_method) {
     StudyRun empty = run;
     for (StudyRow& each : empty.rows) each.status = "failed";
     EXPECT_THROW(studySvg(empty), Error);
+}
+
+// A committed study is a file that somebody sent: nothing in it is run, and all of it is shown as it is.
+TEST(StudyPlot, a_hostile_study_runs_nothing) {
+    const TemporaryFolder folder;
+    const std::string made = folder.file("made");
+    // Names of commands in all of gnuplot's ways, ends of strings and lines, and marks of its enhanced text
+    const std::string hostile = "x`touch " + made + "`y'\"\\ $(touch " + made + ")\nsystem('touch " + made +
+                                "')\n\"; system \"touch " + made + "\"\nEND\n!touch " + made +
+                                "\n@macro a_b^c {/:Bold d} &e <f> \t\r #g %h " + std::string("\0i", 2) + "j";
+    StudyRun run;
+    run.demo = "demo " + hostile;
+    run.quantity = "quantity " + hostile;
+    run.reference = "reference " + hostile;
+    run.host = "host " + hostile;
+    run.renderer = "renderer " + hostile;
+    run.processor = "processor " + hostile;
+    run.width = 4;
+    for (const std::string& scene : {"scene " + hostile, "other " + hostile}) {
+        run.referenceErrors.emplace_back(scene, 0.1);
+        for (const char* parameter : {"1", "2", "3"}) {
+            StudyRow each;
+            each.scene = scene;
+            each.method = "method " + hostile;
+            each.parameter = parameter + hostile;
+            each.all.rms = 1.0 / parameter[0];
+            each.msMedian = parameter[0];
+            each.rounds = 7;
+            each.counts = {{"count " + hostile, 1}};
+            run.rows.push_back(each);
+        }
+    }
+    markBest(run);
+    const std::string svg = studySvg(readStudy(studyJson(run)));
+    EXPECT_FALSE(std::filesystem::exists(made));
+    for (const char* word : {"demo", "quantity", "reference", "renderer", "processor", "scene", "other", "method"}) {
+        EXPECT_NE(svg.find(std::string(word) + " x`touch "), std::string::npos) << word << " is shown as it is";
+    }
+    EXPECT_NE(svg.find("a_b^c {/:Bold d} &amp;e &lt;f>"), std::string::npos) << "no mark is taken for one";
+    EXPECT_EQ(svg.find("<f>"), std::string::npos);
+    EXPECT_EQ(quotedForGnuplot("it's\n\\ `a`"), "'it''s \\ `a`'");
 }
 
 TEST(Vary, makes_a_study_by_hand) {

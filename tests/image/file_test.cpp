@@ -83,6 +83,25 @@ TEST(WriteFile, FollowsALinkAndKeepsIt) {
     EXPECT_EQ(textOf(folder / "elsewhere/file"), "new");
 }
 
+TEST(WriteFile, FollowsALinkToAFileThatIsNotThereYet) {
+    const TemporaryFolder folder;
+    fs::create_directory(folder / "elsewhere");
+    fs::create_symlink("elsewhere/file", folder / "link");
+    fs::create_symlink(folder / "link", folder / "link to the link");
+    writeFileAtomically(folder / "link to the link", "new");
+    EXPECT_TRUE(fs::is_symlink(folder / "link"));
+    EXPECT_TRUE(fs::is_symlink(folder / "link to the link"));
+    EXPECT_EQ(textOf(folder / "elsewhere/file"), "new");
+    EXPECT_EQ(folder.entries(), 3);
+    // Where it leads is said; it may lead nowhere, or to itself.
+    fs::create_symlink("missing/file", folder / "nowhere");
+    EXPECT_TRUE(contains(messageOf([&] { writeFileAtomically(folder / "nowhere", "text"); }),
+                         "nowhere -> " + (folder / "missing/file").string() + ": could not be written, No such file"));
+    fs::create_symlink("circle", folder / "circle");
+    EXPECT_TRUE(contains(messageOf([&] { writeFileAtomically(folder / "circle", "text"); }), "symbolic links"));
+    EXPECT_EQ(folder.entries(), 5);
+}
+
 TEST(WriteFile, TakesTheLongestName) {
     const TemporaryFolder folder;
     writeFileAtomically(folder / std::string(255, 'n'), "text");

@@ -60,13 +60,17 @@ void requireComplete(const std::string& label) {
 
 }  // namespace
 
-Target::Target(int width, int height, Buffers buffers, const std::string& label)
-    : width_(width), height_(height), buffers_(buffers) {
+int largestTargetSide() {
     GLint largest = 0;
     glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &largest);
     GLint widest[2] = {0, 0};
     glGetIntegerv(GL_MAX_VIEWPORT_DIMS, widest);
-    largest = std::min({largest, widest[0], widest[1]});
+    return std::min({largest, widest[0], widest[1]});
+}
+
+Target::Target(int width, int height, Buffers buffers, const std::string& label)
+    : width_(width), height_(height), buffers_(buffers) {
+    const int largest = largestTargetSide();
     if (width < 1 || height < 1 || width > largest || height > largest) {
         throw Error("size",
                     "must be 1x1 .. " + std::to_string(largest) + "x" + std::to_string(largest) + " on this driver",

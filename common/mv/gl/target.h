@@ -10,6 +10,9 @@ namespace mv {
 
 // Every host draws into one of these and never into its window: only then are the bytes the same on OSMesa, EGL and in
 // a window.
+// The longest side of a target that this driver makes, in pixels.
+int largestTargetSide();
+
 class Target {
   public:
     struct Buffers {

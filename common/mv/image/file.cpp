@@ -55,7 +55,7 @@ class Descriptor {
 // Removes the file when it goes out of scope, unless release() said that it is no longer ours to remove.
 class TemporaryFile {
   public:
-    explicit TemporaryFile(fs::path path) : path_(std::move(path)) {}
+    explicit TemporaryFile(fs::path path) : path_(std::move(path)), removal_(path_) {}
     ~TemporaryFile() {
         if (!path_.empty()) ::unlink(path_.c_str());
     }
@@ -67,6 +67,7 @@ class TemporaryFile {
 
   private:
     fs::path path_;
+    RemovedOnSignal removal_;
 };
 
 void writeAndClose(const fs::path& path, Descriptor file, std::span<const std::byte> bytes) {
@@ -107,15 +108,27 @@ std::pair<Descriptor, fs::path> createTemporary(const fs::path& target, const fs
     }
 }
 
+// Where a link leads, by way of others; the last need not be there. As long as the system itself would follow them.
+fs::path withoutLinks(fs::path path) {
+    for (int i = 0; i < 40; ++i) {
+        std::error_code error;
+        const fs::path target = fs::read_symlink(path, error);
+        if (error) return path;  // no link
+        path = target.is_absolute() ? target : path.parent_path() / target;
+    }
+    return path;
+}
+
 }  // namespace
 
 void writeFileAtomically(const fs::path& path, std::span<const std::byte> bytes) {
     struct stat status {};
     const bool exists = ::stat(path.c_str(), &status) == 0;
+    if (!exists && errno != ENOENT) refuseWrite(path, errno);  // links in a circle, say
     if (exists && S_ISDIR(status.st_mode)) refuseWrite(path, EISDIR);
     if (standardStream(path) || (exists && !S_ISREG(status.st_mode))) return writeToDevice(path, bytes);
 
-    fs::path target = path;
+    fs::path target = withoutLinks(path);
     if (exists) {
         // A rename asks only for the folder's permission; who protected the file itself meant it.
         if (::access(path.c_str(), W_OK) != 0) refuseWrite(path, errno);
@@ -125,8 +138,11 @@ void writeFileAtomically(const fs::path& path, std::span<const std::byte> bytes)
     }
     const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
 
-    auto [file, temporaryPath] = createTemporary(path, folder);
+    std::optional<SignalsHeld> held(std::in_place);
+    const fs::path shown = exists || target == path ? path : fs::path(path.string() + " -> " + target.string());
+    auto [file, temporaryPath] = createTemporary(shown, folder);
     TemporaryFile temporary(std::move(temporaryPath));
+    held.reset();
     if (exists && ::fchmod(file.number(), status.st_mode & 07777U) != 0) refuseWrite(path, errno);
     writeAndClose(path, std::move(file), bytes);
     if (::rename(temporary.path().c_str(), target.c_str()) != 0) refuseWrite(path, errno);
@@ -170,8 +186,10 @@ ScratchFolder::ScratchFolder(std::string_view name) {
     const fs::path temporary = fs::temp_directory_path(missing);
     if (missing) throw Error(name, rule, missing.message());
     std::string pattern = (temporary / "mvgl-").string().append(name).append("-XXXXXX");
+    const SignalsHeld held;
     if (!::mkdtemp(pattern.data())) throw Error(name, rule, pattern + ": " + reasonText(errno));
     path_ = pattern;
+    removal_.emplace(path_);
 }
 
 ScratchFolder::~ScratchFolder() {

@@ -2,7 +2,27 @@
 
 #include <algorithm>
 #include <cstdio>
+
+#include "mv/error.h"
+#include "mv/gl/target.h"
+
 namespace mv {
+namespace {
+
+constexpr int gap = 4;         // between the pictures
+constexpr int labelSpace = 8;  // round a label's letters
+
+}  // namespace
+
+void requireRoomToCompare(int width, int height) {
+    const int largest = largestTargetSide();
+    const int widest = (largest - 2 * gap) / 3, highest = largest - TextStyle{}.height - labelSpace;
+    if (width <= widest && height <= highest) return;
+    throw Error("--compare",
+                "lays three pictures beside each other; each must be at most " + std::to_string(widest) + "x" +
+                    std::to_string(highest) + " on this driver, by --size",
+                std::to_string(width) + "x" + std::to_string(height));
+}
 
 Picture compareSettings(Stage& stage, int index, const std::string& knob, const std::vector<std::string>& values) {
     std::vector<Picture> pictures;
@@ -17,9 +37,9 @@ Picture compareSettings(Stage& stage, int index, const std::string& knob, const 
     pictures.push_back(differencePicture(pictures[0], pictures[1]));
     labels.push_back(differenceText(difference));
 
-    const int width = pictures[0].width, height = pictures[0].height, gap = 4;
+    const int width = pictures[0].width, height = pictures[0].height;
     const TextStyle style = fittedStyle(labels, width, {.background = {1, 1, 1, 1}});
-    const int strip = style.height + 8;
+    const int strip = style.height + labelSpace;
     const Target sheet(3 * width + 2 * gap, strip + height, {}, "comparison");
     FrameNotes notes;
     const Frame frame(index, sheet.width(), sheet.height(), notes);

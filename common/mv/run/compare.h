@@ -10,6 +10,10 @@
 
 namespace mv {
 
+// Refuses pictures of which three do not fit beside each other into the largest that this driver draws, and names the size
+// that does.
+void requireRoomToCompare(int width, int height);
+
 // Draws frame `index` with the knob at each value, and lays the two pictures and their difference beside each other,
 // each under its label. The knob keeps the second value.
 // Error: as Stage::draw.

@@ -51,7 +51,10 @@ void render(const Command& command) {
     Stage& stage = headless.stage;
     const DemoInfo& info = *command.demo;
     const auto start = std::chrono::steady_clock::now();
-    stage.open(info, command.width ? command.width : info.width, command.height ? command.height : info.height);
+    const int width = command.width ? command.width : info.width;
+    const int height = command.height ? command.height : info.height;
+    if (!command.compareKnob.empty()) requireRoomToCompare(width, height);
+    stage.open(info, width, height);
     applyKnobs(stage.demo(), command.knobs);
 
     double firstMs = 0;

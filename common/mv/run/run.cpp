@@ -2,8 +2,12 @@
 
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <iostream>
+#include <new>
+#include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "mv/run/audit.h"
@@ -78,17 +82,34 @@ void act(const Command& command) {
 
 }  // namespace
 
+std::string sentenceOf(const std::exception& error, const std::string& subject) {
+    if (const auto* ours = dynamic_cast<const Error*>(&error)) return ours->what();
+    const auto* file = dynamic_cast<const std::filesystem::filesystem_error*>(&error);
+    if (file && !file->path1().empty()) {
+        return Error(file->path1().string(), "must be there and may be used", file->code().message()).what();
+    }
+    if (const auto* system = dynamic_cast<const std::system_error*>(&error)) {
+        return Error(subject, "needs what the system does not give", system->code().message()).what();
+    }
+    if (dynamic_cast<const std::bad_alloc*>(&error) || dynamic_cast<const std::length_error*>(&error)) {
+        return Error(subject, "needs more memory than there is; a smaller --size needs less").what();
+    }
+    return Error(subject, "met a fault of its own, which ended it; please report the command line").what();
+}
+
 int runMain(int count, char** arguments) {
+    std::string subject = "mvgl";
     try {
         Command command = parseCommandLine({arguments + 1, arguments + count});
         if (count > 0) command.program = arguments[0];
+        if (command.demo) subject = command.demo->name;
         act(command);
         return 0;
     } catch (const UsageError& error) {
         std::cerr << "error: " << error.what() << "\n";
         return 2;
     } catch (const std::exception& error) {
-        std::cerr << "error: " << error.what() << "\n";
+        std::cerr << "error: " << sentenceOf(error, subject) << "\n";
         return 1;
     }
 }

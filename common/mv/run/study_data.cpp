@@ -30,8 +30,6 @@ Json errorJson(const StudyError& error) {
             {"n", error.n}};
 }
 
-StudyError errorOf(const Json& json) { return {json.at("rms"), json.at("max"), json.at("fraction"), json.at("n")}; }
-
 std::optional<double> number(const std::string& text) {
     double value = 0;
     const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -166,46 +164,63 @@ std::string studyCsv(const StudyRun& run) {
 }
 
 StudyRun readStudy(const std::string& text) {
+    std::string place = "the whole";  // that is being read
+    const auto in = [&](const Json& json, const char* name) -> const Json& {
+        place = std::string("'") + name + "'";
+        return json.at(name);
+    };
+    const auto size = [&](const Json& json, const char* name) {
+        const double value = in(json, name);
+        if (value < 0) throw Error("study", "must have no times and errors below 0; see " + place, numberText(value));
+        return value;
+    };
+    const auto errorIn = [&](const Json& json, const char* name) {
+        const Json& error = in(json, name);
+        return StudyError{size(error, "rms"), size(error, "max"), size(error, "fraction"), in(error, "n")};
+    };
+    constexpr const char* rule = "must be the text of a study.json of this version";
     try {
         const Json json = Json::parse(text);
         StudyRun run;
-        run.demo = json.at("demo");
-        run.quantity = json.at("quantity");
-        run.reference = json.at("reference");
-        run.axis = json.at("axis") == "rms" ? ErrorAxis::rms : ErrorAxis::fraction;
-        run.wrongBeyond = json.at("wrong_beyond");
-        run.width = json.at("width");
-        run.height = json.at("height");
-        run.frame = json.at("frame");
-        run.host = json.at("host");
-        run.renderer = json.at("renderer");
-        run.processor = json.at("processor");
-        run.threads = json.at("threads");
-        for (const auto& [scene, error] : json.at("reference_errors").items()) {
+        run.demo = in(json, "demo");
+        run.quantity = in(json, "quantity");
+        run.reference = in(json, "reference");
+        run.axis = in(json, "axis") == "rms" ? ErrorAxis::rms : ErrorAxis::fraction;
+        run.wrongBeyond = in(json, "wrong_beyond");
+        run.width = in(json, "width");
+        run.height = in(json, "height");
+        run.frame = in(json, "frame");
+        run.host = in(json, "host");
+        run.renderer = in(json, "renderer");
+        run.processor = in(json, "processor");
+        run.threads = in(json, "threads");
+        for (const auto& [scene, error] : in(json, "reference_errors").items()) {
             run.referenceErrors.emplace_back(scene, error.get<double>());
         }
-        for (const Json& entry : json.at("rows")) {
+        for (const Json& entry : in(json, "rows")) {
             StudyRow row;
-            row.scene = entry.at("scene");
-            row.method = entry.at("method");
-            row.parameter = entry.at("parameter");
-            for (const auto& [name, value] : entry.at("settings").items()) row.settings.push_back({name, value});
-            row.status = entry.at("status");
-            row.all = errorOf(entry.at("all"));
-            row.inside = errorOf(entry.at("inside"));
-            row.unmatched = entry.at("unmatched");
-            row.msMedian = entry.at("ms_median");
-            row.msMad = entry.at("ms_mad");
-            row.rounds = entry.at("rounds");
-            for (const auto& [name, amount] : entry.at("counts").items()) {
+            row.scene = in(entry, "scene");
+            row.method = in(entry, "method");
+            row.parameter = in(entry, "parameter");
+            for (const auto& [name, value] : in(entry, "settings").items()) row.settings.push_back({name, value});
+            row.status = in(entry, "status");
+            row.all = errorIn(entry, "all");
+            row.inside = errorIn(entry, "inside");
+            row.unmatched = in(entry, "unmatched");
+            row.msMedian = size(entry, "ms_median");
+            row.msMad = size(entry, "ms_mad");
+            row.rounds = in(entry, "rounds");
+            for (const auto& [name, amount] : in(entry, "counts").items()) {
                 row.counts.emplace_back(name, amount.get<double>());
             }
-            row.best = entry.at("best");
+            row.best = in(entry, "best");
             run.rows.push_back(std::move(row));
         }
         return run;
-    } catch (const Json::exception& problem) {
-        throw Error("study", "must be the text of a study.json of this version", problem.what());
+    } catch (const Json::parse_error& problem) {
+        throw Error("study", rule, "it is no JSON from byte " + std::to_string(problem.byte) + " on");
+    } catch (const Json::exception&) {
+        throw Error("study", rule, place + " is missing or of another kind");
     }
 }
 

@@ -32,17 +32,8 @@ std::string aligned(const std::vector<std::vector<std::string>>& rows, std::size
     return text;
 }
 
-// ---- gnuplot
-
-// A text in gnuplot's double quotes; its enhanced mode is off where this is used.
-std::string quoted(const std::string& text) {
-    std::string result = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') result += '\\';
-        result += c;
-    }
-    return result + "\"";
-}
+// ---- gnuplot. A study may be anybody's file: its texts come into the script by quotedForGnuplot() alone, and not into data,
+// in which quotes cannot be quoted.
 
 std::string legend(const StudyRun& run, const std::string& scene, const std::string& method) {
     std::string text = method;
@@ -93,40 +84,42 @@ std::string plotScript(const StudyRun& run, const std::string& scene) {
         const double error = run.shownError(row);
         return error > 0 ? error : range.zero;
     };
-    std::string data, plots;
+    const auto isShown = [&](const StudyRow& row) { return row.scene == scene && row.ok() && row.rounds > 0; };
+    std::string data, plots, labels;
     int index = 0;
     const auto addBlock = [&](const std::string& style, const std::string& title, const auto& wanted) {
         std::string points;
         for (const StudyRow& row : run.rows) {
-            if (row.scene != scene || !row.ok() || row.rounds == 0 || !wanted(row)) continue;
-            points += formatted("%.9g ", shownX(row)) + formatted("%.9g ", row.msMedian) + quoted(row.parameter) + "\n";
+            if (!isShown(row) || !wanted(row)) continue;
+            points += formatted("%.9g ", shownX(row)) + formatted("%.9g\n", row.msMedian);
         }
         if (points.empty()) return;
         const std::string name = "$block" + std::to_string(index++);
         data += name + " << END\n" + points + "END\n";
-        plots += (plots.empty() ? "plot " : ", \\\n  ") + name + " using 1:2 " + style + " title " + quoted(title);
+        plots +=
+            (plots.empty() ? "plot " : ", \\\n  ") + name + " using 1:2 " + style + " title " + quotedForGnuplot(title);
     };
     const auto isBest = [](const StudyRow& row) { return row.best; };
     int color = 1;
     for (const std::string& method : methodsOf(run, scene)) {
         const auto ofMethod = [&](const StudyRow& row) { return row.method == method; };
         const std::string look = "lw 1.5 ps 0.7 pt " + std::to_string(4 + color % 9) + " lc " + std::to_string(color);
-        const std::size_t blocks = static_cast<std::size_t>(index);
         addBlock("with linespoints " + look, legend(run, scene, method), ofMethod);
-        if (static_cast<std::size_t>(index) > blocks) {  // the parameter beside each point
-            plots += ", \\\n  $block" + std::to_string(index - 1) +
-                     " using 1:2:3 with labels left offset 0.6,0.45 font ',8' noenhanced notitle";
+        for (const StudyRow& row : run.rows) {  // the parameter beside each point
+            if (!isShown(row) || !ofMethod(row) || row.parameter.empty()) continue;
+            labels += "set label " + quotedForGnuplot(row.parameter) + " at " + formatted("%.9g, ", shownX(row)) +
+                      formatted("%.9g", row.msMedian) + " left offset 0.6,0.45 font ',8' noenhanced\n";
         }
         ++color;
     }
     if (plots.empty()) throw Error("plot", "must have a row with an error and a time", scene);
     addBlock("with points pt 6 ps 1.9 lw 1.5 lc rgb 'black'", "Pareto-best", isBest);
-    std::string script = data;
-    script += "set title " + quoted(run.demo + (scene.empty() ? "" : ": " + scene)) + "\n";
-    script +=
-        "set xlabel " +
-        quoted((run.axis == ErrorAxis::rms ? "root mean square error, " : "part that is wrong, ") + run.quantity) +
-        "\n";
+    std::string script = data + labels;
+    script += "set title " + quotedForGnuplot(run.demo + (scene.empty() ? "" : ": " + scene)) + " noenhanced\n";
+    script += "set xlabel " +
+              quotedForGnuplot((run.axis == ErrorAxis::rms ? "root mean square error, " : "part that is wrong, ") +
+                               run.quantity) +
+              " noenhanced\n";
     script += "set xrange [" + formatted("%g", range.zero / 1.5) + ":" + formatted("%g", range.high) + "]\n";
     script += "set yrange [" + formatted("%g", range.fastest) + ":" + formatted("%g", range.slowest) + "]\n" +
               timeTics(range);
@@ -226,12 +219,12 @@ std::string studySvg(const StudyRun& run) {
     script += "set multiplot layout " + std::to_string(scenes.size()) + ",1 margins 0.08,0.63," +
               formatted("%.4f", foot + 60.0 / height) + "," + formatted("%.4f", 1 - 40.0 / height) + " spacing " +
               formatted("%.4f", 100.0 / height) + "\n";
-    script += "set label 1 " + quoted("Reference: " + referenceText(run)) + " at screen 0.01, screen " +
+    script += "set label 1 " + quotedForGnuplot("Reference: " + referenceText(run)) + " at screen 0.01, screen " +
               formatted("%.4f", 34.0 / height) + " font ',9' noenhanced\n";
-    script += "set label 2 " + quoted("Measured on: " + machineText(run)) + " at screen 0.01, screen " +
+    script += "set label 2 " + quotedForGnuplot("Measured on: " + machineText(run)) + " at screen 0.01, screen " +
               formatted("%.4f", 14.0 / height) + " font ',9' noenhanced\n";
     for (const std::string& scene : scenes) {
-        script += plotScript(run, scene) + "unset label 1\nunset label 2\n";  // once is enough
+        script += plotScript(run, scene) + "unset label\n";  // of the scene, and of the study: once is enough
     }
     return drawnByGnuplot(script + "unset multiplot\nset output\n");
 }

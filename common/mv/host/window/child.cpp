@@ -7,8 +7,10 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <string_view>
 #include <system_error>
+#include <thread>
 
 #include "mv/error.h"
 
@@ -20,7 +22,7 @@ std::string reason(int number) { return std::generic_category().message(number);
 // The forked process on its way to another program: calls only what is allowed between fork and exec.
 [[noreturn]] void becomeProgram(char** argv, int null, int errors, pid_t parent) {
     ::setpgid(0, 0);  // a group of its own, so that what it starts is killed with it
-    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    ::prctl(PR_SET_PDEATHSIG, SIGTERM);
     if (::getppid() == parent) {  // else it has died before the line above
         ::signal(SIGPIPE, SIG_DFL);
         ::dup2(null, STDIN_FILENO);
@@ -64,6 +66,11 @@ Child::Child(const std::vector<std::string>& arguments) {
 }
 
 Child::~Child() {
+    if (!status()) {
+        ::kill(-process_, SIGTERM);
+        for (int waits = 0; !status() && waits < 200; ++waits)
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
     if (!status()) {
         ::kill(-process_, SIGKILL);
         int waited = 0;

@@ -13,8 +13,8 @@ class Child {
     // Starts this very program with other arguments. What it prints to standard output is thrown away.
     // Error: it cannot be started.
     explicit Child(const std::vector<std::string>& arguments);
-    // Kills it, and what it has started itself, if it still runs. Should this process die without a destructor, the
-    // system kills the child.
+    // Ends it, and what it has started itself, if it still runs: by TERM, which lets it remove its temporary files, and
+    // after two seconds by KILL. Should this process die without a destructor, the system sends the child a TERM.
     ~Child();
     Child(const Child&) = delete;
     Child& operator=(const Child&) = delete;

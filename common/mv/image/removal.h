@@ -1,0 +1,36 @@
+// Temporary files and folders that are gone even when a signal ends the program.
+#pragma once
+#include <csignal>
+#include <filesystem>
+
+namespace mv {
+
+// As long as this lives, TERM, INT and HUP remove the file or folder at `path`, with all that is in it, before they end the
+// process as they would have done. A signal that the program handles or ignores is left as it is. What KILL and crashes
+// leave, nobody removes, nor what another thread makes in that very moment. Two dozen paths at once; a further one, or one
+// of 4096 bytes, is not noted. In the ordinary case who has made the file removes it.
+class RemovedOnSignal {
+  public:
+    explicit RemovedOnSignal(const std::filesystem::path& path);
+    ~RemovedOnSignal();
+    RemovedOnSignal(const RemovedOnSignal&) = delete;
+    RemovedOnSignal& operator=(const RemovedOnSignal&) = delete;
+
+  private:
+    int slot_ = -1;
+};
+
+// As long as this lives, this thread is not interrupted by TERM, INT and HUP: they come afterwards. For the moment between
+// making a file and noting that it is to be removed.
+class SignalsHeld {
+  public:
+    SignalsHeld();
+    ~SignalsHeld();
+    SignalsHeld(const SignalsHeld&) = delete;
+    SignalsHeld& operator=(const SignalsHeld&) = delete;
+
+  private:
+    sigset_t before_{};
+};
+
+}  // namespace mv

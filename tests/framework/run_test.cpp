@@ -1,0 +1,48 @@
+#include "mv/run/run.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <new>
+#include <optional>
+#include <stdexcept>
+#include <system_error>
+#include <vector>
+
+#include "mv/error.h"
+#include "mv/run/command_line.h"
+
+using namespace mv;
+
+namespace {
+
+// What the user is told when `work` throws.
+template <class Work>
+std::string told(const Work& work) {
+    try {
+        work();
+    } catch (const std::exception& error) {
+        return sentenceOf(error, "cube-cull");
+    }
+    return "nothing was thrown";
+}
+
+}  // namespace
+
+// An Error's words are ours; those of a library ("std::bad_alloc", "vector::_M_range_check: ...") never reach the user.
+TEST(Run, what_a_library_throws_is_said_in_our_words) {
+    EXPECT_EQ(told([] { throw Error("--near", "must be below --far", "9"); }), "--near: must be below --far, 9");
+    EXPECT_EQ(told([] { throw UsageError("--frame", "must be given once"); }), "--frame: must be given once");
+    const std::string memory = "cube-cull: needs more memory than there is; a smaller --size needs less";
+    EXPECT_EQ(told([] { throw std::bad_alloc(); }), memory);
+    EXPECT_EQ(told([] { throw std::bad_array_new_length(); }), memory);
+    EXPECT_EQ(told([] { std::vector<int>().reserve(~std::size_t{0}); }), memory);
+    EXPECT_EQ(told([] { (void)std::filesystem::file_size("/nonexistent/a"); }),
+              "/nonexistent/a: must be there and may be used, No such file or directory");
+    EXPECT_EQ(told([] { throw std::system_error(EAGAIN, std::generic_category(), "thread"); }),
+              "cube-cull: needs what the system does not give, Resource temporarily unavailable");
+    const std::string fault = "cube-cull: met a fault of its own, which ended it; please report the command line";
+    EXPECT_EQ(told([] { (void)std::vector<int>().at(3); }), fault);
+    EXPECT_EQ(told([] { (void)std::optional<int>().value(); }), fault);
+    EXPECT_EQ(told([] { (void)std::stoi("x"); }), fault);
+}
