@@ -143,7 +143,7 @@ struct Pipeline final : Demo {
         glEnable(GL_DEPTH_TEST);
         glDepthFunc(GL_LESS);
         glDisable(GL_CULL_FACE);
-        glEnable(GL_PROGRAM_POINT_SIZE);
+        if (!isEs()) glEnable(GL_PROGRAM_POINT_SIZE);  // where ES has no switch, and the shader's size always
 
         const std::vector<Step> way = steps(pane.aspect());
         const bool three = products == Products::shader;
@@ -159,7 +159,7 @@ struct Pipeline final : Demo {
         cube.draw();
         glDepthFunc(GL_ALWAYS);  // the mark is seen through the cube
         corners.draw(std::size_t(vertex), 1);
-        glDisable(GL_PROGRAM_POINT_SIZE);
+        if (!isEs()) glDisable(GL_PROGRAM_POINT_SIZE);
 
         glViewport(0, 0, frame.width(), frame.height());
         write(frame, pane, way);
@@ -316,7 +316,7 @@ const bool added = addDemo<Pipeline>({
     .width = 1160,
     .height = 560,
     .needs = {.depth = true},
-    .waste = {{"state-again", "GL_CULL_FACE",
+    .waste = {{"state-again", "glEnable/glDisable(GL_CULL_FACE)",
                "both sides are drawn where the eye is in the cube, and words switch it off"}},
     .study =
         Study{.quantity = "where 512 points of the cube fall, x and y in pixels of a picture 560 wide",

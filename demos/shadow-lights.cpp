@@ -355,6 +355,8 @@ Study lightsStudy() {
     return study;
 }
 
+const char* const inShadow = "what is wholly in one light's shadow is known when it is drawn";
+
 const bool added = addDemo<ShadowLights>({
     .name = "shadow-lights",
     .sentence = "Several moving lights, each with its own shadows, by maps or by volumes.",
@@ -365,8 +367,10 @@ const bool added = addDemo<ShadowLights>({
     .height = 480,
     .animated = true,
     .needs = {.depth = true, .stencil = true},
-    .waste = {{"no-sample", "draw of",
-               "what is wholly in one light's shadow, or a bulb in its shade, is known when it is drawn"},
+    .waste = {{"no-sample", "draw of 'foot'", inShadow},
+              {"no-sample", "draw of 'lower arm'", inShadow},
+              {"no-sample", "draw of 'upper arm'", inShadow},
+              {"no-sample", "draw of 'bulb'", "whether a shade hides it is known when it is drawn"},
               {"outside-view", "draw of 'bulb'", "a bulb of 224 triangles is drawn sooner than asked for"}},
     .study = lightsStudy(),
 });

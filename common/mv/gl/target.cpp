@@ -60,6 +60,10 @@ void requireComplete(const std::string& label) {
 
 }  // namespace
 
+bool floatBlending() { return !isEs() || hasExtension("GL_EXT_float_blend"); }
+
+bool floatTargets() { return !isEs() || hasExtension("GL_EXT_color_buffer_float"); }
+
 Target::Target(int width, int height, Buffers buffers, const std::string& label)
     : width_(width), height_(height), buffers_(buffers) {
     GLint largest = 0;

@@ -31,9 +31,9 @@ void resetState() {
         glDisable(GL_PROGRAM_POINT_SIZE);
         glEnable(GL_MULTISAMPLE);
         glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
-        glClearDepth(1);
-        glDepthRange(0, 1);
     }
+    glClearDepth(1);
+    glDepthRange(0, 1);
     if (clipControlAllowed()) glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
     glBlendEquation(GL_FUNC_ADD);
     glBlendFunc(GL_ONE, GL_ZERO);
