@@ -10,6 +10,7 @@
 #include <set>
 
 #include "mv/geometry/shapes.h"
+#include "mv/gl/audit.h"
 #include "mv/gl/beyond_es.h"
 #include "mv/gl/shader_source.h"
 #include "mv/image/file.h"
@@ -308,6 +309,40 @@ TEST_F(Gl, lines_of_words_together_are_the_lines_one_by_one) {
     EXPECT_THROW(drawText(frame, std::array{lines[0], TextLine{0, 0, "x", {.height = 2}}}), Error);
     EXPECT_EQ(countColors(target.read()), 1);
     forgetText();
+}
+
+// The same lines again cost no upload, the same words elsewhere one of their places; what is kept is bounded.
+TEST_F(Gl, words_that_stay_are_kept) {
+    const Target target(120, 60, {}, "words");
+    FrameNotes notes;
+    const Frame frame(1, 120, 60, notes);
+    const auto bytesFor = [&](int x, const std::string& text) {
+        startAudit();
+        beginAuditedFrame(false);
+        drawText(frame, x, 2, text);
+        const long bytes = endAuditedFrame().bytesUploaded;
+        stopAudit();
+        return bytes;
+    };
+    glClear(GL_COLOR_BUFFER_BIT);
+    const long objects = liveObjects();
+    constexpr long uniform = 4,
+                   places = 12 * (12 + 16 + 8);  // of twelve corners: position, colour, place in the texture
+    EXPECT_GT(bytesFor(3, "stays"), places + 400) << "with the texture";
+    const Picture once = target.read();
+    const long kept = liveObjects();
+    glClear(GL_COLOR_BUFFER_BIT);
+    EXPECT_EQ(bytesFor(3, "stays"), uniform);
+    EXPECT_EQ(target.read(), once);
+    EXPECT_EQ(liveObjects(), kept);
+    EXPECT_EQ(bytesFor(4, "stays"), places + uniform);
+    for (int i = 0; i < 100; ++i) drawText(frame, 3, 2, "line " + std::to_string(i));
+    EXPECT_EQ(liveObjects() - kept, 15 * 3) << "sixteen calls in all: a vertex array, its buffer and a texture each";
+    glClear(GL_COLOR_BUFFER_BIT);
+    EXPECT_GT(bytesFor(3, "stays"), places) << "long forgotten";
+    EXPECT_EQ(target.read(), once);
+    forgetText();
+    EXPECT_EQ(liveObjects(), objects);
 }
 
 // More words than stand beside each other in their texture, and one line that is wider than all of it.
