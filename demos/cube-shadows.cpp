@@ -390,7 +390,7 @@ const bool added = addDemo<CubeShadows>({
     .background = vec4(1),
     .needs = {.depth = true,
               .stencil = true,
-              .beyondEs = "clip distances; there the fragment shader discards by the same two distances"},
+              .beyondEs = {{"clip distances", "the fragment shader discards by the same two distances"}}},
     .pose = {{"scene", "room"},
              {"light-theta", "50"},
              {"light-phi", "64"},

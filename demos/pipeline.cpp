@@ -138,7 +138,7 @@ struct Pipeline final : Demo {
         glDisable(GL_SCISSOR_TEST);
         glViewport(pane.x, pane.y, pane.width, pane.height);
         glEnable(GL_DEPTH_TEST);
-        glEnable(GL_PROGRAM_POINT_SIZE);
+        if (!isEs()) glEnable(GL_PROGRAM_POINT_SIZE);  // where ES has no switch, and the shader's size always
 
         const std::vector<Step> way = steps(pane.aspect());
         const bool three = products == Products::shader;

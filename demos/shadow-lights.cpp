@@ -337,6 +337,8 @@ Study lightsStudy() {
     return study;
 }
 
+const char* const inShadow = "what is wholly in one light's shadow is known when it is drawn";
+
 const bool added = addDemo<ShadowLights>({
     .name = "shadow-lights",
     .sentence = "Several moving lights, each with its own shadows, by maps or by volumes.",
@@ -348,8 +350,10 @@ const bool added = addDemo<ShadowLights>({
     .animated = true,
     .background = vec4(0.10, 0.11, 0.13, 1),
     .needs = {.depth = true, .stencil = true},
-    .waste = {{"no-sample", "draw of",
-               "what is wholly in one light's shadow, or a bulb in its shade, is known when it is drawn"},
+    .waste = {{"no-sample", "draw of 'foot'", inShadow},
+              {"no-sample", "draw of 'lower arm'", inShadow},
+              {"no-sample", "draw of 'upper arm'", inShadow},
+              {"no-sample", "draw of 'bulb'", "whether a shade hides it is known when it is drawn"},
               {"outside-view", "draw of 'bulb'", "a bulb of 224 triangles is drawn sooner than asked for"}},
     .study = lightsStudy(),
 });

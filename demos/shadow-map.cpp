@@ -202,10 +202,11 @@ struct ShadowMap final : Demo {
         frame.count("texels a lookup", looksAlong() * looksAlong() * (filter == Filter::none ? 1 : 4));
         if (frame.measuring()) return;
         if (frame.readouts()) {
-            const FalseShadows wrong = shadowCheck.compare(scene, frame, [&] { drawScene(view, true); });
-            falselyDark = wrong.dark;
-            falselyLit = wrong.lit;
-            asked = double(wrong.pixels);
+            if (const auto wrong = shadowCheck.compare(scene, frame, [&] { drawScene(view, true); })) {
+                falselyDark = wrong->dark;
+                falselyLit = wrong->lit;
+                asked = double(wrong->pixels);
+            }
         }
         if (showFrustum) overlay.drawFrustum(scene.clipFromWorld(), view);
         if (showMap) overlay.drawMap(frame, map, view);
@@ -294,7 +295,8 @@ const bool added = addDemo<ShadowMap>({
     .width = 600,
     .height = 600,
     .background = vec4(0, 0, 0, 1),
-    .needs = {.depth = true},
+    .needs = {.depth = true,
+              .beyondEs = {{"float targets", "falsely-dark, falsely-lit and pixels-asked are not measured"}}},
     .study =
         Study{
             .quantity = "lit fraction of the pixels whose surface faces the light",

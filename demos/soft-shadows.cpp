@@ -88,6 +88,8 @@ struct SoftShadows final : Demo {
     }
 
     void check() const override {
+        if (sum == Sum::floats && !(floatTargets() && floatBlending()))
+            throw Error("--accumulate", "must be 8-bit here; this OpenGL ES does not blend into targets of floats");
         // A light's view and a shadow's matrix need the whole lamp, at its largest, well above all that casts.
         if (place == Place::table && casterHeight > 0.65)
             throw Error("--caster-height", "must be at most 0.65 in scene table, to stay below the lamp",
@@ -358,7 +360,8 @@ const bool added = addDemo<SoftShadows>({
     .height = 480,
     .background = vec4(0.9, 0.9, 0.9, 1),
     .needs = {.depth = true,
-              .beyondEs = "targets of floats that are blended into; --accumulate 8-bit needs none, up to 256 points"},
+              .beyondEs = {{"float targets", "--accumulate float is refused; 8-bit does, up to 256 points"},
+                           {"float blending", "--accumulate float is refused; 8-bit does, up to 256 points"}}},
     .pose = {{"lights", "256"}, {"caster-height", "0.2"}},
     .waste = {{"repeated-pass", "pass into 'darkness'", "what a soft shadow costs in every frame is the lesson"},
               {"state-again", "glViewport", "the darkness is as large as the picture, and a target sets its own"}},

@@ -275,6 +275,7 @@ const bool added = addDemo<ZBuffer>({
     .number = 8,
     .width = 600,
     .height = 600,
+    .needs = {.beyondEs = {{"clip control", "the depth is reversed within -1..1, as with --mapping flipped"}}},
     .waste = {{"repeated-pass", "pass into 'scene'", "what the depth test costs in every frame is the lesson"},
               {"state-again", "glViewport", "the scene is as large as the picture, and a target sets its own"}},
     .study =

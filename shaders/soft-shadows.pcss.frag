@@ -21,7 +21,7 @@ float casterSeen(int i, int j, float way, vec2 slope) {
     vec4 at = mix(onMap, mapLamp + place.x * mapHalfU + place.y * mapHalfV, way);
     float depth = textureLod(map, at.xy / at.w, 0.0).r;
     float own = onMap.z / onMap.w + dot(slope, at.xy / at.w - onMap.xy / onMap.w);
-    return depth < own ? depth : 1.0;
+    return depth < min(own, 1.0) ? depth : 1.0;
 }
 
 // The distance from the lamp's plane, of a depth 0..1 of the map.

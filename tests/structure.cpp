@@ -4,12 +4,16 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iterator>
+#include <map>
+#include <memory>
 #include <regex>
 #include <set>
 #include <sstream>
 
 #include "mv/gl/program.h"
+#include "mv/gl/shader_source.h"
 #include "mv/image/compare.h"
 #include "mv/image/load.h"
 #include "mv/run/audit.h"
@@ -152,19 +156,94 @@ TEST(Pages, links_lead_somewhere) {
     }
 }
 
-// The shaders of every demo that says so also compile and link as GLSL ES 3.00, which is WebGL 2's language.
-TEST(Shaders, compile_as_es) {
+// ---- OpenGL ES 3.0, which is WebGL 2's: in processes of their own, since a program has one table of GL functions.
+
+std::unique_ptr<Context> openEs() {
     std::vector<std::string> notes;
-    const auto context = openHeadless(HostKind::egl, {.version = 30, .es = true}, notes);
+    return openHeadless(HostKind::egl, {.version = 30, .es = true}, notes);
+}
+
+std::vector<std::string> filesEndingIn(const std::string& end) {
+    std::vector<std::string> names;
+    for (const std::string& name : shaderFileNames()) {
+        if (name.ends_with(end)) names.push_back(name);
+    }
+    return names;
+}
+
+// Every program of every demo compiles and links as GLSL ES 3.00; what it samples is of high precision, as in OpenGL.
+TEST(Shaders, compile_as_es) {
+    const auto context = openEs();
     loadFunctions([&](const char* name) { return context->address(name); });
     ASSERT_TRUE(isEs());
-    int programs = 0;
-    for (const DemoInfo& info : catalogue()) {
-        if (!info.needs.beyondEs.empty()) continue;
-        EXPECT_NO_THROW(Program{info.name}) << info.name;
-        ++programs;
+    std::set<std::string> demos;
+    for (const std::string& file : filesEndingIn(".vert")) {
+        const std::string stem = file.substr(0, file.size() - 5);
+        EXPECT_NO_THROW(Program{stem}) << stem;
+        demos.insert(stem.substr(0, stem.find('.')));
     }
-    EXPECT_GT(programs, 0);
+    for (const DemoInfo& info : catalogue()) EXPECT_TRUE(demos.contains(info.name)) << info.name;
     EXPECT_EQ(liveObjects(), 0);
     EXPECT_TRUE(takeErrors().empty());
+
+    const std::string begins = assembleShaderText("any.frag", "").text;
+    for (const std::string& file : shaderFileNames()) {
+        for (const std::string& type : matches(builtInShader(file), std::regex("\\b([iu]?sampler\\w+) "))) {
+            EXPECT_NE(begins.find("precision highp " + type + ";"), std::string::npos) << type << " in " << file;
+        }
+    }
+}
+
+// A demo draws in ES what it draws in OpenGL, in its pose with each choice and switch of its knobs.
+TEST(Shaders, draw_the_same_in_es) {
+    std::map<std::string, Picture> right;
+    const auto drawAll = [&](Stage& stage, const std::function<void(const std::string&, const Picture&)>& drawn) {
+        for (const DemoInfo& info : catalogue()) {
+            stage.open(info, 128, 96);
+            strikePose(stage.demo(), info);
+            const auto draw = [&](const std::string& setting) {
+                SCOPED_TRACE(info.name + " " + setting);
+                try {
+                    stage.draw(1, true);
+                    drawn(info.name + " " + setting, stage.picture());
+                } catch (const Error& error) {
+                    ADD_FAILURE() << error.what();
+                }
+            };
+            draw("");
+            for (Knob* knob : stage.demo().knobs()) {
+                const std::string before = knob->text();
+                for (const Option& option : knob->options()) {
+                    knob->parse(option.word);
+                    try {
+                        stage.demo().check();
+                        draw("--" + knob->name() + " " + option.word);
+                    } catch (const Error&) {  // refused, on both
+                    }
+                }
+                knob->parse(before);
+            }
+        }
+        stage.close();
+    };
+    {
+        HeadlessStage headless(HostKind::egl);
+        drawAll(headless.stage, [&](const std::string& setting, const Picture& picture) { right[setting] = picture; });
+    }
+    const auto context = openEs();
+    Stage stage(*context);
+    ASSERT_TRUE(isEs());
+    drawAll(stage, [&](const std::string& setting, const Picture& picture) {
+        ASSERT_TRUE(right.contains(setting)) << setting;
+        EXPECT_EQ(compare(right.at(setting), picture).beyond, 0) << setting;
+    });
+}
+
+// Depths are compared by shaders/include/shadow-map.glsl, which minds what is beyond the map's end.
+TEST(ShaderFiles, compare_depths_in_one_place) {
+    for (const std::string& file : shaderFileNames()) {
+        const std::string text = builtInShader(file);
+        if (file == "include/shadow-map.glsl" || text.find("sampler2DShadow") == std::string::npos) continue;
+        EXPECT_EQ(text.find("texture"), std::string::npos) << file;
+    }
 }

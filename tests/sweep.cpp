@@ -1,6 +1,9 @@
 // Every demo, every knob at its ends, its initial value and each of its choices.
 #include <gtest/gtest.h>
 
+#include <set>
+
+#include "mv/gl/beyond_es.h"
 #include "mv/gl/gl.h"
 #include "mv/run/audit.h"
 #include "support/demo_run.h"
@@ -34,6 +37,8 @@ void expectPicture(const std::string& setting) {
 }
 
 TEST_P(Sweep, knobs) {
+    stage();
+    watchBeyondEs();
     DemoRun run(GetParam());
     halve();
     // By index: a range-for over make()->knobs() would read a dead temporary; here the stage keeps the demo alive.
@@ -59,6 +64,10 @@ TEST_P(Sweep, knobs) {
         knob->parse(before);
     }
     EXPECT_LE(refused, cases / 10) << "at least 90 % of the settings draw";
+    // All that ES 3.0 lacks and these frames have used is declared, and nothing else.
+    std::set<std::string> declared;
+    for (const BeyondEs& lacking : stage().info().needs.beyondEs) declared.insert(lacking.feature);
+    EXPECT_EQ(stopWatchingBeyondEs(), declared) << ".needs = {.beyondEs = ...} is not what the demo uses";
     std::printf("%s on %s: %d settings, %d refused\n", GetParam().c_str(), stage().driver().host.c_str(), cases,
                 refused);
 }

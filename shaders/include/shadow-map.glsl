@@ -11,11 +11,15 @@ bool isOnMap(vec4 onMap) {
     return onMap.w > 0.0 && all(greaterThanEqual(onMap.xy, vec2(0.0))) && all(lessThanEqual(onMap.xy, onMap.ww));
 }
 
+// The depth to compare with. What is beyond the map's end is at its end, where the map has nothing: compared as it is,
+// one driver finds it in shadow and another does not.
+float comparedDepth(float depth, float bias) { return min(depth - bias, 1.0); }
+
 // One look.
 float litOneTap(sampler2DShadow map, vec4 onMap, float bias) {
     if (!isOnMap(onMap)) return 1.0;
     vec3 at = onMap.xyz / onMap.w;
-    return textureLod(map, vec3(at.xy, at.z - bias), 0.0);
+    return textureLod(map, vec3(at.xy, comparedDepth(at.z, bias)), 0.0);
 }
 
 // Percentage-closer filtering: the mean answer of side x side looks, one texel apart and centred at the point.
@@ -29,7 +33,7 @@ float litPcf(sampler2DShadow map, vec4 onMap, float bias, int side) {
     for (int j = 0; j < side; ++j) {
         for (int i = 0; i < side; ++i) {
             vec2 offset = texel * (first + vec2(i, j));
-            sum += textureLod(map, vec3(at.xy + offset, at.z - bias), 0.0);
+            sum += textureLod(map, vec3(at.xy + offset, comparedDepth(at.z, bias)), 0.0);
         }
     }
     return sum / float(side * side);

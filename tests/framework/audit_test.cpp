@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "mv/geometry/shapes.h"
+#include "mv/gl/beyond_es.h"
 #include "mv/gl/gl.h"
 #include "mv/math/transform.h"
 #include "support/demo_run.h"
@@ -23,7 +24,22 @@ const char* const mapFragment =
 
 // Draws a square; told to, wastes work in one way.
 struct Wasteful final : Demo {
-    enum class Kind { none, state, initial, uniform, twice, sample, outside, buffer, texture, pass, repeated, object };
+    enum class Kind {
+        none,
+        state,
+        initial,
+        uniform,
+        twice,
+        upload,
+        refill,
+        sample,
+        outside,
+        buffer,
+        texture,
+        pass,
+        repeated,
+        object
+    };
     Choice<Kind> kind{this,
                       "kind",
                       Kind::none,
@@ -32,6 +48,8 @@ struct Wasteful final : Demo {
                        {"initial-state"},
                        {"uniform-again"},
                        {"uniform-twice"},
+                       {"upload-again"},
+                       {"refill"},
                        {"no-sample"},
                        {"outside-view"},
                        {"unused-buffer"},
@@ -43,6 +61,7 @@ struct Wasteful final : Demo {
     Program program, reader;
     Mesh plate;
     std::optional<Mesh> spare;
+    Buffer filled;
     std::optional<DepthMap> map;
     std::optional<Texture> picture;
 
@@ -73,6 +92,19 @@ struct Wasteful final : Demo {
             frame.bindTarget();
         }
         drawPlate(upright);
+        const mat4 inFront = translate(0, 0, -0.5) * scale(0.3) * upright;
+        if (kind == Kind::upload) {  // made for each frame
+            MeshData corner;
+            corner.positions = {{-0.5F, 0, -0.5F}, {0.5F, 0, -0.5F}, {-0.5F, 0, 0.5F}};
+            program.set("clipFromModel", inFront);
+            Mesh(corner, "corner").draw();
+        }
+        if (kind == Kind::refill) {  // one object, filled for each frame
+            if (!filled.id()) filled = makeBuffer();
+            glBindBuffer(GL_ARRAY_BUFFER, filled.id());
+            const float bytes[2] = {1, 2};
+            glBufferData(GL_ARRAY_BUFFER, sizeof bytes, bytes, GL_STATIC_DRAW);
+        }
         if (kind == Kind::sample) drawPlate(translate(0, 0, 0.5) * upright);  // behind the first
         if (kind == Kind::outside) drawPlate(translate(9, 0, 0) * upright);
         if (kind == Kind::texture) {
@@ -85,7 +117,7 @@ struct Wasteful final : Demo {
             reader.use();
             map->bind(0, DepthLookup::depth);
             reader.set("map", 0);
-            reader.set("clipFromModel", translate(0, 0, -0.5) * scale(0.3) * upright);
+            reader.set("clipFromModel", inFront);
             plate.draw();
         }
     }
@@ -147,6 +179,7 @@ TEST(Audit, each_waste_is_found_by_name) {
         }
     }
     EXPECT_EQ(kindsFound(auditOf("uniform-twice", made)), std::vector<std::string>{waste::uniformAgain});
+    EXPECT_EQ(kindsFound(auditOf("refill", made)), std::vector<std::string>{waste::uploadAgain});
     // A draw begins in OpenGL's initial state: to set that is to set it again.
     const AuditReport initial = auditOf("initial-state", made);
     EXPECT_EQ(kindsFound(initial), std::vector<std::string>{waste::stateAgain});
@@ -158,6 +191,11 @@ TEST(Audit, findings_name_the_culprit) {
     const auto what = [&](const char* kind) { return auditOf(kind, made).findings.at(0).what; };
     EXPECT_EQ(what(waste::stateAgain), "glEnable/glDisable(GL_DEPTH_TEST)");
     EXPECT_EQ(what(waste::uniformAgain), "uniform paint");
+    EXPECT_EQ(what(waste::uploadAgain), "buffer 'corner vertices'");
+    EXPECT_EQ(what("refill"), "buffer without a label");
+    EXPECT_EQ(auditOf(waste::uploadAgain, made).findings.at(0).bytes, 3 * 12);
+    EXPECT_NE(auditText(auditOf(waste::uploadAgain, made)).find("upload-again: buffer 'corner vertices', 36 bytes"),
+              std::string::npos);
     EXPECT_EQ(what(waste::noSample), "draw of 'plate'");
     EXPECT_EQ(what(waste::unsampled), "texture 'picture'");
     EXPECT_EQ(what(waste::unusedObject), "mesh 'spare'");
@@ -186,7 +224,7 @@ TEST(Audit, the_picture_stays) {
 
 TEST(Audit, declared_waste_is_excused_and_stale_excuses_are_found) {
     DemoInfo made = wasteful();
-    made.waste = {{waste::outsideView, "'plate'", "the lesson is about it"}};
+    made.waste = {{waste::outsideView, "draw of 'plate'", "the lesson is about it"}};
     const AuditReport excused = auditOf(waste::outsideView, made);
     EXPECT_TRUE(excused.clean()) << auditText(excused);
     EXPECT_EQ(excused.excused.size(), 1U);
@@ -194,7 +232,59 @@ TEST(Audit, declared_waste_is_excused_and_stale_excuses_are_found) {
     const AuditReport stale = auditOf("none", made);
     EXPECT_FALSE(stale.clean());
     EXPECT_EQ(stale.staleExcuses.size(), 1U);
+    // An excuse names one finding, word for word: a part of it would excuse others that nobody has thought of.
+    made.waste = {{waste::outsideView, "draw of", "all of them"}};
+    const AuditReport vague = auditOf(waste::outsideView, made);
+    EXPECT_EQ(kindsFound(vague), std::vector<std::string>{waste::outsideView});
+    EXPECT_EQ(vague.staleExcuses.size(), 1U);
     made.waste = {{"laziness", "", ""}};
     EXPECT_THROW(auditOf("none", made), Error);
     EXPECT_FALSE(auditing());
+}
+
+// What beside each other has the same bytes is no waste; nor is what is made anew with others.
+TEST(Audit, two_that_hold_the_same_are_two) {
+    stage();
+    startAudit();
+    beginAuditedFrame(false);
+    MeshData corner;
+    corner.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    const Mesh one(corner, "corner"), other(corner, "corner");
+    corner.positions.back().y = 2;
+    Mesh third(corner, "corner");
+    corner.positions.back().y = 3;
+    third = Mesh(corner, "corner");
+    EXPECT_EQ(endAuditedFrame().bytesUploaded, 4 * 36);
+    for (const Finding& finding : stopAudit()) EXPECT_NE(finding.kind, waste::uploadAgain) << finding.what;
+}
+
+// What ES lacks is named where it is not declared.
+TEST(Audit, what_es_lacks_is_declared) {
+    struct Cutting final : Demo {
+        Program program;
+        Mesh plate;
+        void init() override {
+            program = Program::fromText("plain", plainVertex, plainFragment);
+            plate = Mesh(square(), "plate");
+        }
+        void draw(const Frame&) override {
+            glClear(GL_COLOR_BUFFER_BIT);
+            glEnable(GL_CLIP_DISTANCE0);
+            program.use();
+            program.set("paint", vec4(1));
+            program.set("clipFromModel", rotateX(90));
+            plate.draw();
+            glDisable(GL_CLIP_DISTANCE0);
+        }
+    };
+    DemoInfo made;
+    made.name = "cutting";
+    made.width = made.height = 32;
+    made.make = [] { return std::make_unique<Cutting>(); };
+    const AuditReport report = auditDemo(stage(), made, {}, 1);
+    EXPECT_FALSE(report.clean());
+    EXPECT_NE(auditText(report).find("undeclared  clip distances: OpenGL ES 3.0 lacks it"), std::string::npos)
+        << auditText(report);
+    made.needs.beyondEs = {{beyond_es::clipDistances, "nothing is cut off"}};
+    EXPECT_TRUE(auditDemo(stage(), made, {}, 1).clean());
 }

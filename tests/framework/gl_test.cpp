@@ -6,8 +6,12 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <functional>
+#include <set>
 
 #include "mv/geometry/shapes.h"
+#include "mv/gl/audit.h"
+#include "mv/gl/beyond_es.h"
 #include "mv/gl/shader_source.h"
 #include "mv/gl/state.h"
 #include "mv/image/file.h"
@@ -125,6 +129,63 @@ TEST_F(Gl, an_edited_shader_is_compiled_anew_and_a_mistake_keeps_the_last_good) 
     write("edit.frag", "out vec4 fragColor;\nvoid main() { fragColor = vec4(1, 0, 0, 1); }\n");
     EXPECT_EQ(reloadChangedPrograms().programs, 1);
     EXPECT_NE(program.id(), first);
+}
+
+// While it is away, what was built in stands for it, whether it was there at first or not.
+TEST_F(Gl, a_shader_that_was_moved_away_is_followed_when_it_is_back) {
+    const TemporaryFolder folder;
+    const std::string red = "out vec4 fragColor;\nvoid main() { fragColor = vec4(1, 0, 0, 1); }\n";
+    addShaderFile("back.vert", plainVertex, folder.file("back.vert"));
+    addShaderFile("back.frag", plainFragment, folder.file("back.frag"));
+    const auto uniformError = [](const Program& program) {
+        program.use();
+        return errorOf([&] { program.set("c", vec4(1)); });
+    };
+    writeFileAtomically(folder / "back.vert", plainVertex);
+    writeFileAtomically(folder / "back.frag", red);
+    const Program program("back");
+    EXPECT_TRUE(has(uniformError(program), "must be in program back")) << "the file's program has no uniform c";
+
+    std::filesystem::rename(folder / "back.frag", folder / "elsewhere");
+    EXPECT_EQ(reloadChangedPrograms().programs, 0)
+        << "an editor may be replacing it: nothing is made of what is not there";
+    std::filesystem::last_write_time(folder / "back.vert",
+                                     std::filesystem::file_time_type::clock::now() + std::chrono::seconds(5));
+    EXPECT_EQ(reloadChangedPrograms().programs, 1) << "the other file was edited";
+    EXPECT_EQ(uniformError(program), "no error") << "with what was built in";
+    std::filesystem::rename(folder / "elsewhere", folder / "back.frag");  // as old as it was
+    EXPECT_EQ(reloadChangedPrograms().programs, 1);
+    EXPECT_TRUE(has(uniformError(program), "must be in program back"));
+    EXPECT_EQ(reloadChangedPrograms().programs, 0);
+
+    std::filesystem::remove(folder / "back.frag");
+    const Program later("back");
+    EXPECT_EQ(uniformError(later), "no error");
+    writeFileAtomically(folder / "back.frag", red);
+    EXPECT_EQ(reloadChangedPrograms().programs, 2) << "both programs of these files";
+    EXPECT_TRUE(has(uniformError(later), "must be in program back"));
+}
+
+// An edit that brings a new #include with a mistake in that file: mending the file is enough.
+TEST_F(Gl, a_file_that_was_included_in_vain_is_followed) {
+    const TemporaryFolder folder;
+    addShaderFile("include/new.glsl", "", folder.file("new.glsl"));
+    addShaderFile("includes.vert", plainVertex, "");
+    addShaderFile("includes.frag", plainFragment, folder.file("includes.frag"));
+    const Program program("includes");
+    writeFileAtomically(folder / "new.glsl", std::string_view("vec4 shade() { return nothing; }\n"));
+    writeFileAtomically(
+        folder / "includes.frag",
+        std::string_view("#include \"new.glsl\"\nout vec4 fragColor;\nvoid main() { fragColor = shade(); }\n"));
+    const Reloaded failed = reloadChangedPrograms();
+    ASSERT_EQ(failed.errors.size(), 1U);
+    EXPECT_TRUE(has(failed.errors.front(), "shaders/include/new.glsl:1: ")) << failed.errors.front();
+    writeFileAtomically(folder / "new.glsl", std::string_view("vec4 shade() { return vec4(1); }\n"));
+    std::filesystem::last_write_time(folder / "new.glsl",
+                                     std::filesystem::file_time_type::clock::now() + std::chrono::seconds(5));
+    const Reloaded mended = reloadChangedPrograms();
+    EXPECT_EQ(mended.programs, 1);
+    EXPECT_TRUE(mended.standing.empty());
 }
 
 // Whatever is in a shader's file, or in its place: an Error that names it, and never another program than the file's.
@@ -249,6 +310,40 @@ TEST_F(Gl, lines_of_words_together_are_the_lines_one_by_one) {
     EXPECT_THROW(drawText(frame, std::array{lines[0], TextLine{0, 0, "x", {.height = 2}}}), Error);
     EXPECT_EQ(countColors(target.read()), 1);
     forgetText();
+}
+
+// The same lines again cost no upload, the same words elsewhere one of their places; what is kept is bounded.
+TEST_F(Gl, words_that_stay_are_kept) {
+    const Target target(120, 60, {}, "words");
+    FrameNotes notes;
+    const Frame frame(1, 120, 60, notes);
+    const auto bytesFor = [&](int x, const std::string& text) {
+        startAudit();
+        beginAuditedFrame(false);
+        drawText(frame, x, 2, text);
+        const long bytes = endAuditedFrame().bytesUploaded;
+        stopAudit();
+        return bytes;
+    };
+    glClear(GL_COLOR_BUFFER_BIT);
+    const long objects = liveObjects();
+    constexpr long uniform = 4,
+                   places = 12 * (12 + 16 + 8);  // of twelve corners: position, colour, place in the texture
+    EXPECT_GT(bytesFor(3, "stays"), places + 400) << "with the texture";
+    const Picture once = target.read();
+    const long kept = liveObjects();
+    glClear(GL_COLOR_BUFFER_BIT);
+    EXPECT_EQ(bytesFor(3, "stays"), uniform);
+    EXPECT_EQ(target.read(), once);
+    EXPECT_EQ(liveObjects(), kept);
+    EXPECT_EQ(bytesFor(4, "stays"), places + uniform);
+    for (int i = 0; i < 100; ++i) drawText(frame, 3, 2, "line " + std::to_string(i));
+    EXPECT_EQ(liveObjects() - kept, 15 * 3) << "sixteen calls in all: a vertex array, its buffer and a texture each";
+    glClear(GL_COLOR_BUFFER_BIT);
+    EXPECT_GT(bytesFor(3, "stays"), places) << "long forgotten";
+    EXPECT_EQ(target.read(), once);
+    forgetText();
+    EXPECT_EQ(liveObjects(), objects);
 }
 
 // More words than stand beside each other in their texture, and one line that is wider than all of it.
@@ -380,6 +475,109 @@ TEST_F(Gl, a_target_is_made_anew_only_where_it_would_be_another) {
     EXPECT_EQ(liveObjects(), objects + 1);  // the depth buffer; of the old one nothing is left
 }
 
+// Beyond the map's end is the map's end, where nothing is: lit. A float depth is compared as it is where nobody says so.
+TEST_F(Gl, what_is_beyond_a_shadow_maps_end_is_lit) {
+    const Target map(2, 2, {.depth = true, .depthFormat = GL_DEPTH_COMPONENT32F, .depthTexture = true}, "map");
+    const float farthest = 1;
+    glClearBufferfv(GL_DEPTH, 0, &farthest);
+    const Target lit(1, 1, {.color = GL_R32F}, "lit");
+    MeshData wholePicture;
+    wholePicture.positions = {{-1, -1, 0}, {3, -1, 0}, {-1, 3, 0}};
+    const Mesh cover(wholePicture, "cover");
+    for (const std::string look : {"litOneTap(map, at, 0.1)", "litPcf(map, at, 0.1, 3)"}) {
+        const Program program = Program::fromText("beyond", plainVertex,
+                                                  "#include \"shadow-map.glsl\"\nuniform sampler2DShadow map;\n"
+                                                  "uniform vec4 at;\nout vec4 fragColor;\n"
+                                                  "void main() { fragColor = vec4(" +
+                                                      look + "); }\n");
+        program.use();
+        program.set("m", mat4(1));
+        program.set("map", 0);
+        map.bindDepth(0);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+        lit.bind();
+        for (const double depth : {0.5, 1.0, 1.5}) {
+            program.set("at", vec4(0.5, 0.5, depth, 1));
+            cover.draw();
+            EXPECT_EQ(lit.readRed(), std::vector<float>{1}) << look << " at depth " << depth;
+        }
+    }
+}
+
+// Each thing that ES 3.0 lacks is known by the call or the format that needs it; what is initially so is none.
+TEST_F(Gl, what_es_lacks_is_noted) {
+    const Program program = Program::fromText("plain", plainVertex, plainFragment);
+    program.use();
+    program.set("c", vec4(1));
+    program.set("m", mat4(1));
+    MeshData corners;
+    corners.positions = {{-1, -1, 0}, {3, -1, 0}, {-1, 3, 0}};
+    const Mesh plain(corners, "plain");
+    corners.indices = {0, 1, 2};
+    const Mesh indexed(corners, "indexed");
+    const Target picture(2, 2, {.depth = true, .stencil = true}, "picture"), floats(2, 2, {.color = GL_R32F}, "floats");
+    allowClipControl();
+    const auto usedBy = [](const std::function<void()>& calls) {
+        watchBeyondEs();
+        calls();
+        const std::set<std::string> used = stopWatchingBeyondEs();
+        std::string text;
+        for (const std::string& one : used) text += (text.empty() ? "" : ", ") + one;
+        return text;
+    };
+    std::vector<float> numbers(16);
+    std::vector<unsigned char> bytes(64);
+    picture.bind();
+    EXPECT_EQ(usedBy([&] {
+                  restoreInitialState();
+                  for (const GLenum what : {GL_DEPTH_TEST, GL_BLEND, GL_STENCIL_TEST, GL_PROGRAM_POINT_SIZE}) {
+                      glEnable(what);
+                      glDisable(what);
+                  }
+                  program.use();
+                  plain.draw();
+                  transformedPositions(plain);
+                  picture.read();
+              }),
+              "");
+    EXPECT_EQ(usedBy([] { glEnable(GL_CLIP_DISTANCE0 + 1); }), beyond_es::clipDistances);
+    glDisable(GL_CLIP_DISTANCE0 + 1);
+    EXPECT_EQ(usedBy([] { glEnable(GL_DEPTH_CLAMP); }), "GL_DEPTH_CLAMP");
+    EXPECT_EQ(usedBy([] { glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE); }), beyond_es::clipControl);
+    EXPECT_EQ(usedBy([] { glPolygonMode(GL_FRONT_AND_BACK, GL_LINE); }), beyond_es::polygonMode);
+    restoreInitialState();
+    program.use();
+    EXPECT_EQ(usedBy([&] { glReadPixels(0, 0, 2, 2, GL_DEPTH_COMPONENT, GL_FLOAT, numbers.data()); }),
+              beyond_es::depthReadBack);
+    EXPECT_EQ(usedBy([&] { glReadPixels(0, 0, 2, 2, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, bytes.data()); }),
+              beyond_es::stencilReadBack);
+    EXPECT_EQ(usedBy([&] { transformedPositions(indexed); }), beyond_es::indexedFeedback);
+    corners.indices.clear();
+    corners.primitive = Primitive::triangleFan;
+    EXPECT_EQ(usedBy([&] { transformedPositions(Mesh(corners, "fan")); }), beyond_es::expandedFeedback);
+    EXPECT_EQ(usedBy([] {
+                  GLuint query = 0;
+                  glGenQueries(1, &query);
+                  glBeginQuery(GL_SAMPLES_PASSED, query);
+                  glEndQuery(GL_SAMPLES_PASSED);
+                  glDeleteQueries(1, &query);
+              }),
+              beyond_es::countingQueries);
+    floats.bind();
+    EXPECT_EQ(usedBy([&] { plain.draw(); }), beyond_es::floatTargets);
+    glEnable(GL_BLEND);
+    EXPECT_EQ(usedBy([&] { plain.draw(); }), beyond_es::floatBlending + std::string(", ") + beyond_es::floatTargets);
+    glDisable(GL_BLEND);
+    EXPECT_EQ(usedBy([] {
+                  const TextureObject texture = makeTexture();
+                  glBindTexture(GL_TEXTURE_2D, texture.id());
+                  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
+              }),
+              beyond_es::borderClamp);
+    allowVersion(33);
+}
+
 // A demo of 3.3 may ask for glClipControl; the next one starts without it.
 TEST_F(Gl, clip_control_is_called_only_where_it_was_asked_for) {
     allowVersion(33);
@@ -407,4 +605,19 @@ TEST_F(Gl, objects_are_moved_and_deleted) {
         EXPECT_THROW(Mesh(MeshData{}, "empty"), Error);
     }
     EXPECT_EQ(liveObjects(), before);
+}
+
+// Drivers give a name once, so the label of what is gone would never be asked for again, and stay for ever.
+TEST_F(Gl, labels_end_with_their_objects) {
+    const std::size_t before = labelledObjects();
+    {
+        const Target target(4, 4, {.depth = true, .texture = true}, "target");
+        const Mesh mesh(square(), "mesh");
+        const Texture texture(Picture(2, 2), GL_NEAREST, "texture");
+        const DepthMap map(4, "map");
+        const Program program = Program::fromText("plain", plainVertex, plainFragment);
+        EXPECT_GE(labelledObjects(), before + 8);
+        EXPECT_EQ(labelOf(GL_PROGRAM, program.id()), "'plain'");
+    }
+    EXPECT_EQ(labelledObjects(), before);
 }

@@ -74,20 +74,26 @@ class Demo {
     std::vector<Binding> bindings_;
 };
 
+// Something that a demo uses and OpenGL ES 3.0, which is WebGL 2's, lacks.
+struct BeyondEs {
+    std::string feature;    // by the name that mv/gl/beyond_es.h finds it by: "clip distances"
+    std::string otherwise;  // what the demo does without it, a clause
+};
+
 // What a demo needs of the context and of its framebuffer. What is not asked for is not made.
 struct Needs {
     bool depth = false;
     bool stencil = false;
     int samples = 0;  // 0 or what the driver has; another number is refused by name
     int gl = 33;      // core version, 10 * major + minor
-    // Empty: the shaders also compile as GLSL ES 3.00 (WebGL 2). Else what ES 3.0 lacks for it, and the fallback.
-    std::string beyondEs = {};
+    // All that ES 3.0 lacks and the demo uses in any of its settings: the sweep holds it to the calls and formats it sees.
+    std::vector<BeyondEs> beyondEs = {};
 };
 
 // Needless work that a demo does on purpose, because its lesson is about it.
 struct DeclaredWaste {
     std::string kind;    // as --audit names it: "no-sample"
-    std::string what;    // part of what --audit says of it: "draw of 'cube'"
+    std::string what;    // what --audit says of it, word for word: "draw of 'cube'"
     std::string reason;  // one clause
 };
 

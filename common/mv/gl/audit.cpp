@@ -1,25 +1,25 @@
 #include "mv/gl/audit.h"
 
 #include <cstring>
+#include <functional>
 #include <initializer_list>
 #include <iterator>
 #include <map>
 #include <memory>
 #include <set>
+#include <string_view>
+#include <tuple>
 
+#include "mv/gl/beyond_es.h"
+#include "mv/gl/layer.h"
 #include "mv/gl/object.h"
 #include "mv/gl/state_names.h"
 
 namespace mv {
 namespace {
 
-// The table below this layer.
-struct Table {
-#define X(name, TYPE, version) PFNGL##TYPE##PROC name = nullptr;
-#include "mv/gl/function_list.inc"
-#undef X
-};
-Table below;
+class Recorder;
+const FunctionTable& below = Layer<Recorder>::below;
 
 using Objects = std::map<GLuint, bool>;  // made, and whether used
 
@@ -103,20 +103,25 @@ class Recorder {
     }
 
     // ---- Uploads and objects
-    void before_BufferData(GLenum, GLsizeiptr size, const void* data, GLenum) {
-        if (data) work_.bytesUploaded += size;
+    void before_BindBuffer(GLenum target, GLuint buffer) { buffers_[target] = buffer; }
+    void before_BufferData(GLenum target, GLsizeiptr size, const void* data, GLenum) {
+        upload("buffer", GL_BUFFER, buffers_[target], data, size);
     }
     void before_TexImage2D(GLenum, GLint, GLint, GLsizei width, GLsizei height, GLint, GLenum format, GLenum type,
                            const void* data) {
         // Bound to be filled, not to be sampled; binding it again for that is another thing.
         bound_.erase(texture_);
         state_.erase(bindingOf(unit_));
-        if (data) work_.bytesUploaded += long(width) * height * bytesOfPixel(format, type);
+        upload("texture", GL_TEXTURE, texture_, data, long(width) * height * bytesOfPixel(format, type));
     }
     void after_GenTextures(GLsizei n, GLuint* names) { made(textures_, n, names); }
     void after_GenVertexArrays(GLsizei n, GLuint* names) { made(arrays_, n, names); }
     void before_LinkProgram(GLuint program) { programs_.emplace(program, false); }
-    void before_DeleteTextures(GLsizei n, const GLuint* names) { gone(textures_, n, names); }
+    void before_DeleteTextures(GLsizei n, const GLuint* names) {
+        gone(textures_, n, names);
+        forget(GL_TEXTURE, n, names);
+    }
+    void before_DeleteBuffers(GLsizei n, const GLuint* names) { forget(GL_BUFFER, n, names); }
     void before_DeleteVertexArrays(GLsizei n, const GLuint* names) { gone(arrays_, n, names); }
     void before_DeleteProgram(GLuint program) {
         programs_.erase(program);
@@ -126,7 +131,11 @@ class Recorder {
         attached_[framebuffer_].insert(texture);
     }
     void before_DeleteFramebuffers(GLsizei n, const GLuint* names) {
-        for (GLsizei i = 0; i < n; ++i) attached_.erase(names[i]);
+        for (GLsizei i = 0; i < n; ++i) {
+            attached_.erase(names[i]);
+            unread_.erase(names[i]);
+            tested_.erase(names[i]);
+        }
     }
     void before_BlitFramebuffer(GLint, GLint, GLint, GLint, GLint, GLint, GLint, GLint, GLbitfield, GLenum) {
         readBack();
@@ -157,7 +166,7 @@ class Recorder {
     static std::string bindingOf(GLenum unit) { return "glBindTexture on unit " + std::to_string(unit - GL_TEXTURE0); }
     static long bytesOfPixel(GLenum format, GLenum type) {
         const long channels = format == GL_RGBA ? 4 : format == GL_RGB ? 3 : format == GL_RG ? 2 : 1;
-        return channels * (type == GL_UNSIGNED_BYTE ? 1 : 4);
+        return channels * (type == GL_UNSIGNED_BYTE ? 1 : type == GL_UNSIGNED_SHORT || type == GL_HALF_FLOAT ? 2 : 4);
     }
     static void made(Objects& objects, GLsizei n, const GLuint* names) {
         for (GLsizei i = 0; i < n; ++i) objects.emplace(names[i], false);
@@ -203,6 +212,42 @@ class Recorder {
         known->second = value;
         pending_.insert(key);
     }
+    // What was uploaded is known by its bytes and by the label of where it went, not by the object's number: an object that is
+    // made anew in each frame and filled with the same is as needless as one that is filled again. Two objects that live
+    // beside each other may well hold the same.
+    using Content = std::tuple<std::string, long, std::size_t>;  // where to, how many bytes, and their hash
+    struct Holders {
+        std::set<GLuint> objects;
+        bool lost = false;  // one held it and no longer does
+    };
+    void upload(const char* word, GLenum kind, GLuint object, const void* data, long size) {
+        if (!data) return;
+        work_.bytesUploaded += size;
+        std::string label = labelOf(kind, object);
+        if (label.starts_with("unnamed")) label = "without a label";
+        const std::string_view all(static_cast<const char*>(data), static_cast<std::size_t>(size));
+        const Content content(word + (" " + label), size, std::hash<std::string_view>{}(all));
+        Holders& holders = uploaded_[content];
+        if (inFrame_ && (holders.lost || holders.objects.contains(object))) {
+            find(waste::uploadAgain, std::get<0>(content), size);
+        } else if (inFrame_ && !holders.objects.empty()) {
+            perhapsAgain_.push_back(content);  // it may replace one of them, which is deleted after it
+        }
+        forget(kind, object);
+        holders.objects.insert(object);
+        holds_[{kind, object}] = content;
+    }
+    void forget(GLenum kind, GLuint object) {
+        const auto held = holds_.find({kind, object});
+        if (held == holds_.end()) return;
+        Holders& holders = uploaded_[held->second];
+        holders.objects.erase(object);
+        holders.lost = true;
+        holds_.erase(held);
+    }
+    void forget(GLenum kind, GLsizei n, const GLuint* names) {
+        for (GLsizei i = 0; i < n; ++i) forget(kind, names[i]);
+    }
     struct Uniform {
         std::string name;
         GLenum type;
@@ -229,7 +274,11 @@ class Recorder {
     }
 
     void expectInitialState();
-    void find(const char* kind, const std::string& what) { ++findings_[{kind, what}]; }
+    void find(const char* kind, const std::string& what, long size = 0) {
+        Finding& finding = findings_.try_emplace({kind, what}, Finding{kind, what, 0, 0}).first->second;
+        ++finding.times;
+        finding.bytes += size;
+    }
     void beginDraw();
     template <class Draw>
     void endDraw(GLenum mode, GLsizei count, const Draw& draw);
@@ -241,7 +290,7 @@ class Recorder {
     void readBack();
     void checkAttachments();
 
-    std::map<std::pair<std::string, std::string>, int> findings_;
+    std::map<std::pair<std::string, std::string>, Finding> findings_;
     FrameWork work_;
     bool inFrame_ = false, repeats_ = false, passOpen_ = false;
     GLuint picture_ = 0, framebuffer_ = 0, program_ = 0, vertexArray_ = 0, texture_ = 0;
@@ -252,6 +301,11 @@ class Recorder {
     std::map<std::pair<GLuint, GLint>, std::string> uniforms_;
     std::set<std::pair<GLuint, GLint>> pending_;  // set, and no draw since
 
+    std::map<GLenum, GLuint> buffers_;  // bound, by target
+    std::map<Content, Holders> uploaded_;
+    std::map<std::pair<GLenum, GLuint>, Content> holds_;
+    std::vector<Content> perhapsAgain_;  // uploaded in this frame, and some other object already held it
+
     Objects textures_, arrays_, programs_;
     std::map<GLuint, std::vector<GLint>> samplers_;   // of a program: the locations of its samplers
     std::map<GLuint, std::set<GLuint>> attached_;     // of a framebuffer: its textures
@@ -261,64 +315,6 @@ class Recorder {
 };
 
 std::unique_ptr<Recorder> recorder;
-
-// ---- The layer: each function tells the recorder and goes on to the table below.
-
-#define X(name, TYPE, version)                                                                      \
-    template <class Function>                                                                       \
-    struct Told##name;                                                                              \
-    template <class Result, class... Arguments>                                                     \
-    struct Told##name<Result (*)(Arguments...)> {                                                   \
-        template <class Listener>                                                                   \
-        static void before(Listener& listener, Arguments... a) {                                    \
-            if constexpr (requires { listener.before_##name(a...); }) listener.before_##name(a...); \
-        }                                                                                           \
-        template <class Listener>                                                                   \
-        static void after(Listener& listener, Arguments... a) {                                     \
-            if constexpr (requires { listener.after_##name(a...); }) listener.after_##name(a...);   \
-        }                                                                                           \
-        static Result call(Arguments... a) {                                                        \
-            before(*recorder, a...);                                                                \
-            if constexpr (std::is_void_v<Result>) {                                                 \
-                below.name(a...);                                                                   \
-                after(*recorder, a...);                                                             \
-            } else {                                                                                \
-                return below.name(a...);                                                            \
-            }                                                                                       \
-        }                                                                                           \
-    };
-#include "mv/gl/function_list.inc"
-#undef X
-
-void layOver() {
-#define X(name, TYPE, version) \
-    below.name = gl##name;     \
-    if (below.name) gl##name = &Told##name<PFNGL##TYPE##PROC>::call;
-#include "mv/gl/function_list.inc"
-#undef X
-}
-
-// The recorder's own calls go past itself.
-class Past {
-  public:
-    Past() {
-#define X(name, TYPE, version) \
-    kept_.name = gl##name;     \
-    gl##name = below.name;
-#include "mv/gl/function_list.inc"
-#undef X
-    }
-    ~Past() {
-#define X(name, TYPE, version) gl##name = kept_.name;
-#include "mv/gl/function_list.inc"
-#undef X
-    }
-    Past(const Past&) = delete;
-    Past& operator=(const Past&) = delete;
-
-  private:
-    Table kept_;
-};
 
 // ---- Draws
 
@@ -372,7 +368,7 @@ template <class Draw>
 TriangleCount Recorder::triangles(GLenum mode, GLsizei count, const Draw& draw) const {
     if (mode != GL_TRIANGLES && mode != GL_TRIANGLE_STRIP && mode != GL_TRIANGLE_FAN) return {};
     if (count < 3) return {};
-    const Past past;
+    const Layer<Recorder>::Past past;
     const Counters counted = counters();
     // The feedback expands strips and fans into separate triangles.
     const GLsizei corners = mode == GL_TRIANGLES ? count : 3 * (count - 2);
@@ -437,7 +433,7 @@ void Recorder::readBack() {
 }
 
 void Recorder::checkAttachments() {
-    const Past past;
+    const Layer<Recorder>::Past past;
     GLint before = 0;
     glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &before);
     const auto has = [](GLenum attachment) {
@@ -515,6 +511,10 @@ void Recorder::begin(bool repeats) {
 FrameWork Recorder::end() {
     inFrame_ = false;
     checkAttachments();
+    for (const Content& content : perhapsAgain_) {
+        if (uploaded_[content].lost) find(waste::uploadAgain, std::get<0>(content), std::get<1>(content));
+    }
+    perhapsAgain_.clear();
     for (const GLuint texture : bound_) {
         if (!sampled_.contains(texture)) find(waste::unsampled, "texture " + labelOf(GL_TEXTURE, texture));
     }
@@ -536,7 +536,7 @@ std::vector<Finding> Recorder::take() {
     unused(arrays_, GL_VERTEX_ARRAY, "mesh");
     unused(programs_, GL_PROGRAM, "program");
     std::vector<Finding> findings;
-    for (const auto& [key, times] : findings_) findings.push_back({key.first, key.second, times});
+    for (const auto& [key, finding] : findings_) findings.push_back(finding);
     return findings;
 }
 
@@ -546,7 +546,11 @@ bool auditing() { return recorder != nullptr; }
 
 void startAudit() {
     recorder = std::make_unique<Recorder>();
-    setLayer(layOver);
+    takeBeyondEs();
+    setLayer([] {
+        Layer<Recorder>::layOver(*recorder);
+        layBeyondEs();  // over it, so that the recorder's own calls are none of the demo's
+    });
 }
 
 void beginAuditedFrame(bool repeats) { recorder->begin(repeats); }

@@ -13,23 +13,25 @@ namespace mv {
 
 // The kinds of waste, by the names that DemoInfo::waste and --audit use.
 namespace waste {
-inline constexpr const char* stateAgain = "state-again";       // state set to what it was in this frame
-inline constexpr const char* uniformAgain = "uniform-again";   // a uniform set to what it was, or twice for no draw
-inline constexpr const char* noSample = "no-sample";           // a draw that touched no sample
-inline constexpr const char* outsideView = "outside-view";     // a draw all of whose triangles are out of view
-inline constexpr const char* unusedBuffer = "unused-buffer";   // an attachment never tested, written or read
+inline constexpr const char* stateAgain = "state-again";      // state set to what it was in this frame
+inline constexpr const char* uniformAgain = "uniform-again";  // a uniform set to what it was, or twice for no draw
+inline constexpr const char* uploadAgain = "upload-again";    // the same bytes to a buffer or texture of the same label
+inline constexpr const char* noSample = "no-sample";          // a draw that touched no sample
+inline constexpr const char* outsideView = "outside-view";    // a draw all of whose triangles are out of view
+inline constexpr const char* unusedBuffer = "unused-buffer";  // an attachment never tested, written or read
 inline constexpr const char* unsampled = "unsampled-texture";  // a texture bound and never sampled
 inline constexpr const char* unreadPass = "unread-pass";       // a pass into a target of its own that nobody reads
 inline constexpr const char* repeatedPass = "repeated-pass";   // such a pass again, though nothing had changed
 inline constexpr const char* unusedObject = "unused-object";   // made, and used neither in this frame nor before
-inline constexpr const char* all[] = {stateAgain, uniformAgain, noSample,     outsideView, unusedBuffer,
-                                      unsampled,  unreadPass,   repeatedPass, unusedObject};
+inline constexpr const char* all[] = {stateAgain,   uniformAgain, uploadAgain, noSample,     outsideView,
+                                      unusedBuffer, unsampled,    unreadPass,  repeatedPass, unusedObject};
 }  // namespace waste
 
 struct Finding {
     std::string kind;  // one of the above
     std::string what;  // the call or the object, by name
     int times = 1;
+    long bytes = 0;  // uploaded in all these times
     bool operator==(const Finding&) const = default;
 };
 
@@ -49,7 +51,8 @@ void startAudit();
 // the frame before it drew.
 void beginAuditedFrame(bool repeats);
 FrameWork endAuditedFrame();
-// Ends it, and returns what was needless in all frames, each finding once with its number of times.
+// Ends it, and returns what was needless in all frames, each finding once with its number of times. What was used that ES
+// 3.0 lacks is then left for takeBeyondEs().
 std::vector<Finding> stopAudit();
 bool auditing();
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "mv/error.h"
+#include "mv/gl/layer.h"
 #include "mv/gl/state.h"
 
 #define X(name, TYPE, version) PFNGL##TYPE##PROC gl##name = nullptr;
@@ -13,13 +14,7 @@
 namespace mv {
 namespace {
 
-// What the driver gave, before counting and refusing are laid over it.
-struct Driver {
-#define X(name, TYPE, version) PFNGL##TYPE##PROC name = nullptr;
-#include "mv/gl/function_list.inc"
-#undef X
-};
-Driver driver;
+FunctionTable driver;  // what it gave, before counting and refusing are laid over it
 PFNGLOBJECTLABELPROC driverObjectLabel = nullptr;
 
 Counters counted;
@@ -55,6 +50,25 @@ struct Refusal<facts, Result (*)(Arguments...)> {
     }
 };
 
+// Functions that stand for a call that the context has not.
+template <const FunctionFacts& facts, class Function>
+struct Missing;
+template <const FunctionFacts& facts, class Result, class... Arguments>
+struct Missing<facts, Result (*)(Arguments...)> {
+    static Result call(Arguments...) {
+        throw Error(facts.name, es ? "is not in OpenGL ES 3.0; ask isEs() before it is called"
+                                   : "is not in this driver, which says that it has it");
+    }
+};
+
+// ES has these two for floats alone.
+PFNGLCLEARDEPTHFPROC esClearDepth = nullptr;
+PFNGLDEPTHRANGEFPROC esDepthRange = nullptr;
+void clearDepthInEs(GLdouble depth) { esClearDepth(static_cast<GLfloat>(depth)); }
+void depthRangeInEs(GLdouble near, GLdouble far) {
+    esDepthRange(static_cast<GLfloat>(near), static_cast<GLfloat>(far));
+}
+
 // ---- Counting
 
 void countPrimitives(GLenum mode, GLsizei count) {
@@ -85,12 +99,12 @@ void countDeleted(GLenum kind, GLuint name) {
 // Gen* and Delete* of the object kinds that all have the signatures (count, names).
 using Generate = void (*)(GLsizei, GLuint*);
 using Delete = void (*)(GLsizei, const GLuint*);
-template <Generate Driver::*function>
+template <Generate FunctionTable::*function>
 void countedGenerate(GLsizei count, GLuint* names) {
     (driver.*function)(count, names);
     live += count;
 }
-template <Delete Driver::*function, GLenum kind>
+template <Delete FunctionTable::*function, GLenum kind>
 void countedDelete(GLsizei count, const GLuint* names) {
     for (GLsizei i = 0; i < count; ++i) countDeleted(kind, names[i]);
     (driver.*function)(count, names);
@@ -125,7 +139,7 @@ void trackedDeleteVertexArrays(GLsizei count, const GLuint* names) {
     for (GLsizei i = 0; i < count; ++i) {
         if (names[i] == vertexArray) vertexArray = 0;  // GL unbinds what is deleted
     }
-    countedDelete<&Driver::DeleteVertexArrays, GL_VERTEX_ARRAY>(count, names);
+    countedDelete<&FunctionTable::DeleteVertexArrays, GL_VERTEX_ARRAY>(count, names);
 }
 
 void layCountersOver() {
@@ -133,17 +147,17 @@ void layCountersOver() {
     glBindFramebuffer = countedBindFramebuffer;
     glDrawArrays = countedDrawArrays;
     glDrawElements = countedDrawElements;
-    glGenBuffers = countedGenerate<&Driver::GenBuffers>;
-    glGenFramebuffers = countedGenerate<&Driver::GenFramebuffers>;
-    glGenQueries = countedGenerate<&Driver::GenQueries>;
-    glGenRenderbuffers = countedGenerate<&Driver::GenRenderbuffers>;
-    glGenTextures = countedGenerate<&Driver::GenTextures>;
-    glGenVertexArrays = countedGenerate<&Driver::GenVertexArrays>;
-    glDeleteBuffers = countedDelete<&Driver::DeleteBuffers, GL_BUFFER>;
-    glDeleteFramebuffers = countedDelete<&Driver::DeleteFramebuffers, GL_FRAMEBUFFER>;
-    glDeleteQueries = countedDelete<&Driver::DeleteQueries, GL_QUERY>;
-    glDeleteRenderbuffers = countedDelete<&Driver::DeleteRenderbuffers, GL_RENDERBUFFER>;
-    glDeleteTextures = countedDelete<&Driver::DeleteTextures, GL_TEXTURE>;
+    glGenBuffers = countedGenerate<&FunctionTable::GenBuffers>;
+    glGenFramebuffers = countedGenerate<&FunctionTable::GenFramebuffers>;
+    glGenQueries = countedGenerate<&FunctionTable::GenQueries>;
+    glGenRenderbuffers = countedGenerate<&FunctionTable::GenRenderbuffers>;
+    glGenTextures = countedGenerate<&FunctionTable::GenTextures>;
+    glGenVertexArrays = countedGenerate<&FunctionTable::GenVertexArrays>;
+    glDeleteBuffers = countedDelete<&FunctionTable::DeleteBuffers, GL_BUFFER>;
+    glDeleteFramebuffers = countedDelete<&FunctionTable::DeleteFramebuffers, GL_FRAMEBUFFER>;
+    glDeleteQueries = countedDelete<&FunctionTable::DeleteQueries, GL_QUERY>;
+    glDeleteRenderbuffers = countedDelete<&FunctionTable::DeleteRenderbuffers, GL_RENDERBUFFER>;
+    glDeleteTextures = countedDelete<&FunctionTable::DeleteTextures, GL_TEXTURE>;
     glDeleteVertexArrays = trackedDeleteVertexArrays;
     glCreateProgram = countedCreateProgram;
     glCreateShader = countedCreateShader;
@@ -153,16 +167,17 @@ void layCountersOver() {
 
 // What may be called now, then what counts, what keeps the state, and what listens.
 void fillTable() {
-#define X(name, TYPE, version) \
-    gl##name = version <= allowed ? driver.name : &Refusal<facts##name, PFNGL##TYPE##PROC>::call;
+#define X(name, TYPE, version)                                                    \
+    gl##name = version > allowed ? &Refusal<facts##name, PFNGL##TYPE##PROC>::call \
+               : driver.name     ? driver.name                                    \
+                                 : &Missing<facts##name, PFNGL##TYPE##PROC>::call;
 #include "mv/gl/function_list.inc"
 #undef X
     if (clipControl) glClipControl = driver.ClipControl;
     layCountersOver();
     keepState();
     if (extraLayer) extraLayer();
-    // ES 3.0 lacks a few functions of desktop GL; those stay null there and no demo that claims ES calls them.
-    if (!glGetString || !glDrawArrays) throw Error("OpenGL", "has no functions; is a driver installed?");
+    if (!driver.GetString || !driver.DrawArrays) throw Error("OpenGL", "has no functions; is a driver installed?");
 }
 
 // ---- KHR_debug, outside the table: it belongs to the framework, and it is newer than the floor.
@@ -170,16 +185,6 @@ void fillTable() {
 void onDebugMessage(GLenum, GLenum, GLuint, GLenum severity, GLsizei, const GLchar* message, const void*) {
     if (severity != GL_DEBUG_SEVERITY_HIGH && severity != GL_DEBUG_SEVERITY_MEDIUM) return;
     debugMessages.emplace_back(message);
-}
-
-bool hasExtension(const char* name) {
-    GLint count = 0;
-    glGetIntegerv(GL_NUM_EXTENSIONS, &count);
-    for (GLint i = 0; i < count; ++i) {
-        const auto extension = glGetStringi(GL_EXTENSIONS, static_cast<GLuint>(i));
-        if (extension && std::string(reinterpret_cast<const char*>(extension)) == name) return true;
-    }
-    return false;
 }
 
 template <class Function>
@@ -204,6 +209,13 @@ void loadFunctions(const std::function<void*(const char*)>& address) {
     const auto version = reinterpret_cast<const char*>(glGetString(GL_VERSION));
     if (!version) throw Error("OpenGL", "has no current context");
     es = std::string(version).rfind("OpenGL ES", 0) == 0;
+    if (es) {
+        esClearDepth = lookUp<PFNGLCLEARDEPTHFPROC>(address, "glClearDepthf");
+        esDepthRange = lookUp<PFNGLDEPTHRANGEFPROC>(address, "glDepthRangef");
+        driver.ClearDepth = clearDepthInEs;
+        driver.DepthRange = depthRangeInEs;
+        allowVersion(33);
+    }
 
     driverObjectLabel = nullptr;
     if (!hasExtension("GL_KHR_debug")) return;
@@ -243,6 +255,16 @@ void setLayer(std::function<void()> layOver) {
     fillTable();
 }
 bool isEs() { return es; }
+
+bool hasExtension(const char* name) {
+    GLint count = 0;
+    glGetIntegerv(GL_NUM_EXTENSIONS, &count);
+    for (GLint i = 0; i < count; ++i) {
+        const auto extension = glGetStringi(GL_EXTENSIONS, static_cast<GLuint>(i));
+        if (extension && std::string(reinterpret_cast<const char*>(extension)) == name) return true;
+    }
+    return false;
+}
 
 const Counters& counters() { return counted; }
 void resetCounters(const Counters& to) {

@@ -32,6 +32,8 @@ bool clipControlAllowed();
 void setLayer(std::function<void()> layOver);
 // Whether the current context is OpenGL ES.
 bool isEs();
+// Whether the current context has the extension ("GL_EXT_color_buffer_float").
+bool hasExtension(const char* name);
 
 // What was called since the last resetCounters().
 struct Counters {

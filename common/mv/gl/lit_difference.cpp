@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "mv/demo/lit_reference.h"
+#include "mv/error.h"
 #include "mv/gl/measured.h"
 #include "mv/gl/text.h"
 
@@ -35,6 +36,9 @@ LitDifference::Found LitDifference::show(const Scene& scene, const Frame& frame,
 }
 
 std::vector<float> LitDifference::drawn(const Frame& frame, const std::function<void()>& draw) {
+    if (!floatTargets()) {
+        throw Error("the difference", "needs targets of floats; this OpenGL ES lacks EXT_color_buffer_float");
+    }
     target_.fit(frame.width(), frame.height(), {.depth = true, .stencil = true, .color = GL_R32F}, "lit fraction");
     return drawMeasured(target_, frame, draw);
 }

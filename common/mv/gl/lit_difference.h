@@ -21,7 +21,7 @@ class LitDifference {
     // `against` casts a ray from the middle of each pixel and one to scene.lights[0], which is kept while camera and size
     // rest: for another scene take a new LitDifference. Fills the frame's picture: red where `draw` is darker, blue where
     // it is lighter, the second way in grey, nearly black where one of them has none. Changes the state that
-    // showImage does.
+    // showImage does. Error: the context has no targets of floats (ES 3.0 without EXT_color_buffer_float).
     Found show(const Scene& scene, const Frame& frame, const std::function<void()>& draw,
                const std::function<void()>& against = {});
 

@@ -48,42 +48,42 @@ void attach(Attribute attribute, const std::vector<Vector>& values, std::vector<
 
 Mesh::Mesh(const MeshData& data, const std::string& label) : primitive_(glPrimitive(data.primitive)) {
     if (data.positions.empty()) throw Error("mesh " + label, "must have vertices");
-    vertexArray_ = makeVertexArray();
-    vertices_ = makeBuffer();
-    glBindVertexArray(vertexArray_.id());
-    glBindBuffer(GL_ARRAY_BUFFER, vertices_.id());
+    bindNew(label);
     std::vector<std::byte> bytes;
     attach(Attribute::position, data.positions, bytes);
     attach(Attribute::normal, data.normals, bytes);
     attach(Attribute::color, data.colors, bytes);
     attach(Attribute::texCoord, data.texCoords, bytes);
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes.size()), bytes.data(), GL_STATIC_DRAW);
-    labelObject(GL_BUFFER, vertices_.id(), label + " vertices");
-    labelObject(GL_VERTEX_ARRAY, vertexArray_.id(), label);
     count_ = static_cast<GLsizei>(data.positions.size());
     if (!data.indices.empty()) uploadIndices(data.indices, label);
 }
 
 Mesh::Mesh(const ShadowVolume& volume, const std::string& label) {
     if (volume.positions.empty()) throw Error("mesh " + label, "must have vertices");
+    bindNew(label);
+    std::vector<std::byte> bytes;
+    attach(Attribute::position, volume.positions, bytes);
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes.size()), bytes.data(), GL_STATIC_DRAW);
+    uploadIndices(volume.indices, label);
+}
+
+// Labels come before what is uploaded, which the audit knows by them.
+void Mesh::bindNew(const std::string& label) {
     vertexArray_ = makeVertexArray();
     vertices_ = makeBuffer();
     glBindVertexArray(vertexArray_.id());
     glBindBuffer(GL_ARRAY_BUFFER, vertices_.id());
-    std::vector<std::byte> bytes;
-    attach(Attribute::position, volume.positions, bytes);
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes.size()), bytes.data(), GL_STATIC_DRAW);
     labelObject(GL_BUFFER, vertices_.id(), label + " vertices");
     labelObject(GL_VERTEX_ARRAY, vertexArray_.id(), label);
-    uploadIndices(volume.indices, label);
 }
 
 // The vertex array is bound, and keeps the indices.
 void Mesh::uploadIndices(const std::vector<std::uint32_t>& indices, const std::string& label) {
     indices_ = makeBuffer();
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
-    glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(byteSize(indices)), indices.data(), GL_STATIC_DRAW);
     labelObject(GL_BUFFER, indices_.id(), label + " indices");
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(byteSize(indices)), indices.data(), GL_STATIC_DRAW);
     count_ = static_cast<GLsizei>(indices.size());
 }
 

@@ -27,6 +27,7 @@ class Mesh {
     GLsizei count() const { return count_; }  // vertices, or indices where there are any
 
   private:
+    void bindNew(const std::string& label);
     void uploadIndices(const std::vector<std::uint32_t>& indices, const std::string& label);
 
     VertexArray vertexArray_;

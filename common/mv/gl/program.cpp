@@ -37,7 +37,6 @@ using Sources = std::vector<std::pair<GLenum, ShaderSource>>;
 struct Linked {
     ProgramObject program;
     std::map<std::string, Uniform, std::less<>> uniforms;
-    std::map<std::filesystem::path, std::filesystem::file_time_type> files;
 };
 
 std::string shaderLog(GLuint shader) {
@@ -83,7 +82,6 @@ Linked link(const std::string& name, const Sources& sources) {
     const GLuint program = linked.program.id();
     std::vector<ShaderObject> shaders;
     for (const auto& [kind, source] : sources) {
-        linked.files.insert(source.readFrom.begin(), source.readFrom.end());
         shaders.push_back(compile(kind, source));
         glAttachShader(program, shaders.back().id());
     }
@@ -126,7 +124,29 @@ struct Program::State {
     std::string name;
     std::function<Sources()> sources;
     Linked linked;
-    std::string error;  // why the files as they are now make no program; "" where they do
+    decltype(ShaderSource::readFrom) files;  // all that were read for it, those that made no program, too
+    std::string error;                       // why the files as they are now make no program; "" where they do
+
+    // Reads the files as they are now, and makes the program of them. Error: they make none; the last one stays.
+    void build() {
+        const Sources read = sources();
+        decltype(files) now;
+        for (const auto& [kind, source] : read) now.insert(source.readFrom.begin(), source.readFrom.end());
+        files.insert(now.begin(), now.end());
+        linked = link(name, read);
+        files = std::move(now);
+    }
+    // Whether a file was written anew, or is there again. One that is gone is waited for: an editor may be replacing it.
+    bool changed() {
+        bool any = false;
+        for (auto& [path, time] : files) {
+            const auto now = writtenAt(path);
+            if (!now || now == time) continue;
+            time = now;
+            any = true;
+        }
+        return any;
+    }
 };
 
 // The live programs, for reloading.
@@ -138,19 +158,9 @@ struct ProgramList {
     static Reloaded reload() {
         Reloaded result;
         for (Program::State* state : all()) {
-            bool changed = false;
-            for (auto& [path, time] : state->linked.files) {
-                std::error_code unreadable;  // an editor may be replacing the file just now: look again next time
-                const auto now = std::filesystem::last_write_time(path, unreadable);
-                if (!unreadable && now != time) {
-                    time = now;
-                    changed = true;
-                }
-            }
-            if (!changed) continue;
+            if (!state->changed()) continue;
             try {
-                Linked linked = link(state->name, state->sources());
-                state->linked = std::move(linked);
+                state->build();
                 state->error.clear();
                 ++result.programs;
             } catch (const Error& error) {
@@ -172,7 +182,7 @@ GLuint programInUse = 0;
 Program::Program() = default;
 
 Program::Program(std::unique_ptr<State> state) : state_(std::move(state)) {
-    state_->linked = link(state_->name, state_->sources());
+    state_->build();
     ProgramList::all().push_back(state_.get());
 }
 

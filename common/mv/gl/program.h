@@ -55,7 +55,8 @@ struct Reloaded {
     // The errors of now and of earlier calls whose files are still as they were: what a window goes on showing.
     std::vector<std::string> standing;
 };
-// Compiles each program again one of whose files on disk has changed. For developer builds; else nothing changes.
+// Compiles each program again one of whose files on disk has changed, or is there again after it was moved away (meanwhile
+// what was built in stands for it). For developer builds; else nothing changes.
 Reloaded reloadChangedPrograms();
 
 }  // namespace mv

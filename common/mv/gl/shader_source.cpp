@@ -25,21 +25,30 @@ std::map<std::string, ShaderFile>& shaderFiles() {
     return files;
 }
 
-// What GLSL calls the version, and what ES wants said once: the precision of numbers in fragment shaders.
+// What GLSL calls the version, and what ES wants said once: the precision of numbers, and of what is looked up. A sampler2D
+// is of low precision there where nobody says otherwise, most others of none at all, which is a mistake.
 std::string versionLines() {
-    if (isEs()) {
-        return "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2DShadow;\n";
+    if (!isEs()) return "#version " + std::to_string(allowedVersion()) + "0 core\n";
+    std::string lines = "#version 300 es\n";
+    for (const char* type :
+         {"float", "int", "sampler2D", "sampler3D", "samplerCube", "sampler2DArray", "sampler2DShadow",
+          "samplerCubeShadow", "sampler2DArrayShadow", "isampler2D", "isampler3D", "isamplerCube", "isampler2DArray",
+          "usampler2D", "usampler3D", "usamplerCube", "usampler2DArray"}) {
+        lines += std::string("precision highp ") + type + ";\n";
     }
-    return "#version " + std::to_string(allowedVersion()) + "0 core\n";
+    return lines;
 }
 
 // The file as it is on disk where there is one, else as it was built in. One that is there and cannot be read is an Error:
 // what was built in would be another program than the one that is being edited.
 std::string currentText(const ShaderFile& file, ShaderSource& source) {
-    std::error_code missing;
+    if (file.path.empty()) return file.text;
     // Before the text: an edit in between is then found, and read again.
-    const auto written = std::filesystem::last_write_time(file.path, missing);
-    if (missing) return file.text;
+    const auto written = writtenAt(file.path);
+    if (!written) {
+        source.readFrom[file.path] = {};  // it may come back
+        return file.text;
+    }
     constexpr std::size_t largest = std::size_t{1} << 20U;
     std::string text = readTextFile(file.path, largest);
     source.readFrom[file.path] = written;
@@ -104,7 +113,26 @@ bool addShaderFile(std::string name, std::string text, std::string path) {
     return true;
 }
 
+std::optional<std::filesystem::file_time_type> writtenAt(const std::filesystem::path& path) {
+    std::error_code missing;
+    const auto written = std::filesystem::last_write_time(path, missing);
+    if (missing) return {};
+    return written;
+}
+
 bool hasShaderFile(const std::string& name) { return shaderFiles().count(name) != 0; }
+
+std::vector<std::string> shaderFileNames() {
+    std::vector<std::string> names;
+    for (const auto& [name, file] : shaderFiles()) names.push_back(name);
+    return names;
+}
+
+std::string builtInShader(const std::string& name) {
+    const auto found = shaderFiles().find(name);
+    if (found == shaderFiles().end()) throw Error("shaders/" + name, "is not built into this program");
+    return found->second.text;
+}
 
 ShaderSource assembleShader(const std::string& name) {
     const auto found = shaderFiles().find(name);

@@ -2,6 +2,7 @@
 #pragma once
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,18 +13,27 @@ namespace mv {
 // file itself, so that an edit is seen without a build; it is empty in an installed library.
 bool addShaderFile(std::string name, std::string text, std::string path);
 
+// When the file was last written; nothing where there is no file.
+std::optional<std::filesystem::file_time_type> writtenAt(const std::filesystem::path& path);
+
 // A shader ready to compile: the version line put before it, its #include lines replaced by the files.
 struct ShaderSource {
     std::string text;
     std::vector<std::string> files;  // shown names, by the source number that #line gives
-    // Files on disk that it was read from, and when each had been written.
-    std::map<std::filesystem::path, std::filesystem::file_time_type> readFrom;
+    // Files on disk that it was read from, and when each had been written: no time where there was none, and what is built
+    // in stood for it.
+    std::map<std::filesystem::path, std::optional<std::filesystem::file_time_type>> readFrom;
 };
 
 // Whether there is a shader file of that name ("cube-cull.vert").
 bool hasShaderFile(const std::string& name);
+// The names of all of them, those of shaders/include as "include/light.glsl".
+std::vector<std::string> shaderFileNames();
+// The text of one as it was built in. Error: there is none of that name.
+std::string builtInShader(const std::string& name);
 
-// The shader file, for the current context's dialect: "#version 330 core" on OpenGL, "#version 300 es" on OpenGL ES.
+// The shader file, for the current context's dialect: "#version 330 core" on OpenGL, "#version 300 es" on OpenGL ES, where
+// all numbers and samplers are said to be of high precision.
 // `#include "x.glsl"` stands for shaders/include/x.glsl. Error: no such file, a file that includes itself, one
 // that is on disk and cannot be read, or no main in it.
 ShaderSource assembleShader(const std::string& name);

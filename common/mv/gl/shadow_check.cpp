@@ -8,7 +8,9 @@
 
 namespace mv {
 
-FalseShadows ShadowCheck::compare(const Scene& scene, const Frame& frame, const std::function<void()>& draw) {
+std::optional<FalseShadows> ShadowCheck::compare(const Scene& scene, const Frame& frame,
+                                                 const std::function<void()>& draw) {
+    if (!floatTargets()) return {};
     constexpr double mostSide = 96;
     const double scale = std::min(1.0, mostSide / std::max(frame.width(), frame.height()));
     const int width = std::max(1, int(std::lround(scale * frame.width())));

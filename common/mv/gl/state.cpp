@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "mv/gl/functions.h"
+#include "mv/gl/layer.h"
 #include "mv/gl/state_names.h"
 
 namespace mv {
@@ -71,94 +72,63 @@ void keep(Map& map, const Key& key, const Value& value, const Value& initial) {
     }
 }
 
-// ---- The layer: each call goes on to the table below, and is kept when that has taken it.
-
-struct Table {
-#define X(name, TYPE, version) PFNGL##TYPE##PROC name = nullptr;
-#include "mv/gl/function_list.inc"
-#undef X
-};
-Table below;
-
-template <auto function, auto value, class Function>
-struct Kept;
-template <auto function, auto value, class... A>
-struct Kept<function, value, void (*)(A...)> {
-    static void call(A... arguments) {
-        (below.*function)(arguments...);
-        now.*value = {arguments...};
-    }
-};
-
-void setSwitch(GLenum capability, bool on) {
-    on ? below.Enable(capability) : below.Disable(capability);
-    keep(now.switches, capability, on, initiallyOn(capability));
-}
-void keptEnable(GLenum capability) { setSwitch(capability, true); }
-void keptDisable(GLenum capability) { setSwitch(capability, false); }
-void keptBlendFunc(GLenum from, GLenum to) {
-    below.BlendFunc(from, to);
-    now.BlendFuncSeparate = {from, to, from, to};
-}
+// ---- The layer hears each call that was taken.
 
 template <class T>
 void keepFaces(std::array<T, 2>& faces, GLenum face, const T& value) {
     if (face != GL_BACK) faces[0] = value;
     if (face != GL_FRONT) faces[1] = value;
 }
-void keptStencilFuncSeparate(GLenum face, GLenum function, GLint reference, GLuint mask) {
-    below.StencilFuncSeparate(face, function, reference, mask);
-    keepFaces(now.stencilTest, face, {function, reference, mask});
-}
-void keptStencilFunc(GLenum function, GLint reference, GLuint mask) {
-    below.StencilFunc(function, reference, mask);
-    keepFaces(now.stencilTest, GL_FRONT_AND_BACK, {function, reference, mask});
-}
-void keptStencilOpSeparate(GLenum face, GLenum fail, GLenum depthFail, GLenum pass) {
-    below.StencilOpSeparate(face, fail, depthFail, pass);
-    keepFaces(now.stencilChange, face, {fail, depthFail, pass});
-}
-void keptStencilOp(GLenum fail, GLenum depthFail, GLenum pass) {
-    below.StencilOp(fail, depthFail, pass);
-    keepFaces(now.stencilChange, GL_FRONT_AND_BACK, {fail, depthFail, pass});
-}
-
-void keptPixelStorei(GLenum name, GLint value) {
-    below.PixelStorei(name, value);
-    keep(now.pixelStore, name, value, 4);
-}
-void keptBindTexture(GLenum target, GLuint texture) {
-    below.BindTexture(target, texture);
-    keep(now.textures, std::pair{std::get<0>(now.ActiveTexture), target}, texture, 0U);
-}
-void keptBindBuffer(GLenum target, GLuint buffer) {
-    below.BindBuffer(target, buffer);
-    if (target != GL_ELEMENT_ARRAY_BUFFER) keep(now.buffers, target, buffer, 0U);  // that one is the vertex array's
-}
 
 // GL unbinds what is deleted; another object may then be given its name.
 void forgetName(auto& bindings, GLuint name) {
     std::erase_if(bindings, [&](const auto& binding) { return binding.second == name; });
 }
-void keptDeleteTextures(GLsizei count, const GLuint* names) {
-    below.DeleteTextures(count, names);
-    for (GLsizei i = 0; i < count; ++i) forgetName(now.textures, names[i]);
-}
-void keptDeleteBuffers(GLsizei count, const GLuint* names) {
-    below.DeleteBuffers(count, names);
-    for (GLsizei i = 0; i < count; ++i) forgetName(now.buffers, names[i]);
-}
-void keptDeleteProgram(GLuint program) {
-    // GL keeps one that is in use until another one is used, which then may not be this one again.
-    if (program != 0 && std::get<0>(now.UseProgram) == program) glUseProgram(0);
-    below.DeleteProgram(program);
-}
-void keptDeleteVertexArrays(GLsizei count, const GLuint* names) {
-    below.DeleteVertexArrays(count, names);
-    for (GLsizei i = 0; i < count; ++i) {
-        if (std::get<0>(now.BindVertexArray) == names[i]) now.BindVertexArray = {0};
+
+struct Keeper {
+#define X(name, ...) \
+    void after_##name(auto... arguments) { now.name = {arguments...}; }
+    MV_PLAIN_STATE(X)
+#undef X
+    void after_Enable(GLenum capability) { keep(now.switches, capability, true, initiallyOn(capability)); }
+    void after_Disable(GLenum capability) { keep(now.switches, capability, false, initiallyOn(capability)); }
+    void after_BlendFunc(GLenum from, GLenum to) { now.BlendFuncSeparate = {from, to, from, to}; }
+    void after_StencilFuncSeparate(GLenum face, GLenum function, GLint reference, GLuint mask) {
+        keepFaces(now.stencilTest, face, {function, reference, mask});
     }
-}
+    void after_StencilFunc(GLenum function, GLint reference, GLuint mask) {
+        keepFaces(now.stencilTest, GL_FRONT_AND_BACK, {function, reference, mask});
+    }
+    void after_StencilOpSeparate(GLenum face, GLenum fail, GLenum depthFail, GLenum pass) {
+        keepFaces(now.stencilChange, face, {fail, depthFail, pass});
+    }
+    void after_StencilOp(GLenum fail, GLenum depthFail, GLenum pass) {
+        keepFaces(now.stencilChange, GL_FRONT_AND_BACK, {fail, depthFail, pass});
+    }
+    void after_PixelStorei(GLenum name, GLint value) { keep(now.pixelStore, name, value, 4); }
+    void after_BindTexture(GLenum target, GLuint texture) {
+        keep(now.textures, std::pair{std::get<0>(now.ActiveTexture), target}, texture, 0U);
+    }
+    void after_BindBuffer(GLenum target, GLuint buffer) {
+        if (target != GL_ELEMENT_ARRAY_BUFFER) keep(now.buffers, target, buffer, 0U);  // that one is the vertex array's
+    }
+    void after_DeleteTextures(GLsizei count, const GLuint* names) {
+        for (GLsizei i = 0; i < count; ++i) forgetName(now.textures, names[i]);
+    }
+    void after_DeleteBuffers(GLsizei count, const GLuint* names) {
+        for (GLsizei i = 0; i < count; ++i) forgetName(now.buffers, names[i]);
+    }
+    void after_DeleteVertexArrays(GLsizei count, const GLuint* names) {
+        for (GLsizei i = 0; i < count; ++i) {
+            if (std::get<0>(now.BindVertexArray) == names[i]) now.BindVertexArray = {0};
+        }
+    }
+    void before_DeleteProgram(GLuint program) {
+        // GL keeps one that is in use until another one is used, which then may not be this one again.
+        if (program != 0 && std::get<0>(now.UseProgram) == program) glUseProgram(0);
+    }
+};
+Keeper keeper;
 
 // ---- Putting back
 
@@ -252,28 +222,6 @@ StateScope::~StateScope() { change(saved_->values); }
 
 void forgetState() { now = {}; }
 
-void keepState() {
-#define X(name, TYPE, version) below.name = gl##name;
-#include "mv/gl/function_list.inc"
-#undef X
-#define X(name, ...) \
-    if (gl##name) gl##name = Kept<&Table::name, &Values::name, decltype(gl##name)>::call;
-    MV_PLAIN_STATE(X)
-#undef X
-    glEnable = keptEnable;
-    glDisable = keptDisable;
-    glBlendFunc = keptBlendFunc;
-    glStencilFunc = keptStencilFunc;
-    glStencilFuncSeparate = keptStencilFuncSeparate;
-    glStencilOp = keptStencilOp;
-    glStencilOpSeparate = keptStencilOpSeparate;
-    glPixelStorei = keptPixelStorei;
-    glBindTexture = keptBindTexture;
-    glBindBuffer = keptBindBuffer;
-    glDeleteProgram = keptDeleteProgram;
-    glDeleteTextures = keptDeleteTextures;
-    glDeleteBuffers = keptDeleteBuffers;
-    glDeleteVertexArrays = keptDeleteVertexArrays;
-}
+void keepState() { Layer<Keeper>::layOver(keeper); }
 
 }  // namespace mv

@@ -60,6 +60,10 @@ void requireComplete(const std::string& label) {
 
 }  // namespace
 
+bool floatBlending() { return !isEs() || hasExtension("GL_EXT_float_blend"); }
+
+bool floatTargets() { return !isEs() || hasExtension("GL_EXT_color_buffer_float"); }
+
 int largestTargetSide() {
     GLint largest = 0;
     glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &largest);

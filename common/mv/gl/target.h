@@ -8,6 +8,11 @@
 
 namespace mv {
 
+// Whether this context draws into colours of floats (GL_R32F): OpenGL does, ES 3.0 where it has EXT_color_buffer_float.
+bool floatTargets();
+// Whether it also blends into those of 32 bits: ES 3.0 where it has EXT_float_blend.
+bool floatBlending();
+
 // Every host draws into one of these and never into its window: only then are the bytes the same on OSMesa, EGL and in
 // a window.
 // The longest side of a target that this driver makes, in pixels.

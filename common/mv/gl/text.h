@@ -13,6 +13,7 @@ struct TextStyle {
     int height = 16;  // of a line, pixels
     vec4 color{0.1, 0.1, 0.1, 1};
     vec4 background{1, 1, 1, 0.8};  // of a box behind the words; alpha 0: none
+    bool operator==(const TextStyle&) const = default;
 };
 
 // Draws a line of UTF-8 text in DejaVu Sans with its upper left corner at (x, y), in pixels from the upper left corner
@@ -24,9 +25,11 @@ struct TextLine {
     int x, y;
     std::string text;
     TextStyle style = {};
+    bool operator==(const TextLine&) const = default;
 };
 
-// The same for several lines, in their order; state is set once for all of them.
+// The same for several lines, in their order; state is set once for all of them. What the last sixteen different calls
+// have drawn is kept: the same lines again are drawn without an upload, the same words elsewhere with that of their places.
 void drawText(const Frame& frame, std::span<const TextLine> lines);
 
 // A number as words: printf's format for one double, "%.3f px".
@@ -38,10 +41,10 @@ int textWidth(std::string_view text, const TextStyle& style = {});
 int textHeight(const TextStyle& style = {});
 
 // Draws a picture with its upper left corner at (x, y), one pixel to a pixel, in pixels from the upper left corner.
-// Changes the same state as drawText.
+// Changes the same state as drawText. The last picture is kept: shown again, it is not uploaded again.
 void showImage(const Frame& frame, int x, int y, const Picture& picture);
 
-// Deletes what the two above keep between calls, their programs; before the context goes.
+// Deletes what the above keep between calls: their programs, words and picture; before the context goes.
 void forgetText();
 
 }  // namespace mv

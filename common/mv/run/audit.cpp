@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <iostream>
 #include <iterator>
+#include <set>
 
+#include "mv/gl/beyond_es.h"
 #include "mv/run/render.h"
 
 namespace mv {
@@ -13,7 +15,7 @@ void sortFindings(AuditReport& report, const DemoInfo& info, std::vector<Finding
     std::vector<bool> needed(info.waste.size(), false);
     for (Finding& finding : findings) {
         const auto excuse = std::find_if(info.waste.begin(), info.waste.end(), [&](const DeclaredWaste& waste) {
-            return waste.kind == finding.kind && finding.what.find(waste.what) != std::string::npos;
+            return waste.kind == finding.kind && waste.what == finding.what;
         });
         if (excuse == info.waste.end()) {
             report.findings.push_back(std::move(finding));
@@ -31,6 +33,17 @@ void sortFindings(AuditReport& report, const DemoInfo& info, std::vector<Finding
     }
 }
 
+std::vector<std::string> undeclaredBeyondEs(const DemoInfo& info, const std::set<std::string>& used) {
+    std::vector<std::string> undeclared;
+    for (const std::string& feature : used) {
+        const auto& declared = info.needs.beyondEs;
+        if (std::none_of(declared.begin(), declared.end(), [&](const BeyondEs& d) { return d.feature == feature; })) {
+            undeclared.push_back(feature);
+        }
+    }
+    return undeclared;
+}
+
 std::string line(const std::string& name, const FrameWork& work) {
     const auto number = [](long value) { return std::to_string(value); };
     return name + number(work.draws) + " draws in " + number(work.passes) + " passes; triangles " +
@@ -42,7 +55,8 @@ std::string line(const std::string& name, const FrameWork& work) {
 
 std::string findingText(const Finding& finding) {
     return finding.kind + ": " + finding.what +
-           (finding.times > 1 ? ", " + std::to_string(finding.times) + " times" : "");
+           (finding.times > 1 ? ", " + std::to_string(finding.times) + " times" : "") +
+           (finding.bytes > 0 ? ", " + std::to_string(finding.bytes) + " bytes" : "");
 }
 
 }  // namespace
@@ -64,6 +78,7 @@ AuditReport auditDemo(Stage& stage, const DemoInfo& info, const std::vector<Knob
             report.undone = stage.undone();
         }
         findings = stopAudit();
+        report.undeclaredBeyondEs = undeclaredBeyondEs(info, takeBeyondEs());
     } catch (...) {
         stopAudit();
         throw;
@@ -82,6 +97,9 @@ std::string auditText(const AuditReport& report) {
     for (const Finding& finding : report.findings) text += "needless  " + findingText(finding) + "\n";
     for (const auto& [finding, reason] : report.excused) {
         text += "declared  " + findingText(finding) + " (" + reason + ")\n";
+    }
+    for (const std::string& feature : report.undeclaredBeyondEs) {
+        text += "undeclared  " + feature + ": OpenGL ES 3.0 lacks it; declare it in .needs = {.beyondEs = ...}\n";
     }
     for (const std::string& excuse : report.staleExcuses) {
         text += "needless  declared waste that is not there: " + excuse + "\n";
@@ -123,10 +141,13 @@ std::string needsPage() {
         std::string buffers = "color";
         if (info.needs.depth) buffers += ", depth";
         if (info.needs.stencil) buffers += ", stencil";
+        std::string versions =
+            std::to_string(info.needs.gl / 10) + "." + std::to_string(info.needs.gl % 10) + ", ES 3.0";
+        for (const BeyondEs& lacking : info.needs.beyondEs) {
+            versions += (&lacking == info.needs.beyondEs.data() ? " without " : ", ") + lacking.feature;
+        }
         if (info.needs.samples) buffers += ", " + std::to_string(info.needs.samples) + " samples";
-        text += "| [" + info.name + "](../demos/" + info.name + ".md) | " + buffers + " | " +
-                std::to_string(info.needs.gl / 10) + "." + std::to_string(info.needs.gl % 10) +
-                (info.needs.beyondEs.empty() ? ", ES 3.0" : "") + " | ";
+        text += "| [" + info.name + "](../demos/" + info.name + ".md) | " + buffers + " | " + versions + " | ";
         text += both([](const FrameWork& work) { return work.draws; });
         text += both([](const FrameWork& work) { return work.passes; });
         text += both([](const FrameWork& work) { return work.triangles.submitted; });
@@ -144,6 +165,15 @@ std::string needsPage() {
         }
     }
     if (!declared.empty()) text += "\nNeedless work that a demo declares, and why:\n\n" + declared;
+    std::string beyond;
+    for (const DemoInfo& info : catalogue()) {
+        for (const BeyondEs& lacking : info.needs.beyondEs) {
+            beyond += "- " + info.name + ", " + lacking.feature + ": " + lacking.otherwise + "\n";
+        }
+    }
+    if (!beyond.empty()) {
+        text += "\nWhat OpenGL ES 3.0, and so WebGL 2, lacks for a demo, and what it does there instead:\n\n" + beyond;
+    }
     return text;
 }
 

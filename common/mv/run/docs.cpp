@@ -70,7 +70,11 @@ std::string needsText(const Needs& needs) {
     if (needs.stencil) text += ", stencil buffer";
     if (needs.samples) text += ", " + std::to_string(needs.samples) + " samples";
     text += "; OpenGL " + std::to_string(needs.gl / 10) + "." + std::to_string(needs.gl % 10);
-    text += needs.beyondEs.empty() ? ", shaders also GLSL ES 3.00" : "; not ES 3.0: " + needs.beyondEs;
+    if (needs.beyondEs.empty()) return text + " or ES 3.0";
+    text += "; ES 3.0 lacks";
+    for (const BeyondEs& lacking : needs.beyondEs) {
+        text += (&lacking == needs.beyondEs.data() ? " " : ", ") + lacking.feature + " (" + lacking.otherwise + ")";
+    }
     return text;
 }
 

@@ -1,0 +1,108 @@
+#include "mv/gl/beyond_es.h"
+
+#include <algorithm>
+#include <initializer_list>
+#include <utility>
+
+#include "mv/gl/layer.h"
+#include "mv/gl/state_names.h"
+
+namespace mv {
+namespace {
+
+bool isOneOf(GLenum value, std::initializer_list<GLenum> list) {
+    return std::find(list.begin(), list.end(), value) != list.end();
+}
+
+// Hears of the calls that ES 3.0 lacks, or has for other values only.
+class EsWatch {
+  public:
+    std::set<std::string> used;
+
+    void before_Enable(GLenum what) {
+        if (what >= GL_CLIP_DISTANCE0 && what < GL_CLIP_DISTANCE0 + 8) {
+            used.insert(beyond_es::clipDistances);
+        } else if (!isOneOf(what, {GL_BLEND, GL_CULL_FACE, GL_DEPTH_TEST, GL_DITHER, GL_POLYGON_OFFSET_FILL,
+                                   GL_PRIMITIVE_RESTART_FIXED_INDEX, GL_RASTERIZER_DISCARD, GL_SAMPLE_ALPHA_TO_COVERAGE,
+                                   GL_SAMPLE_COVERAGE, GL_SCISSOR_TEST, GL_STENCIL_TEST}) &&
+                   !isOneOf(what, {GL_MULTISAMPLE, GL_PROGRAM_POINT_SIZE, GL_TEXTURE_CUBE_MAP_SEAMLESS, GL_DEBUG_OUTPUT,
+                                   GL_DEBUG_OUTPUT_SYNCHRONOUS})) {  // ES has these always on, or apart
+            used.insert(stateName(what));
+        }
+    }
+    void before_ClipControl(GLenum origin, GLenum depth) {
+        if (origin != GL_LOWER_LEFT || depth != GL_NEGATIVE_ONE_TO_ONE) used.insert(beyond_es::clipControl);
+    }
+    void before_PolygonMode(GLenum, GLenum mode) {
+        if (mode != GL_FILL) used.insert(beyond_es::polygonMode);
+    }
+    void before_TexParameteri(GLenum, GLenum, GLint value) {
+        if (value == GL_CLAMP_TO_BORDER) used.insert(beyond_es::borderClamp);
+    }
+    void before_ReadPixels(GLint, GLint, GLsizei, GLsizei, GLenum format, GLenum, void*) {
+        if (format == GL_DEPTH_COMPONENT || format == GL_DEPTH_STENCIL) used.insert(beyond_es::depthReadBack);
+        if (format == GL_STENCIL_INDEX || format == GL_DEPTH_STENCIL) used.insert(beyond_es::stencilReadBack);
+    }
+    void before_BeginQuery(GLenum target, GLuint) {
+        if (!isOneOf(target, {GL_ANY_SAMPLES_PASSED, GL_ANY_SAMPLES_PASSED_CONSERVATIVE,
+                              GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN})) {
+            used.insert(beyond_es::countingQueries);
+        }
+    }
+    void before_CreateShader(GLenum kind) {
+        if (kind == GL_GEOMETRY_SHADER) used.insert(beyond_es::geometryShaders);
+        if (isOneOf(kind, {GL_TESS_CONTROL_SHADER, GL_TESS_EVALUATION_SHADER})) used.insert(beyond_es::tessellation);
+    }
+    void before_BeginTransformFeedback(GLenum primitive) { captured_ = primitive; }
+    void before_EndTransformFeedback() { captured_ = GL_NONE; }
+    void before_DrawArrays(GLenum mode, GLint, GLsizei) { noteDraw(mode); }
+    void before_DrawElements(GLenum mode, GLsizei, GLenum, const void*) {
+        noteDraw(mode);
+        if (captured_ != GL_NONE) used.insert(beyond_es::indexedFeedback);
+    }
+
+  private:
+    void noteDraw(GLenum mode) {
+        if (captured_ != GL_NONE && captured_ != mode) used.insert(beyond_es::expandedFeedback);
+        const auto& gl = Layer<EsWatch>::below;
+        if (gl.IsEnabled(GL_RASTERIZER_DISCARD) == GL_TRUE) return;
+        GLint framebuffer = 0, kind = GL_NONE, number = GL_NONE, bits = 0;
+        gl.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer);
+        if (framebuffer == 0) return;
+        const auto ask = [&](GLenum what, GLint& answer) {
+            gl.GetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, what, &answer);
+        };
+        ask(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, kind);
+        if (kind == GL_NONE) return;
+        ask(GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE, number);
+        if (number != GL_FLOAT) return;
+        used.insert(beyond_es::floatTargets);
+        ask(GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE, bits);
+        if (bits == 32 && gl.IsEnabled(GL_BLEND) == GL_TRUE) used.insert(beyond_es::floatBlending);
+    }
+
+    GLenum captured_ = GL_NONE;  // the primitive of the transform feedback that is active
+};
+
+EsWatch& watch() {
+    static EsWatch only;
+    return only;
+}
+
+}  // namespace
+
+void layBeyondEs() { Layer<EsWatch>::layOver(watch()); }
+
+std::set<std::string> takeBeyondEs() { return std::exchange(watch().used, {}); }
+
+void watchBeyondEs() {
+    takeBeyondEs();
+    setLayer(layBeyondEs);
+}
+
+std::set<std::string> stopWatchingBeyondEs() {
+    setLayer({});
+    return takeBeyondEs();
+}
+
+}  // namespace mv

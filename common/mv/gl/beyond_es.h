@@ -1,0 +1,40 @@
+// What a demo uses of OpenGL that ES 3.0, and so WebGL 2, lacks: known from its calls and from the formats it draws into.
+//
+// Shaders are not looked at here, since all of them compile as GLSL ES 3.00 (a test holds them to it).
+#pragma once
+#include <set>
+#include <string>
+
+namespace mv {
+
+// The names, as DemoInfo::needs.beyondEs declares them.
+namespace beyond_es {
+inline constexpr const char* clipDistances = "clip distances";        // glEnable(GL_CLIP_DISTANCE0 + i)
+inline constexpr const char* clipControl = "clip control";            // glClipControl, but for what is initially so
+inline constexpr const char* polygonMode = "polygon mode";            // lines or points instead of faces
+inline constexpr const char* borderClamp = "border clamp";            // GL_CLAMP_TO_BORDER
+inline constexpr const char* floatTargets = "float targets";          // drawing into colours of floats
+inline constexpr const char* floatBlending = "float blending";        // blending into those of 32 bits
+inline constexpr const char* depthReadBack = "depth read-back";       // glReadPixels of a depth buffer
+inline constexpr const char* stencilReadBack = "stencil read-back";   // glReadPixels of a stencil buffer
+inline constexpr const char* countingQueries = "counting queries";    // of samples passed or primitives made
+inline constexpr const char* indexedFeedback = "indexed feedback";    // glDrawElements under transform feedback
+inline constexpr const char* expandedFeedback = "expanded feedback";  // strips and fans, captured as separate triangles
+inline constexpr const char* geometryShaders = "geometry shaders";    //
+inline constexpr const char* tessellation = "tessellation";           //
+inline constexpr const char* all[] = {
+    clipDistances,   clipControl,     polygonMode,     borderClamp,      floatTargets,    floatBlending, depthReadBack,
+    stencilReadBack, countingQueries, indexedFeedback, expandedFeedback, geometryShaders, tessellation};
+}  // namespace beyond_es
+
+// Watches from now on, with nothing noted yet. Another switch of glEnable that ES 3.0 does not know is noted by its own
+// name ("GL_DEPTH_CLAMP").
+void watchBeyondEs();
+// Ends it, and returns what was used.
+std::set<std::string> stopWatchingBeyondEs();
+
+// The same for a layer that is laid together with others: lays it over the table as it is, and takes what was noted.
+void layBeyondEs();
+std::set<std::string> takeBeyondEs();
+
+}  // namespace mv
