@@ -121,6 +121,7 @@ quit() {
     xdotool key Escape
     awaitEnd "the end of the program after Escape"
     equal "exit status" 0 $status
+    [ $status = 0 ] || sed 's/^/  standard error: /' "$state/err"
 }
 # awaitEnd WHAT: `status` is then what the program ended with.
 awaitEnd() {

@@ -710,6 +710,15 @@ noDisplay() {
     grep -q '^error: window: needs OpenGL 3.3 core; this driver has, 3.0' err || fail "the version is not told: $(cat err)"
 }
 
+vanish() { # the display goes, as the connection to another machine's may
+    start 'mvgl: cube-cull' "$cubeCull"
+    kill $server
+    server=
+    awaitEnd "the end of the program after its display's"
+    equal "exit status" 1 $status
+    grep -qi 'X connection\|X server' "$state/err" || fail "no word about the display: $(cat "$state/err")"
+}
+
 # -r: no key repeats but where a test is about it; a key that xdotool holds down for too long on a busy machine would.
 repeat=-r screen=1280x1024
 sham=(env LD_PRELOAD="$(dirname "$launcher")/sham.so")
@@ -728,7 +737,7 @@ case $case in
     resize) resizing ;;
     storm) stormOfProbe ;;
     storm.*) stormOf "${case#storm.}" ;;
-    opens | keys | held | slider | typed | choice | wheel | drag | replay | save | clipboard | error | torn | twice | density | paused | reload | idle | study | measure)
+    opens | keys | held | slider | typed | choice | wheel | drag | replay | save | clipboard | error | torn | twice | density | paused | reload | idle | study | measure | vanish)
         "$case"
         ;;
     *) fail "there is no case '$case'" ;;

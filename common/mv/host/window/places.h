@@ -7,7 +7,7 @@
 
 namespace mv {
 
-// Name -> upper left and lower right corner in window coordinates; --report=json prints it.
+// Name -> upper left and lower right corner in window coordinates; --window --report=json prints it.
 using Places = std::map<std::string, ImVec4>;
 
 // Notes the widget made last under that name.
