@@ -70,8 +70,15 @@ TEST(CubeCull, half_to_five_sixths) {
 
 TEST(CubeCull, eye_inside) {
     DemoRun run("cube-cull");
-    run.set("z-dist", 0.3).set("spin-y", 10).picture();
+    // The page's numbers: the face before the eye is in the view, the others are not.
+    run.set("z-dist", 0.3).picture();
     EXPECT_EQ(run.readout("facing"), 0);
+    EXPECT_EQ(run.readout("culled"), 2);
+    EXPECT_EQ(run.readout("outside"), 10);
+    EXPECT_EQ(run.readout("surviving"), 0);
+    run.set("spin-y", 10).picture();
+    EXPECT_EQ(run.readout("facing"), 0);
+    EXPECT_EQ(run.readout("culled") + run.readout("outside"), 12);
     EXPECT_EQ(run.readout("surviving"), 0);
     const Picture onlyAxes = run.set("cull", "both").picture();
     EXPECT_EQ(run.set("cull", "back").picture(), onlyAxes);

@@ -147,6 +147,18 @@ TEST(ViewVolume, culled_is_not_drawn) {
                                    [](const Finding& finding) { return finding.kind == waste::noSample; });
             };
             EXPECT_TRUE(unseen(all));
+            // The page's numbers: draws of which no sample is seen
+            const auto unseenDraws = [](const AuditReport& report) {
+                int draws = 0;
+                for (const Finding& finding : report.findings) {
+                    if (finding.kind == waste::noSample) draws += finding.times;
+                }
+                return draws;
+            };
+            if (projection == std::string("perspective") && pan != std::string("-70")) {
+                EXPECT_EQ(unseenDraws(all), 34);
+                EXPECT_EQ(unseenDraws(kept), pan == std::string("0") ? 0 : 2);
+            }
             if (pan == std::string("0")) {
                 EXPECT_FALSE(unseen(kept));
             }
@@ -222,6 +234,13 @@ TEST(ViewVolume, parameters_never_cancel) {
     EXPECT_GT(error("float-matrix", 6), 1e-2);  // X07
     EXPECT_GT(error("matrix", 8), 1e-12);
     EXPECT_TRUE(run.messages().empty());
+    // The page's numbers, with near and far as they are at first
+    run.set("near", 8).set("far", 30).set("closer", "1e6").set("planes", "parameters").picture();
+    const double right = run.readout("drawn");
+    run.set("planes", "float-matrix").picture();
+    EXPECT_EQ(run.readout("drawn"), right + 4) << "four trees beyond far";
+    EXPECT_NEAR(run.readout("plane-error"), 0.12, 0.005);  // two digits
+    run.set("near", 6).set("far", 60);
     // From 1e8 on nothing is left in float: said, and no number is made up
     run.set("planes", "float-matrix").set("closer", "1e7").picture();
     ASSERT_EQ(run.messages().size(), 1U);

@@ -4,8 +4,11 @@
 
 #include <filesystem>
 #include <fstream>
+#include <set>
+#include <sstream>
 #include <string>
 
+#include "mv/run/command_line.h"
 #include "support/temporary_folder.h"
 
 using namespace mv;
@@ -35,6 +38,44 @@ TEST(Docs, the_catalogue_names_every_demo) {
         EXPECT_FALSE(info.chapter.empty());
         EXPECT_GT(info.number, 0);
     }
+}
+
+// README's table of flags says what --help says: the same flags, with values of the same kind.
+TEST(Docs, readme_has_the_flags_of_help) {
+    // Of --help "--shot FILE", "--headless[=HOST]" ...: what stands before two spaces in a line of a flag that is no knob's.
+    const std::string help = parseCommandLine({"--help"}).text;
+    std::set<std::string> ofHelp;
+    std::istringstream helpLines(help);
+    for (std::string line; std::getline(helpLines, line);) {
+        if (!line.starts_with("  --")) continue;
+        EXPECT_EQ(line.find_first_not_of(' ', line.find("  ", 2)), 30U) << "the second column: " << line;
+        ofHelp.insert(line.substr(2, line.find("  ", 2) - 2));
+    }
+    EXPECT_GT(ofHelp.size(), 15U);
+    // Of README: in backquotes in the first column, after the program's name where one stands there.
+    std::ifstream readme(std::filesystem::path(MVGL_SOURCE_DIR) / "README.md");
+    std::set<std::string> ofReadme;
+    bool inTable = false;
+    for (std::string line; std::getline(readme, line);) {
+        if (line.starts_with("| flag |")) inTable = true;
+        if (line.empty()) inTable = false;
+        if (!inTable || !line.starts_with("| `")) continue;
+        const std::string column = line.substr(2, line.find(" | ", 2) - 2);
+        for (std::size_t at = column.find('`'); at != std::string::npos;) {
+            const auto end = column.find('`', at + 1);
+            const std::string span = column.substr(at + 1, end - at - 1);
+            // "mvgl --audit --all" has two, of which no value has a space
+            for (std::size_t flag = span.find("--"); flag != std::string::npos;) {
+                const auto next = span.find(" --", flag);
+                ofReadme.insert(span.substr(flag, next - flag));
+                flag = next == std::string::npos ? next : next + 1;
+            }
+            at = column.find('`', end + 1);
+        }
+    }
+    EXPECT_EQ(ofReadme.erase("--KNOB VALUE"), 1U);
+    EXPECT_EQ(ofReadme.erase("--vary KNOB=a,b,c"), 1U) << "the other form of --vary";
+    EXPECT_EQ(ofReadme, ofHelp);
 }
 
 TEST(Docs, every_missing_page_is_named_at_once) {

@@ -5,12 +5,14 @@
 #include <filesystem>
 #include <new>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 #include <system_error>
 #include <vector>
 
 #include "mv/error.h"
 #include "mv/run/command_line.h"
+#include "mv/run/report.h"
 
 using namespace mv;
 
@@ -28,6 +30,30 @@ std::string told(const Work& work) {
 }
 
 }  // namespace
+
+// Columns do not touch, however long a name, a value or a range is.
+TEST(Run, knobs_and_readouts_stand_in_columns) {
+    for (const DemoInfo& info : catalogue()) {
+        SCOPED_TRACE(info.name);
+        const auto demo = info.make();
+        std::istringstream lines(knobsText(*demo));
+        std::vector<std::size_t> columns;
+        for (const Knob* knob : demo->knobs()) {
+            std::string line;
+            ASSERT_TRUE(std::getline(lines, line));
+            // Name, value and range, each between two spaces at least, at the same places in each line.
+            std::vector<std::size_t> places;
+            for (const std::string& cell : {"--" + knob->name() + "  ", "  " + knob->text() + "  ",
+                                            "  " + knob->range(), "  (" + knob->help() + ")"}) {
+                const auto at = line.find(cell, places.empty() ? 0 : places.back());
+                ASSERT_NE(at, std::string::npos) << cell << " in: " << line;
+                places.push_back(at);
+            }
+            if (columns.empty()) columns = places;
+            EXPECT_EQ(places, columns) << line;
+        }
+    }
+}
 
 // An Error's words are ours; those of a library ("std::bad_alloc", "vector::_M_range_check: ...") never reach the user.
 TEST(Run, what_a_library_throws_is_said_in_our_words) {

@@ -101,8 +101,8 @@ void declareFlags(CLI::App& app, Flags& flags, bool launcher) {
         ->type_name("KNOB=A,B");
     app.add_option("--study", flags.study, "error against run time: study.csv, study.json, study.svg and a table")
         ->type_name("DIR");
-    app.add_option("--vary", flags.vary, "a study by hand: KNOB=A..B:N or KNOB=a,b,c (with --study)")
-        ->type_name("WHAT");
+    app.add_option("--vary", flags.vary, "a study by hand: N values of a knob, or KNOB=a,b,c (with --study)")
+        ->type_name("KNOB=A..B:N");
     app.add_flag("--report{text}", flags.report,
                  "print readouts, counters, matrices and times; =json as JSON; opens no window");
     app.add_flag(
@@ -132,8 +132,8 @@ std::string helpText(const CLI::App& app) {
         const auto at = text.find(braces);
         if (at == std::string::npos) continue;
         // The column of the descriptions stays where it is.
-        const std::size_t longer = words.size() > braces.size() ? words.size() - braces.size() : 0;
-        text.replace(at, braces.size() + longer, words);
+        const std::size_t width = std::max(words.size(), braces.size());
+        text.replace(at, width, words + std::string(width - words.size(), ' '));
     }
     return text;
 }

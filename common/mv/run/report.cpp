@@ -11,9 +11,16 @@
 namespace mv {
 namespace {
 
-std::string padded(std::string text, std::size_t width) {
-    if (text.size() < width) text.append(width - text.size(), ' ');
-    return text;
+// The readouts in columns: name, value with its unit, what it says.
+std::string readoutLines(const Demo& demo) {
+    std::vector<std::vector<std::string>> rows;
+    for (const Readout* readout : demo.readouts()) {
+        rows.push_back({"readout   " + readout->name(),
+                        (readout->value() ? formatted("%.6g", *readout->value()) : std::string("-")) +
+                            (readout->unit().empty() ? "" : " " + readout->unit()),
+                        "(" + readout->help() + ")"});
+    }
+    return aligned(rows, 3);
 }
 
 }  // namespace
@@ -51,11 +58,7 @@ std::string reportText(Stage& stage, int index, const FrameTimes& times) {
     text += "knobs    ";
     for (const Knob* knob : stage.demo().knobs()) text += " " + knob->name() + "=" + knob->text();
     text += "\n";
-    for (const Readout* readout : stage.demo().readouts()) {
-        text += "readout   " + padded(readout->name(), 18) +
-                (readout->value() ? formatted("%.6g", *readout->value()) : std::string("-")) +
-                (readout->unit().empty() ? "" : " " + readout->unit()) + "   (" + readout->help() + ")\n";
-    }
+    text += readoutLines(stage.demo());
     text += "counters  " + std::to_string(stage.frameCounters().draws) + " draws, " +
             std::to_string(stage.frameCounters().triangles) + " triangles and " +
             std::to_string(stage.frameCounters().vertices) + " vertices submitted, " +
@@ -111,12 +114,12 @@ std::string reportJson(Stage& stage, int index, const FrameTimes& times) {
 }
 
 std::string knobsText(const Demo& demo) {
-    std::string text;
+    std::vector<std::vector<std::string>> rows;
     for (const Knob* knob : demo.knobs()) {
-        text += padded("--" + knob->name(), 18) + padded(knob->text(), 10) + knob->range() +
-                (knob->unit().empty() ? "" : " " + knob->unit()) + "  (" + knob->help() + ")\n";
+        rows.push_back({"--" + knob->name(), knob->text(),
+                        knob->range() + (knob->unit().empty() ? "" : " " + knob->unit()), "(" + knob->help() + ")"});
     }
-    return text;
+    return aligned(rows, 4);
 }
 
 std::string knobsJson(const Demo& demo) {

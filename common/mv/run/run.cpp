@@ -17,6 +17,7 @@
 #include "mv/run/report.h"
 #include "mv/run/study.h"
 #include "mv/run/window_module.h"
+#include "mv/run/words.h"
 
 namespace mv {
 namespace {
@@ -27,11 +28,9 @@ void print(const std::string& text) {
 }
 
 std::string list() {
-    std::string text;
-    for (const DemoInfo& info : catalogue()) {
-        text += info.name + std::string(info.name.size() < 14 ? 14 - info.name.size() : 1, ' ') + info.sentence + "\n";
-    }
-    return text;
+    std::vector<std::vector<std::string>> rows;
+    for (const DemoInfo& info : catalogue()) rows.push_back({info.name, info.sentence});
+    return aligned(rows, 2);
 }
 
 std::unique_ptr<Demo> demoWithKnobs(const Command& command) {

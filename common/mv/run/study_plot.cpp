@@ -11,27 +11,6 @@
 namespace mv {
 namespace {
 
-// Columns of text, each as wide as its widest cell; the first `left` of them flush left.
-std::string aligned(const std::vector<std::vector<std::string>>& rows, std::size_t left) {
-    std::vector<std::size_t> widths;
-    for (const auto& row : rows) {
-        widths.resize(std::max(widths.size(), row.size()));
-        for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
-    }
-    std::string text;
-    for (const auto& row : rows) {
-        std::string line;
-        for (std::size_t i = 0; i < row.size(); ++i) {
-            const std::string space(widths[i] - row[i].size(), ' ');
-            line += i < left ? row[i] + space : space + row[i];
-            line += "  ";
-        }
-        while (line.ends_with(' ')) line.pop_back();
-        text += line + "\n";
-    }
-    return text;
-}
-
 // ---- gnuplot. A study may be anybody's file: its texts come into the script by quotedForGnuplot() alone, and not into data,
 // in which quotes cannot be quoted.
 
