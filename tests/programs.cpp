@@ -182,6 +182,42 @@ TEST(Program, hosts_that_are_missing_are_named) {
     EXPECT_FALSE(fs::exists(picture));
 }
 
+// Where the environment steers the driver into its end, a host is passed over in words: by its name, by the signal and by
+// the variable. Never does the program itself end by a signal.
+TEST(Program, drivers_that_end_by_a_signal_are_passed_over) {
+    TemporaryFolder folder;
+    const std::string picture = folder.file("a.png");
+    const auto run = [&](const std::string& host, const std::vector<std::string>& environment) {
+        fs::remove(picture);
+        const ProcessResult result =
+            runProcess({program("cube-cull"), "--shot", picture, "--headless" + host}, {.environment = environment});
+        EXPECT_EQ(fs::exists(picture), result.status == 0) << environment.back() << host;
+        return result;
+    };
+    // An OSMesa that crashes whatever happens
+    const std::string crashing = "LD_LIBRARY_PATH=" MVGL_BINARY_DIR "/tests/crashing";
+    const ProcessResult passedOver = run("", {crashing, "GALLIUM_DRIVER=llvmpipe"});
+    EXPECT_EQ(passedOver.status, 0) << passedOver.err;
+    EXPECT_TRUE(has(passedOver.err,
+                    "note: using EGL surfaceless, since OSMesa: must draw, and is ended by a signal "
+                    "(Segmentation fault); unset what steers its driver, GALLIUM_DRIVER=llvmpipe\n"))
+        << passedOver.err;
+    expectRefusal(run("=osmesa", {crashing, "GALLIUM_DRIVER=llvmpipe"}), 1,
+                  "OSMesa: must draw, and is ended by a signal (Segmentation fault); unset");
+    // What is known of Mesa 22; another one may draw, or refuse in words of its own
+    for (const std::string variable : {"GALLIUM_DRIVER=zink", "GALLIUM_DRIVER=virgl", "GALLIUM_DRIVER=nosuch",
+                                       "MESA_GLSL_VERSION_OVERRIDE=120", "DRAW_USE_LLVM=0"}) {
+        for (const char* host : {"", "=osmesa", "=egl"}) {
+            SCOPED_TRACE(variable + " --headless" + host);
+            const ProcessResult result = run(host, {variable});
+            if (result.status != 0) expectRefusal(result, 1, host == std::string("=egl") ? "EGL" : "OSMesa");
+            if (has(result.err, "is ended by a signal")) {
+                EXPECT_TRUE(has(result.err, variable)) << result.err;
+            }
+        }
+    }
+}
+
 // What a driver lacks is said by name, and the picture is the one that the sentence promises.
 TEST(Program, missing_clip_control_is_named) {
     const TemporaryFolder folder;

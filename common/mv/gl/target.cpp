@@ -1,6 +1,7 @@
 #include "mv/gl/target.h"
 
 #include <algorithm>
+#include <cstdint>
 
 #include "mv/error.h"
 
@@ -177,7 +178,13 @@ std::vector<float> Target::readRed() const {
     const auto width = static_cast<std::size_t>(width_), height = static_cast<std::size_t>(height_);
     std::vector<float> values(width * height);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glReadPixels(0, 0, width_, height_, GL_RED, GL_FLOAT, values.data());
+    if (buffers_.color == GL_R32F || buffers_.color == GL_RGBA32F) {
+        glReadPixels(0, 0, width_, height_, GL_RED, GL_FLOAT, values.data());
+    } else {  // ES reads bytes as bytes alone, and four channels of them
+        std::vector<std::uint8_t> bytes(4 * values.size());
+        glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
+        for (std::size_t i = 0; i < values.size(); ++i) values[i] = float(bytes[4 * i]) / 255;
+    }
     bind();
     for (std::size_t row = 0; row < height / 2; ++row) {  // GL counts rows from below
         std::swap_ranges(values.begin() + static_cast<std::ptrdiff_t>(row * width),

@@ -51,7 +51,7 @@ class Target {
     void bindDepth(int unit) const;
     // The colours as a picture, samples resolved. Leaves the target bound.
     Picture read() const;
-    // Red as numbers, the upper row first, for a target of floats without samples. Leaves the target bound.
+    // Red as numbers, those of 8 bits from 0 to 1, the upper row first, for a target without samples. Leaves the target bound.
     std::vector<float> readRed() const;
     // Copies the colours to the window's framebuffer with the lower left corner at (x, y), and leaves that bound.
     void blitToWindow(int x, int y) const;

@@ -22,7 +22,8 @@ struct ContextRequest {
 };
 
 // Makes a context without a display and makes it current: OSMesa, and where that is missing EGL; or the host asked for,
-// and no other. `notes` receives a line for each host that was passed over, with the reason.
+// and no other. `notes` receives a line for each host that was passed over, with the reason. Where the environment steers
+// drivers each is tried in a child process first.
 // Error: no host is left; the message has the reason of each.
 std::unique_ptr<Context> openHeadless(HostKind kind, ContextRequest request, std::vector<std::string>& notes);
 

@@ -1,20 +1,26 @@
 #include "mv/error.h"
 #include "mv/host/context.h"
+#include "mv/host/trial.h"
 
 namespace mv {
 
 std::unique_ptr<Context> openHeadless(HostKind kind, ContextRequest request, std::vector<std::string>& notes) {
-    if (kind == HostKind::osmesa) return openOsmesa(request);
-    if (kind == HostKind::eglDevice) return openEgl(request, false, notes);
-    if (kind == HostKind::egl || request.es) return openEgl(request, true, notes);
+    const auto osmesa = [&] { return openTried("OSMesa", [&] { return openOsmesa(request); }); };
+    const auto egl = [&](bool surfaceless) {
+        // A child's notes are its own.
+        return openTried("EGL", [&] { return openEgl(request, surfaceless, notes); });
+    };
+    if (kind == HostKind::osmesa) return osmesa();
+    if (kind == HostKind::eglDevice) return egl(false);
+    if (kind == HostKind::egl || request.es) return egl(true);
     std::string reason;
     try {
-        return openOsmesa(request);
+        return osmesa();
     } catch (const Error& error) {
         reason = error.what();
     }
     try {
-        auto context = openEgl(request, true, notes);
+        auto context = egl(true);
         notes.push_back("using " + context->name() + ", since " + reason);
         return context;
     } catch (const Error& error) {

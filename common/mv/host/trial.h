@@ -1,0 +1,17 @@
+// A host that may take the program down with it is opened in a child process first.
+#pragma once
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "mv/host/context.h"
+
+namespace mv {
+
+// Opens a context by `open`. Where the environment steers the driver (GALLIUM_DRIVER, MESA_..., LIBGL_... and the like),
+// a child process does it first, and draws with it: some values end Mesa by a signal, in the midst of making a context.
+// Elsewhere nothing is tried, and no time is spent. Error: as `open`; or the child was ended by a signal, with the
+// variables' names.
+std::unique_ptr<Context> openTried(const std::string& host, const std::function<std::unique_ptr<Context>()>& open);
+
+}  // namespace mv
