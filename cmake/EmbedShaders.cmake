@@ -1,7 +1,7 @@
 # Run as a script: writes OUTPUT, a C++ file that adds each of FILES to the embedded shaders.
 # STUDY, where it exists, is the committed study of the demo NAME.
-# A file in a folder called include keeps that folder in its name. PATHS=ON also notes where the files are.
-set(code "// Generated from shader files; do not edit.\n#include \"mv/gl/shader_source.h\"\n\n")
+# A file in a folder called include keeps that folder in its name. GROUP names the file that says where they are edited.
+set(code "// Generated from shader files; do not edit.\n#include \"mv/gl/shader_folder.h\"\n\n")
 set(number 0)
 foreach(file IN LISTS FILES)
   file(READ "${file}" text)
@@ -11,12 +11,8 @@ foreach(file IN LISTS FILES)
   if(folder STREQUAL "include")
     set(name "include/${name}")
   endif()
-  set(path "")
-  if(PATHS)
-    set(path "${file}")
-  endif()
   string(APPEND code
-    "static const bool added${number} = mv::addShaderFile(\"${name}\", R\"glsl(${text})glsl\", \"${path}\");\n")
+    "static const bool added${number} = mv::addBuiltShader(\"${GROUP}\", \"${name}\", R\"glsl(${text})glsl\");\n")
   math(EXPR number "${number} + 1")
 endforeach()
 if(STUDY AND EXISTS "${STUDY}")

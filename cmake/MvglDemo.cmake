@@ -1,10 +1,13 @@
-# mvgl_add_demo(<name> [SOURCE <file>] [SHADERS <folder>])
+# mvgl_add_demo(<name> [TARGET <target>] [SOURCE <file>] [SHADERS <folder>])
 #
 # Makes the program <name> of one demo: <name>.cpp in the current folder (or SOURCE), with the shader files
 # <name>.vert, <name>.frag, <name>.<variant>.vert ... of the folder SHADERS (default: ../shaders beside the current
 # folder, else the current folder) built in, and the folder's include/*.glsl with them; and the demo's committed study,
 # where ../docs/errors-and-times beside the shaders has one.
-# The demo's objects are the target demo-<name>, for programs of several demos.
+# The program is the target <target> (default: <name>); the demo's objects are demo-<target>, for programs of several demos.
+#
+# Built programs read the shaders where they are edited. Installed ones must not: so no path is built in. It stands in a file
+# mvgl-shaders/demo-<target> in the folder of the library, or of the program where the library is an installed one.
 function(mvgl_embed_shaders target name folder)
   file(GLOB files CONFIGURE_DEPENDS
     "${folder}/${name}.vert" "${folder}/${name}.frag" "${folder}/${name}.geom" "${folder}/${name}.tesc"
@@ -16,16 +19,19 @@ function(mvgl_embed_shaders target name folder)
   file(GLOB study CONFIGURE_DEPENDS "${folder}/../docs/errors-and-times/${name}.json")
   set(output "${CMAKE_CURRENT_BINARY_DIR}/${target}-shaders.cpp")
   add_custom_command(OUTPUT "${output}"
-    COMMAND "${CMAKE_COMMAND}" "-DOUTPUT=${output}" "-DFILES=${files}" "-DPATHS=${MVGL_SHADERS_FROM_SOURCE}"
+    COMMAND "${CMAKE_COMMAND}" "-DOUTPUT=${output}" "-DFILES=${files}" "-DGROUP=${target}"
       "-DSTUDY=${study}" "-DNAME=${name}"
-      -P "${MVGL_CMAKE_DIR}/EmbedShaders.cmake"
-    DEPENDS ${files} ${study} "${MVGL_CMAKE_DIR}/EmbedShaders.cmake" VERBATIM
+      -P "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/EmbedShaders.cmake"
+    DEPENDS ${files} ${study} "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/EmbedShaders.cmake" VERBATIM
     COMMENT "Embedding the shaders of ${name}")
   target_sources(${target} PRIVATE "${output}")
 endfunction()
 
 function(mvgl_add_demo name)
-  cmake_parse_arguments(PARSE_ARGV 1 demo "" "SOURCE;SHADERS" "")
+  cmake_parse_arguments(PARSE_ARGV 1 demo "" "TARGET;SOURCE;SHADERS" "")
+  if(NOT demo_TARGET)
+    set(demo_TARGET ${name})
+  endif()
   if(NOT demo_SOURCE)
     set(demo_SOURCE "${CMAKE_CURRENT_SOURCE_DIR}/${name}.cpp")
   endif()
@@ -35,9 +41,25 @@ function(mvgl_add_demo name)
       set(demo_SHADERS "${CMAKE_CURRENT_SOURCE_DIR}")
     endif()
   endif()
-  add_library(demo-${name} OBJECT "${demo_SOURCE}")
-  target_link_libraries(demo-${name} PUBLIC mvgl::demo)
-  mvgl_embed_shaders(demo-${name} ${name} "${demo_SHADERS}")
-  add_executable(${name} "${MVGL_MAIN_FILE}" $<TARGET_OBJECTS:demo-${name}>)
-  target_link_libraries(${name} PRIVATE mvgl::demo)
+  # In the source tree, and installed beside this file.
+  set(main "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/main.cpp")
+  if(NOT EXISTS "${main}")
+    set(main "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../common/mv/run/main.cpp")
+  endif()
+  set(objects demo-${demo_TARGET})
+  add_library(${objects} OBJECT "${demo_SOURCE}")
+  target_link_libraries(${objects} PUBLIC mvgl::demo)
+  mvgl_embed_shaders(${objects} ${name} "${demo_SHADERS}")
+  add_executable(${demo_TARGET} "${main}" $<TARGET_OBJECTS:${objects}>)
+  set_target_properties(${demo_TARGET} PROPERTIES OUTPUT_NAME ${name})
+  target_link_libraries(${demo_TARGET} PRIVATE mvgl::demo)
+
+  set(place "$<TARGET_FILE_DIR:${demo_TARGET}>")
+  if(TARGET mvgl-demo)
+    set(place "$<TARGET_FILE_DIR:mvgl-demo>")
+  endif()
+  cmake_path(ABSOLUTE_PATH demo_SHADERS NORMALIZE)
+  # Relative to that file: a tree can be moved.
+  file(GENERATE OUTPUT "${place}/mvgl-shaders/${objects}"
+    CONTENT "$<PATH:RELATIVE_PATH,${demo_SHADERS},${place}/mvgl-shaders>\n")
 endfunction()

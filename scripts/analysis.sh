@@ -31,14 +31,14 @@ static_analysis() {
       [[ $file != "$root"/* || $file == "$build"/* ]] || echo "${file#"$root"/}"
     done | sort -u; } >"$folder/code.txt"
 
-  since="what differs from $(sed -n 's/^# commit //p' "$analysed" 2>/dev/null)"
-  grep -vxFf "$analysed" "$folder/sums.txt" 2>/dev/null | cut -c67- >"$folder/changed.txt" || true
   if $all; then
     since="all files"
   elif [ ! -f "$analysed" ]; then
     since="all files, as tests/analysed.txt is missing" all=true
-  elif grep -q clang-tidy "$folder/changed.txt"; then
-    since="all files, as .clang-tidy has changed" all=true
+  else
+    since="what differs from $(sed -n 's/^# commit //p' "$analysed")"
+    { grep -vxFf "$analysed" "$folder/sums.txt" || true; } | cut -c67- >"$folder/changed.txt"
+    ! grep -q clang-tidy "$folder/changed.txt" || { since="all files, as .clang-tidy has changed" all=true; }
   fi
   ! $all || cp "$folder/code.txt" "$folder/changed.txt"
 

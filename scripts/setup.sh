@@ -75,23 +75,104 @@ check_versions() {
   at_least "$found" 12 || fail "${CXX:-g++}: must be 12 or newer (Debian 12, Ubuntu 24.04), $found"
 }
 
-# configure FOLDER OPTION...: quietly where it succeeds, but for its notes.
+# wait_for_others DESCRIPTOR FILE WHO: holds FILE of the build folder alone, until that file descriptor is closed by all that
+# have it; where another WHO holds it, says so and waits. (Two that build in one folder break what the other makes.)
+wait_for_others() {
+  mkdir -p "$build"
+  eval "exec $1>\"\$build/$2\""
+  flock -n "$1" && return
+  echo "note: waiting for another $3 that is at work in ${build#"$root"/}" >&2
+  flock "$1"
+}
+
+# watched WHAT LOG COMMAND...: COMMAND, with what it prints in LOG. From the second second on it is said that, and for how
+# long, it works: in one line on a terminal, else in a line each half minute.
+watched() {
+  local what=$1 log=$2 ticker status=0
+  shift 2
+  (
+    exec {never}<> <(:)
+    started=$SECONDS
+    read -rt 2 -u "$never" || true
+    while kill -0 $$ 2>/dev/null; do
+      if [ -t 2 ]; then
+        printf '\r%s ... %d s' "$what" $((SECONDS - started)) >&2
+        read -rt 1 -u "$never" || true
+      else
+        echo "$what ... $((SECONDS - started)) s" >&2
+        read -rt 30 -u "$never" || true
+      fi
+    done
+  ) &
+  ticker=$!
+  "$@" >"$log" 2>&1 || status=$?
+  kill "$ticker" 2>/dev/null || true
+  wait "$ticker" 2>/dev/null || true
+  [ ! -t 2 ] || printf '\r\033[K' >&2
+  return "$status"
+}
+
+# make_at_home FOLDER: a build folder knows its place and its sources' by their paths. One that was moved or copied would
+# be configured in the old place, or build the old sources: what CMake noted in it is removed, and all is built anew.
+make_at_home() {
+  local folder=$1 sources place
+  [ -f "$folder/CMakeCache.txt" ] || return 0
+  # (Without these lines no configuring has come to its end.)
+  sources=$(sed -n 's/^CMAKE_HOME_DIRECTORY:INTERNAL=//p' "$folder/CMakeCache.txt")
+  place=$(sed -n 's/^CMAKE_CACHEFILE_DIR:INTERNAL=//p' "$folder/CMakeCache.txt")
+  [ -z "$sources$place" ] || { [ "$sources" -ef "$root" ] && [ "$place" -ef "$folder" ]; } && return
+  echo "note: $folder was made in $place, of the sources in $sources; configuring and building it anew" >&2
+  rm -rf "$folder"/{CMakeCache.txt,CMakeFiles,build.ninja,.ninja_deps,.ninja_log}
+}
+
+run_cmake() {
+  local folder=$1
+  shift
+  case ${1:-} in
+    --preset) (cd "$root" && cmake "$@") ;;  # which has its folder from the preset
+    *) cmake -S "$root" -B "$folder" -G Ninja "$@" ;;
+  esac
+}
+
+# configure FOLDER OPTION..., configure FOLDER --preset NAME OPTION...: quietly where it succeeds, but for its notes.
 configure() {
   local folder=$1 log
   shift
+  make_at_home "$folder"
   mkdir -p "$folder"
   log=$folder/configure.log
-  cmake -S "$root" -B "$folder" -G Ninja "$@" >"$log" 2>&1 || {
+  watched "configuring ${folder#"$root"/}" "$log" run_cmake "$folder" "$@" || {
     cat "$log" >&2
     fail "configuring: must succeed; see above"
   }
   sed -n 's/^-- note: /note: /p' "$log" >&2
 }
 
-# build_targets FOLDER TARGET...: ninja's own progress where there is something to do, else silent.
+# What ninja and CMake print, without what they say of themselves; on a terminal each step in the place of the last one.
+show_steps() {
+  local line open=false
+  while IFS= read -r line; do
+    case $line in
+      *"Re-checking globbed"* | *"Re-running CMake"* | "ninja: Entering directory"* | "ninja: no work to do."* | \
+        "-- Configuring done"* | "-- Generating done"* | "-- Build files have been"*) ;;
+      '['[0-9]*/[0-9]*']'*)
+        if [ -t 1 ]; then
+          printf '\r\033[K%s' "${line:0:$((${COLUMNS:-80} - 1))}" && open=true
+        else
+          printf '%s\n' "$line"
+        fi ;;
+      *)
+        ! $open || echo
+        open=false
+        printf '%s\n' "$line" ;;
+    esac
+  done
+  ! $open || echo
+}
+
+# build_targets FOLDER TARGET...: with ninja's steps where there is something to do, else silent.
 build_targets() {
   local folder=$1
   shift
-  ninja -C "$folder" "$@" > >(grep --line-buffered -vE 'Re-checking globbed|Entering directory|no work to do' >&2) ||
-    fail "building: must succeed; see above"
+  ninja -C "$folder" "$@" 2>&1 | show_steps >&2 || fail "building: must succeed; see above"
 }

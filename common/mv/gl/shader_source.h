@@ -9,8 +9,8 @@
 
 namespace mv {
 
-// Adds a file to the embedded ones; the build makes one call for each file. `path` is where a developer build finds the
-// file itself, so that an edit is seen without a build; it is empty in an installed library.
+// Adds a file to the embedded ones. `path` is where the file itself is edited, so that an edit is seen without a build;
+// empty where it is not (see shader_folder.h).
 bool addShaderFile(std::string name, std::string text, std::string path);
 
 // When the file was last written; nothing where there is no file.

@@ -1,0 +1,19 @@
+// Where a built program finds the shader files that are being edited; an installed one has those that were built in.
+#pragma once
+#include <filesystem>
+#include <string>
+
+namespace mv {
+
+// The folder of the library that this function is in, as the program found it; empty where nobody knows.
+std::filesystem::path libraryFolder();
+
+// The folder in which the shaders of a group (a target of mvgl_add_demo, demo-NAME) are edited: the one line of the file
+// mvgl-shaders/GROUP beside this library, or beside the program, relative to the folder that file is in. Empty where there
+// is none: the build writes it, and nothing installs it, so that no program has a path of the machine that built it.
+std::filesystem::path shaderFolder(const std::string& group);
+
+// addShaderFile for a file of that group; called by what the build makes of the shader files. Returns true.
+bool addBuiltShader(const std::string& group, std::string name, std::string text);
+
+}  // namespace mv

@@ -1,0 +1,188 @@
+#!/usr/bin/env bash
+# scripts_test.sh CASE SOURCE: one test of ./run, ./test and scripts/, in a scratch tree that has them and, in the place of
+# mvgl, the small project beside this file. Nothing is installed: the scripts are told that every package is there.
+set -u
+case=$1 source=$2
+scratch=$(cd "$(mktemp -d)" && pwd -P) || exit 1
+trap 'rm -rf "$scratch"' EXIT
+unset DISPLAY WAYLAND_DISPLAY CXX MAKEFLAGS
+export GIT_CEILING_DIRECTORIES=$scratch GIT_CONFIG_GLOBAL=/dev/null
+
+failures=0
+fail() {
+    echo "FAILED: $*"
+    failures=$((failures + 1))
+}
+equal() { [ "$2" = "$3" ] || fail "$1: expected '$2', found '$3'"; }
+says() { grep -qe "$2" "$1" || fail "no line '$2' in $1: $(cat "$1")"; }
+silent() { ! grep -qe "$2" "$1" || fail "a line '$2' in $1: $(cat "$1")"; }
+
+# tool NAME LINE...: a program of that name that goes before the system's.
+mkdir "$scratch/bin" && PATH=$scratch/bin:$PATH
+tool() {
+    printf '#!/usr/bin/env bash\n' >"$scratch/bin/$1"
+    printf '%s\n' "${@:2}" >>"$scratch/bin/$1"
+    chmod +x "$scratch/bin/$1"
+}
+tool dpkg-query 'echo "install ok installed"'
+tool clang-format 'exit 0'
+# Finds fault with a file that has the word FAULT, or whose header verdict.h has it.
+tool clang-tidy '[ "$1" != --version ] || exit 0' 'file=${@: -1}; echo "$file" >>"$(dirname "$0")/../analysed.log"' \
+    'cd "$(dirname "$file")/.." && ! grep -n FAULT "$file" common/verdict.h'
+
+tree=$scratch/tree
+mkdir "$tree" && cp -r "$source/tests/scripts/project/." "$source/scripts" "$source/run" "$source/test" "$source/.clang-tidy" "$tree" || exit 1
+touch "$tree/tests/.clang-tidy"
+cd "$tree" || exit 1
+printf 'build/\nruns.log\nout\nerr\n' >.gitignore
+commit() { git init -q . && git add -A && git -c user.name=a -c user.email=a@example.invalid commit -qm all; }
+# Which tests have run since the last look, and which files were analysed.
+ran() { sort runs.log 2>/dev/null | tr '\n' ' '; rm -f runs.log; }
+looked() { sort "$scratch/analysed.log" 2>/dev/null | sed "s|$tree/||" | tr '\n' ' '; rm -f "$scratch/analysed.log"; }
+everything() { ./test "$@" >out 2>err || fail "./test $*: $(cat out err)"; }
+
+# Until the command succeeds; a broken script is to be told, not to be waited for.
+waitFor() {
+    for _ in $(seq 1200); do
+        "$@" 2>/dev/null && return
+        sleep 0.1
+    done
+    fail "waited in vain for: $*"
+}
+
+flags() {
+    ./run one >out 2>err || fail "./run one: $(cat err)"
+    says out "one --shot $tree/build/gallery/one.png"
+    says err 'no display; the picture is build/gallery/one.png'
+    for flag in --study=out '--study out' --audit --report --report=json --knobs --list --help --version --copyable '--frames 1..3' --headless; do
+        # shellcheck disable=SC2086  # a flag and its value
+        ./run one $flag >out 2>err || fail "./run one $flag: $(cat err)"
+        says out "^from $tree: one $flag\$"
+        equal "what is said of $flag" "" "$(cat err)"
+    done
+    for flag in --shot --study; do
+        ./run one two $flag out >out 2>err && fail "two demos write one file: $(cat out)"
+        says err "^error: $flag: must"
+    done
+}
+
+moved() {
+    ./run one --list >out 2>err || fail "./run: $(cat err)"
+    # A copied tree is built from its own sources, and a moved one in its own place.
+    for change in "cp -r" mv; do
+        rm -rf "$scratch/other"
+        $change "$tree" "$scratch/other" && cd "$scratch/other" || exit 1
+        timeout 120 ./run one --list >out 2>err || fail "./run after $change: $(cat err)"
+        says err "^note: $scratch/other/build was made in $tree/build, of the sources in $tree; configuring"
+        says out "^from $scratch/other: one --list\$"
+        ./run one --list >out 2>err || fail "./run again after $change: $(cat err)"
+        equal "what is said the second time" "" "$(cat err)"
+        cd "$tree" 2>/dev/null || true
+    done
+}
+
+# Two at once in a tree that was never built: one builds, and the other says that it waits.
+waiting() {
+    tool cmake '[ "$1" = --version ] || touch configuring' '[ "$1" = --version ] || until [ -e go-on ]; do sleep 0.1; done' \
+        "exec $(PATH=${PATH#*:} command -v cmake) \"\$@\""
+    ./run one --list >out 2>err &
+    waitFor test -e configuring
+    ./run two --list >out2 2>err2 &
+    waitFor grep -q waiting err2
+    touch go-on
+    wait
+    says err2 '^note: waiting for another ./run or ./test that is at work in build$'
+    says out "one --list"
+    says out2 "two --list"
+    silent err2 'Building'
+}
+
+analysis() {
+    commit
+    everything
+    says out 'all files, as tests/analysed.txt is missing: '
+    equal "without a list all is analysed" "common/mvgl.cpp demos/one.cpp demos/two.cpp tests/claims.cpp " "$(looked)"
+    says tests/analysed.txt "^# commit $(git rev-parse HEAD)\$"
+    commit
+    rm -rf build/tidy
+    everything
+    says out 'differs from .*: 0 files to analyse'
+    equal "in a clean clone of what was analysed" "" "$(looked)"
+    echo '// more' >>demos/one.cpp && commit && echo '// and more' >>demos/one.cpp && commit
+    echo '// new' >demos/three.cpp && rm -rf build/tidy
+    everything
+    says out '^\[1 of 1\] demos/one.cpp: '
+    equal "after two commits" "demos/one.cpp " "$(looked)"
+    everything
+    says out ': 0 files to analyse; 1 more are as they were'
+    echo '// FAULT' >>common/verdict.h
+    ./test >out 2>err && fail "a fault in a header must be found"
+    says err 'clang-tidy: must find nothing; see above; in 1 files'
+    equal "a header, by a file that is analysed anyway" "demos/one.cpp " "$(looked)"
+    ./test >out 2>err && fail "a fault must be found again"
+    equal "what had a fault is analysed again" "demos/one.cpp " "$(looked)"
+    git checkout -q . && rm -rf .git
+    everything
+    equal "without git" "demos/one.cpp " "$(looked)"
+}
+
+# Without git, and in a clone that git does not trust, all is tested; and no word of formatting.
+git_() {
+    everything
+    says err '^note: this source tree is in no git repository; its files are found without git$'
+    equal "tests without git" "one one shared shared two two " "$(ran)"
+    commit
+    GIT_TEST_ASSUME_DIFFERENT_OWNER=1 ./test >out 2>err || fail "./test in another's clone: $(cat out err)"
+    says err "^note: git trusts no clone of another user (git config --global --add safe.directory '$tree' lets it); its"
+    mkdir inner && cp -r ./[!i]* ./.clang-tidy inner
+    rm -rf inner/build && cd inner && everything
+    says err 'note: this source tree is in no repository of its own'
+    silent err formatting
+}
+
+passed() {
+    commit
+    everything
+    equal "first" "one one shared shared two two " "$(ran)" # once more under the sanitizers
+    everything
+    equal "nothing has changed" "shared " "$(ran)"
+    says out '^2 tests of demos are left out'
+    echo '"yes" ""' >shaders/one.frag
+    everything
+    equal "one shader has changed" "one one shared shared " "$(ran)"
+    everything --all
+    equal "--all" "one one shared shared two two " "$(ran)"
+    echo '"no"' >shaders/two.frag
+    for _ in 1 2; do
+        ./test >out 2>err && fail "a failure must fail"
+        says err 'failed under the sanitizers'
+        equal "a failure is no pass" "shared two " "$(ran)"
+    done
+    ./test --only claims.one >out 2>err || fail "--only: $(cat out err)"
+    equal "--only" "one " "$(ran)"
+    ./test --only claims.two >out 2>err && fail "--only must fail, too"
+    equal "--only" "two " "$(ran)"
+    echo '"yes"' >shaders/two.frag
+    echo 'data' >tests/data.txt
+    everything
+    equal "a file that all may read" "one one shared shared two two " "$(ran)"
+    MESA_DEBUG=1 everything
+    equal "a variable of the driver" "one one shared shared two two " "$(ran)"
+    ./test --only claims.one --repeat 3 >out 2>err || fail "--repeat: $(cat out err)"
+    equal "--repeat 3" "one one one " "$(ran)"
+    says out '^each passed 3 times in a row$'
+    for wrong in "--repeat 3" "--only one --repeat 0" "--only one --repeat x" "--only one --long" "--only" "--all --update-goldens" "-x"; do
+        # shellcheck disable=SC2086  # several words
+        ./test $wrong >out 2>err
+        equal "status of ./test $wrong" 2 $?
+        says err '^error: -'
+    done
+}
+
+case $case in
+    git) git_ ;;
+    flags | moved | waiting | analysis | passed) "$case" ;;
+    *) fail "there is no case '$case'" ;;
+esac
+[ $failures -eq 0 ] && echo "passed: $case"
+exit $((failures > 0))
