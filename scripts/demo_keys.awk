@@ -5,6 +5,8 @@
 function ownerOf(file,    name) {
     if (match(file, /demo-[^\/]*\.dir\//)) {
         name = substr(file, RSTART + 5, RLENGTH - 10)
+    } else if (match(file, /mvgl-shaders\/demo-/)) {
+        name = substr(file, RSTART + RLENGTH)
     } else if (file ~ /^(shaders|docs\/errors-and-times|tests\/twins|demos)\/[^\/]*$/ || file ~ /(^|\/)claims\/[^\/]*$/) {
         name = file
         sub(/.*\//, "", name)

@@ -22,10 +22,12 @@ machine_key() {
   } | sha256sum
 }
 
-# What a program is linked from: "PROGRAM FILE", the file as ninja names it, relative to the build folder.
+# What a program is linked from, and where it finds shaders: "PROGRAM FILE", the file as ninja names it, relative to the
+# build folder.
 link_inputs() {
   local folder=$1 program
   while IFS= read -r program; do
+    (cd "$folder" && find lib/mvgl-shaders -type f -printf "$program %p\n" 2>/dev/null || true)
     ninja -C "$folder" -t query "$program" | awk -v program="$program" '
       /^  input:/ { inside = 1; next }
       /^  outputs:/ { inside = 0 }
