@@ -212,6 +212,27 @@ TEST(Hostile, no_home_folder) {
     EXPECT_TRUE(fs::is_empty(odd));
 }
 
+// Names that a shell, a pattern or a build system would take apart are names like others.
+TEST(Hostile, odd_names) {
+    const TemporaryFolder folder;
+    const std::string odd = "a#b [1]{2}";
+    fs::create_directory(folder / odd);
+    const auto run = [&](std::vector<std::string> words) {
+        words.front() = program(words.front());
+        return runProcess(words, {.folder = folder.path().string(), .environment = {"TMPDIR=" + folder.file(odd)}});
+    };
+    for (const char* name : {"x#[2].png", "*?.png", "it's \"$HOME\" `x`.png", "two\nlines.png", "%s.png", "-.png"}) {
+        const ProcessResult drawn = run({"cube-cull", "--shot", odd + "/" + name, "--size", "9x9"});
+        EXPECT_EQ(drawn.status, 0) << drawn.err;
+        EXPECT_EQ(loadPicture(folder / odd / name).width, 9) << name;
+        fs::remove(folder / odd / name);
+    }
+    EXPECT_EQ(run({"cube-shadows", "--study", odd + "/o#[1]", "--vary", "plane-distance=1"}).status, 0);
+    EXPECT_TRUE(fs::exists(folder / odd / "o#[1]" / "study.svg"));
+    fs::remove_all(folder / odd / "o#[1]");
+    EXPECT_TRUE(fs::is_empty(folder / odd)) << "not a temporary folder either";
+}
+
 // A shader file with a mistake, or what is no file in its place: named, and no picture is written.
 TEST(Hostile, shader_files) {
     const TemporaryFolder folder;

@@ -10,14 +10,12 @@
 #include <memory>
 #include <regex>
 #include <set>
-#include <sstream>
 
 #include "mv/gl/program.h"
 #include "mv/gl/shader_source.h"
 #include "mv/image/compare.h"
 #include "mv/image/load.h"
 #include "mv/run/audit.h"
-#include "mv/run/command_line.h"
 #include "mv/run/docs.h"
 #include "mv/run/render.h"
 #include "support/demo_run.h"
@@ -39,27 +37,6 @@ std::set<std::string> matches(const std::string& text, const std::regex& pattern
     std::set<std::string> found;
     for (std::sregex_iterator i(text.begin(), text.end(), pattern), end; i != end; ++i) found.insert((*i)[1]);
     return found;
-}
-
-// The command lines of a page: the lines that begin with ./run or a program's name inside its code fences.
-std::vector<std::string> commandsOf(const std::string& page) {
-    std::vector<std::string> commands;
-    std::istringstream lines(page);
-    bool inside = false;
-    for (std::string line; std::getline(lines, line);) {
-        if (line.rfind("```", 0) == 0) {
-            inside = !inside;
-        } else if (inside && line.rfind("./run ", 0) == 0) {
-            commands.push_back(
-                line.substr(6, line.find(" #") == std::string::npos ? std::string::npos : line.find(" #") - 6));
-        }
-    }
-    return commands;
-}
-
-std::vector<std::string> wordsOf(const std::string& line) {
-    std::istringstream stream(line);
-    return {std::istream_iterator<std::string>(stream), {}};
 }
 
 }  // namespace
@@ -112,34 +89,6 @@ TEST(Pages, strip_is_fresh) {
     // As for the golden pictures on another driver; shrinking averages the difference away, never makes it larger.
     EXPECT_LE(difference.maximum, 3);
     EXPECT_LE(difference.fraction, 0.001);
-}
-
-// Every ./run line of every page is understood, and names a demo that is there.
-TEST(Pages, commands_are_understood) {
-    int commands = 0;
-    std::vector<fs::path> pages{source / "README.md", source / "CONTRIBUTING.md"};
-    for (const DemoInfo& info : catalogue()) pages.push_back(source / "demos" / (info.name + ".md"));
-    for (const fs::path& page : pages) {
-        for (const std::string& line : commandsOf(fileText(page))) {
-            ++commands;
-            EXPECT_NO_THROW(parseCommandLine(wordsOf(line))) << page << ": " << line;
-        }
-    }
-    EXPECT_GE(commands, 3 * static_cast<int>(catalogue().size())) << "three things to try on each page";
-}
-
-// Every command of a lesson page draws a picture (those that name --shot draw it there; none is written here).
-TEST(Pages, commands_draw) {
-    for (const DemoInfo& info : catalogue()) {
-        for (const std::string& line : commandsOf(fileText(source / "demos" / (info.name + ".md")))) {
-            SCOPED_TRACE(line);
-            const Command command = parseCommandLine(wordsOf(line));
-            if (!command.demo || command.action == Action::help) continue;
-            test::DemoRun run(command.demo->name);
-            ASSERT_NO_THROW(applyKnobs(run.demo(), command.knobs));
-            EXPECT_NO_THROW(run.picture(command.firstFrame));
-        }
-    }
 }
 
 // The links of the pages lead to files that are there.

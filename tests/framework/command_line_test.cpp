@@ -223,6 +223,13 @@ TEST(CommandLine, empty_values_and_flags_as_values_are_refused) {
         EXPECT_EQ(refusal({"cube-cull", flag}), flag + std::string(": must have a value (--help says which)"));
         EXPECT_TRUE(has(refusal({"cube-cull", flag, "--report"}), flag + std::string(": must have a value before")));
     }
+    for (const char* flag : {"--list", "--version", "--copyable", "--audit", "--window", "--help"}) {
+        for (const char* value : {"5", "x", "no", "false", "off"}) {
+            EXPECT_EQ(refusal({"cube-cull", std::string(flag) + "=" + value}),
+                      flag + std::string(": takes no value, '") + value + "'");
+        }
+    }
+    EXPECT_EQ(refusal({"--audit", "--all=no"}), "--all: takes no value, 'no'");
     EXPECT_EQ(parseCommandLine({"cube-cull", "--shot", "./--report"}).shot, "./--report");
     EXPECT_EQ(parseCommandLine({"cube-cull", "--shot", "-"}).shot, "-") << "a file of that name";
     for (const char* number : {"+-3", "++3", "-+3", "+", "-", "--3", "3-", ""}) {

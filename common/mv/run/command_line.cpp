@@ -138,6 +138,19 @@ std::string helpText(const CLI::App& app) {
     return text;
 }
 
+// "--shot=", and "--list=5" of a flag that takes no value: CLI11 would read these as "--shot" and "--list".
+void refuseOddValue(const CLI::App& app, const std::string& word) {
+    const auto equals = word.find('=');
+    if (!word.starts_with("--") || equals == std::string::npos) return;
+    const std::string name = word.substr(0, equals);
+    if (equals + 1 == word.size()) throw UsageError(name, "must have a value after the =");
+    const CLI::Option* option = app.get_option_no_throw(name);
+    const bool isFlag = option && option->get_items_expected_max() == 0;
+    if (isFlag && name != "--headless" && name != "--report" && name != "--knobs") {
+        throw UsageError(name, "takes no value", "'" + word.substr(equals + 1) + "'");
+    }
+}
+
 // The flags that are given, each with its value if it takes one. Error: one without its value, or twice.
 GivenFlags givenFlags(const CLI::App& app, bool demo) {
     GivenFlags given;
@@ -262,9 +275,7 @@ Command parseCommandLine(const std::vector<std::string>& arguments) {
         }
     }
     for (CLI::Option* option : app.get_options()) option->take_last();  // two are refused below, in our words
-    for (const std::string& word : rest) {
-        if (word.starts_with("--") && word.ends_with('=')) throw UsageError(word, "must have a value after the =");
-    }
+    for (const std::string& word : rest) refuseOddValue(app, word);
     try {
         std::reverse(rest.begin(), rest.end());  // CLI11 takes its words from the back
         app.parse(rest);
