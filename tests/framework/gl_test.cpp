@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <initializer_list>
 #include <set>
 
 #include "mv/geometry/shapes.h"
@@ -531,7 +532,8 @@ TEST_F(Gl, what_es_lacks_is_noted) {
     picture.bind();
     EXPECT_EQ(usedBy([&] {
                   restoreInitialState();
-                  for (const GLenum what : {GL_DEPTH_TEST, GL_BLEND, GL_STENCIL_TEST, GL_PROGRAM_POINT_SIZE}) {
+                  for (const GLenum what :
+                       std::initializer_list<GLenum>{GL_DEPTH_TEST, GL_BLEND, GL_STENCIL_TEST, GL_PROGRAM_POINT_SIZE}) {
                       glEnable(what);
                       glDisable(what);
                   }
