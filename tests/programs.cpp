@@ -189,7 +189,7 @@ TEST(Program, drivers_that_end_by_a_signal_are_passed_over) {
     const std::string picture = folder.file("a.png");
     const auto run = [&](const std::string& host, const std::vector<std::string>& environment) {
         fs::remove(picture);
-        const ProcessResult result =
+        ProcessResult result =
             runProcess({program("cube-cull"), "--shot", picture, "--headless" + host}, {.environment = environment});
         EXPECT_EQ(fs::exists(picture), result.status == 0) << environment.back() << host;
         return result;
