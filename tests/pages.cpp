@@ -70,7 +70,10 @@ std::optional<std::vector<std::string>> trial(const PageLine& line) {
     const Command command = parseCommandLine(words);
     const auto add = [&](const std::vector<std::string>& more) { words.insert(words.end(), more.begin(), more.end()); };
     if (command.action == Action::window && !command.demo) return {};  // the menu
-    if (command.action == Action::window) add({"--shot", "window.png"});
+    if (command.action == Action::window) {
+        std::erase(words, "--window");
+        add({"--shot", "window.png"});
+    }
     if (isLong()) return words;
     if (command.action == Action::study && command.vary.empty()) {  // it takes minutes, and has a test that measures it
         (void)studyOf(*command.demo, command.knobs, command.vary);
