@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "mv/demo/demo.h"
+#include "mv/math/types.h"
 
 using namespace mv;
 
@@ -71,9 +72,7 @@ TEST(Knobs, note_that_they_were_read) {
     notes(settings.toggle, [&] { take(settings.toggle ? 1 : 0); });
     notes(settings.fruit, [&] { take(settings.fruit == Fruit::pear ? 1 : 0); });
     for (Knob* knob : settings.knobs()) notes(*knob, [&] { (void)knob->text(); });
-    // As of vec3(0, 0, real), which takes a knob by value
-    const auto byValue = [&](Real copy) { take(copy); };
-    notes(settings.real, [&] { byValue(settings.real); });
+    notes(settings.real, [&] { take(vec3(0, 0, settings.real).z); });  // which takes a knob by value
     for (Knob* knob : settings.knobs()) knob->forgetRead();
     settings.fruit.parse("plum");
     settings.real.step(0.5);

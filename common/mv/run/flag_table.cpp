@@ -54,8 +54,8 @@ bool reads(const Use& use, std::string_view flag) {
 // "--study", "--shot, --copyable or --window": the flags that say what is done and read this one, the usual ones first.
 std::string goesWith(std::string_view flag) {
     std::vector<std::string_view> asking;
-    for (auto use = uses().rbegin(); use != uses().rend(); ++use) {
-        if (use->asks != flag && reads(*use, flag)) asking.push_back(use->asks);
+    for (const Use& use : uses()) {
+        if (use.asks != flag && reads(use, flag)) asking.insert(asking.begin(), use.asks);
     }
     std::string text;
     for (std::size_t i = 0; i < asking.size(); ++i) {

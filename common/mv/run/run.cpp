@@ -34,6 +34,7 @@ std::string list() {
 }
 
 std::unique_ptr<Demo> demoWithKnobs(const Command& command) {
+    if (!command.demo) throw UsageError("demo", "must be named first");  // as the command line's reading has seen to
     auto demo = command.demo->make();
     applyKnobs(*demo, command.knobs);
     return demo;
