@@ -132,22 +132,25 @@ Keeper keeper;
 
 // ---- Putting back
 
+// What is to be set to come from one state to another, gathered before any is: setting changes the map that is asked.
+template <class Map, class Initial>
+Map differences(const Map& from, const Map& to, Initial initial) {
+    Map changes = to;
+    for (const auto& [key, value] : from) {
+        const auto [wanted, isNew] = changes.try_emplace(key, initial(key));
+        if (!isNew && wanted->second == value) changes.erase(wanted);
+    }
+    return changes;
+}
+
 // Sets what differs from `wanted`, by the table, so that who listens hears it; how many calls it took.
 int change(const Values& wanted) {
     int calls = 0;
     // The units' textures first: they move the active unit.
-    const auto textures = now.textures;
-    const auto bind = [&](const std::pair<GLenum, GLenum>& place, GLuint texture) {
+    for (const auto& [place, texture] : differences(now.textures, wanted.textures, [](auto) { return 0U; })) {
         if (std::get<0>(now.ActiveTexture) != place.first) glActiveTexture(place.first), ++calls;
         glBindTexture(place.second, texture);
         ++calls;
-    };
-    for (const auto& [place, texture] : textures) {
-        if (!wanted.textures.contains(place)) bind(place, 0);
-    }
-    for (const auto& [place, texture] : wanted.textures) {
-        const auto bound = textures.find(place);
-        if (bound == textures.end() || bound->second != texture) bind(place, texture);
     }
 #define X(name, ...)                       \
     if (now.name != wanted.name) {         \
@@ -168,21 +171,18 @@ int change(const Values& wanted) {
             ++calls;
         }
     }
-    const auto each = [&](const auto& before, const auto& after, const auto& set, const auto& initial) {
-        const auto had = before;  // changes while it is gone through
-        for (const auto& [key, value] : had) {
-            if (!after.contains(key)) set(key, initial(key)), ++calls;
-        }
-        for (const auto& [key, value] : after) {
-            const auto found = had.find(key);
-            if (found == had.end() || found->second != value) set(key, value), ++calls;
-        }
-    };
-    each(
-        now.switches, wanted.switches,
-        [](GLenum capability, bool on) { on ? glEnable(capability) : glDisable(capability); }, initiallyOn);
-    each(now.pixelStore, wanted.pixelStore, glPixelStorei, [](GLenum) { return 4; });
-    each(now.buffers, wanted.buffers, glBindBuffer, [](GLenum) { return 0U; });
+    for (const auto& [capability, on] : differences(now.switches, wanted.switches, initiallyOn)) {
+        on ? glEnable(capability) : glDisable(capability);
+        ++calls;
+    }
+    for (const auto& [name, value] : differences(now.pixelStore, wanted.pixelStore, [](GLenum) { return 4; })) {
+        glPixelStorei(name, value);
+        ++calls;
+    }
+    for (const auto& [target, buffer] : differences(now.buffers, wanted.buffers, [](GLenum) { return 0U; })) {
+        glBindBuffer(target, buffer);
+        ++calls;
+    }
     return calls;
 }
 

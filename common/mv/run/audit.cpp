@@ -147,7 +147,8 @@ std::string needsPage() {
             versions += (&lacking == info.needs.beyondEs.data() ? " without " : ", ") + lacking.feature;
         }
         if (info.needs.samples) buffers += ", " + std::to_string(info.needs.samples) + " samples";
-        text += "| [" + info.name + "](../demos/" + info.name + ".md) | " + buffers + " | " + versions + " | ";
+        text.append("| [").append(info.name).append("](../demos/").append(info.name).append(".md) | ");
+        text.append(buffers).append(" | ").append(versions).append(" | ");
         text += both([](const FrameWork& work) { return work.draws; });
         text += both([](const FrameWork& work) { return work.passes; });
         text += both([](const FrameWork& work) { return work.triangles.submitted; });
