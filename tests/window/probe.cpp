@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <new>
 #include <string>
 #include <thread>
 
@@ -39,7 +40,7 @@ void main() { fragColor = vec4(level, 0.5, 0.5, 1.0); }
 )",
                                          watched("probe.frag"));
 
-enum class Mood { calm, loud };
+enum class Mood { calm, loud, exhausted };
 
 struct Probe final : Demo {
     Real level{this, "level", 0.25, {0, 1}, "how red the square is; 1 is refused together with mood loud"};
@@ -48,7 +49,9 @@ struct Probe final : Demo {
     Choice<Mood> mood{this,
                       "mood",
                       Mood::calm,
-                      {{"calm", "nothing is refused and the picture is as it is"}, {"loud", "a level of 1 is refused"}},
+                      {{"calm", "nothing is refused and the picture is as it is"},
+                       {"loud", "a level of 1 is refused"},
+                       {"exhausted", "for a count of 4 there is no memory"}},
                       "what is refused"};
     Angle angle{this, "angle", 0, "an angle that turns on"};
 
@@ -72,8 +75,7 @@ struct Probe final : Demo {
         if (mood == Mood::loud && level == 1) throw Error("--level", "must be less than 1 while --mood is loud");
     }
     void draw(const Frame& frame) override {
-        glDisable(GL_SCISSOR_TEST);
-        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+        if (mood == Mood::exhausted && count == 4) throw std::bad_alloc();
         glClearColor(0.2F, 0.3F, static_cast<float>(frame.index() % 60) / 60, 1);
         glClear(GL_COLOR_BUFFER_BIT);
         program.use();

@@ -240,6 +240,11 @@ error() {
     press Up
     awaitReport error "" z-dist 0.2
     quit
+    # What is no error of ours is said in our words, too.
+    start 'mvgl: probe' "$launcher" probe --frame 1 --mood exhausted
+    press 4
+    awaitReport error "probe: needs more memory than there is; a smaller --size needs less"
+    quit
 }
 
 resizing() {

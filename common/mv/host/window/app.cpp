@@ -6,6 +6,7 @@
 
 #include "mv/host/window/demo_screen.h"
 #include "mv/host/window/menu_screen.h"
+#include "mv/run/run.h"
 #include "mv/run/window_module.h"
 
 namespace mv {
@@ -96,7 +97,7 @@ void runWindow(const Command& command) {
                 cards.selected = next.demo->name;
             } catch (const std::exception& error) {
                 if (first) throw;  // asked for by name on the command line: no menu instead
-                problem = error.what();
+                problem = sentenceOf(error, "mvgl");
             }
         }
         if (!screen) screen = std::make_unique<MenuScreen>(window, gui, stage, cards, problem, command.report);
@@ -107,7 +108,7 @@ void runWindow(const Command& command) {
             stage.close();
         } catch (const std::exception& error) {
             if (wish.kind == Wish::Kind::quit) throw;
-            problem = error.what();
+            problem = sentenceOf(error, "mvgl");
         }
         if (wish.kind == Wish::Kind::quit) return;
         next = {};

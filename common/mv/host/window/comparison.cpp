@@ -7,6 +7,7 @@
 #include "mv/gl/text.h"
 #include "mv/image/compare.h"
 #include "mv/run/compare.h"
+#include "mv/run/run.h"
 
 namespace mv {
 namespace {
@@ -74,7 +75,7 @@ void Comparison::withOther(const std::function<void()>& action) {
         action();
     } catch (const std::exception& error) {
         knob_->parse(present);
-        throw Error("with " + labelB(), error.what());
+        throw Error("with " + labelB(), sentenceOf(error, "the picture"));
     }
     knob_->parse(present);
 }

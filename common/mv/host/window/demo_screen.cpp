@@ -13,6 +13,7 @@
 #include "mv/host/window/keys.h"
 #include "mv/host/window/save.h"
 #include "mv/image/png.h"
+#include "mv/run/run.h"
 
 namespace mv {
 namespace {
@@ -174,7 +175,7 @@ void DemoScreen::reloadShaders() {
         if (reloaded.programs > 0) stale_ = true;
         errors = std::move(reloaded.standing);
     } catch (const std::exception& error) {
-        errors = {error.what()};
+        errors = {sentenceOf(error, "shaders")};
     }
     if (errors == shaderErrors_) return;
     shaderErrors_ = std::move(errors);
@@ -203,7 +204,7 @@ void DemoScreen::redraw() {
         hasPicture_ = true;
         error_.clear();
     } catch (const std::exception& error) {
-        error_ = error.what();
+        error_ = sentenceOf(error, info_.name);
         takeErrors();
     }
 }
@@ -386,9 +387,9 @@ void DemoScreen::save() {
         saved_ = "Saved " + path.string();
         saveFailed_ = false;
     } catch (const std::exception& error) {
-        saved_ = error.what();
+        saved_ = sentenceOf(error, "picture");
         saveFailed_ = true;
-        std::cerr << "error: " << error.what() << std::endl;
+        std::cerr << "error: " << saved_ << std::endl;
     }
 }
 

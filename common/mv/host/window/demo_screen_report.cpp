@@ -4,6 +4,7 @@
 #include "mv/host/window/demo_screen.h"
 #include "mv/host/window/window_report.h"
 #include "mv/run/report.h"
+#include "mv/run/run.h"
 
 namespace mv {
 
@@ -13,7 +14,7 @@ FrameTimes DemoScreen::timesForReport(bool closing) {
         try {
             return timeFrames(stage_, drawnFrame_, 9, firstMs_);
         } catch (const std::exception& error) {
-            error_ = error.what();
+            error_ = sentenceOf(error, info_.name);
         }
     }
     return {firstMs_, lastMs_, 0, hasPicture_ ? 1 : 0};

@@ -10,6 +10,7 @@
 #include "mv/gl/functions.h"
 #include "mv/host/window/panel_parts.h"
 #include "mv/host/window/window_report.h"
+#include "mv/run/run.h"
 
 namespace mv {
 namespace {
@@ -93,12 +94,12 @@ void MenuScreen::makeNextPicture() {
             const int side = static_cast<int>(std::lround(pictureSide * window_.contentScale()));
             card.picture = Thumbnail(window_, shrink(stage_.picture(), side, side));
         } catch (const std::exception& error) {
-            card.error = error.what();
+            card.error = sentenceOf(error, info.name);
         }
         try {
             stage_.close();
         } catch (const std::exception& error) {
-            if (card.error.empty()) card.error = error.what();
+            if (card.error.empty()) card.error = sentenceOf(error, info.name);
         }
         return;
     }

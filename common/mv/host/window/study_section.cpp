@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "mv/host/window/study_view.h"
+#include "mv/run/run.h"
 #include "mv/run/stage.h"
 #include "mv/run/study.h"
 
@@ -32,7 +33,7 @@ StudySection::StudySection(const DemoInfo& info, Gui& gui, Places& places) : inf
     try {
         if (auto run = committedStudy(info.name)) take(std::move(*run), false);
     } catch (const std::exception& error) {
-        problem_ = error.what();
+        problem_ = sentenceOf(error, "study");
     }
 }
 
@@ -62,7 +63,7 @@ void StudySection::start() {
         measurement_.emplace(info_.name);
     } catch (const std::exception& error) {
         measurement_.reset();
-        problem_ = error.what();
+        problem_ = sentenceOf(error, "study");
     }
 }
 
@@ -96,7 +97,7 @@ void StudySection::finish(int status) {
         try {
             take(readStudy(readTextFile(file, largestStudy)), true);
         } catch (const std::exception& error) {
-            problem_ = error.what();
+            problem_ = sentenceOf(error, "study");
         }
     }
     measurement_.reset();
