@@ -659,18 +659,19 @@ study() {
     quit
 }
 
-measure() { # by a study that lasts until the file PROBE_HOLD is gone
-    mkdir tmp && export TMPDIR=$PWD/tmp PROBE_HOLD=$state/hold
-    local child
-    measuring() {
-        touch "$PROBE_HOLD"
-        start 'mvgl: integral' "$launcher" integral --n 16 --size 400x1000
-        clickOn "Measure here"
-        awaitReport measuring true
-        child=$(pgrep -P $pid)
-        [ -n "$child" ] || fail "no program measures"
-        [ -n "$(ls tmp)" ] || fail "a measurement has no folder"
-    }
+# Begins to measure, in the program $child, by a study that lasts until the file PROBE_HOLD is gone.
+measuring() {
+    mkdir -p tmp && export TMPDIR=$PWD/tmp PROBE_HOLD=$state/hold
+    touch "$PROBE_HOLD"
+    start 'mvgl: integral' "$launcher" integral --n 16 --size 400x1000
+    clickOn "Measure here"
+    awaitReport measuring true
+    child=$(pgrep -P $pid)
+    [ -n "$child" ] || fail "no program measures"
+    [ -n "$(ls tmp)" ] || fail "a measurement has no folder"
+}
+
+measure() {
     measuring
     rm "$PROBE_HOLD"
     awaitReport measuring false
@@ -716,12 +717,14 @@ noDisplay() {
 }
 
 vanish() { # the display goes, as the connection to another machine's may
-    start 'mvgl: cube-cull' "$cubeCull"
+    measuring
     kill $server
     server=
     awaitEnd "the end of the program after its display's"
     equal "exit status" 1 $status
     grep -qi 'X connection\|X server' "$state/err" || fail "no word about the display: $(cat "$state/err")"
+    await "the end of what it measured" ended "$child"
+    equal "folders after the display has gone" "" "$(ls tmp)"
 }
 
 # -r: no key repeats but where a test is about it; a key that xdotool holds down for too long on a busy machine would.

@@ -10,6 +10,7 @@
 #include <atomic>
 #include <cerrno>
 #include <climits>
+#include <cstdlib>
 #include <cstring>
 #include <string>
 
@@ -62,13 +63,16 @@ void removeAt(int folder, const char* name, int depth) {
     }
 }
 
+void removeNoted() {
+    if (::getpid() != owner.load()) return;
+    for (const Slot& slot : slots) {
+        if (slot.noted.load(std::memory_order_acquire)) removeAt(AT_FDCWD, slot.path.data(), 0);
+    }
+}
+
 void removeAndEnd(int signal) {
     const int before = errno;
-    if (::getpid() == owner.load()) {
-        for (const Slot& slot : slots) {
-            if (slot.noted.load(std::memory_order_acquire)) removeAt(AT_FDCWD, slot.path.data(), 0);
-        }
-    }
+    removeNoted();
     // Blocked until this returns; then it ends the process as it would have done.
     ::signal(signal, SIG_DFL);
     ::raise(signal);
@@ -78,6 +82,9 @@ void removeAndEnd(int signal) {
 void install() {
     for (Slot& slot : slots) slot.noted = false;  // of the process that this one was forked from
     owner = ::getpid();
+    // A library may end the program, as Xlib does when the display has gone.
+    static const int registered = std::atexit(removeNoted);
+    (void)registered;
     for (const int signal : signals) {
         struct sigaction now {};
         if (::sigaction(signal, nullptr, &now) != 0 || now.sa_handler != SIG_DFL) continue;
