@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "mv/gl/audit.h"
 #include "mv/gl/state.h"
 #include "mv/gl/text.h"
 
@@ -103,7 +104,7 @@ void Stage::drawInto(const Target& target, int index, FrameMode mode) {
         throw;
     }
     counters_ = counters();
-    undone_ = changedState();
+    if (auditing()) undone_ = changedState();
     restoreInitialState();
     const std::vector<std::string> errors = takeErrors();
     if (!errors.empty()) throw Error("OpenGL in " + info_->name, "must report no error", errors.front());

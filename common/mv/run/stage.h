@@ -42,7 +42,7 @@ class Stage {
     // What the last good draw, or measure, left.
     const FrameNotes& notes() const { return notes_; }
     const Counters& frameCounters() const { return counters_; }
-    // What of OpenGL's state the last draw left changed, and the stage put back, as changedState() names it.
+    // What of OpenGL's state the last audited draw left changed, and the stage put back, as changedState() names it.
     const std::vector<std::string>& undone() const { return undone_; }
     Picture picture() const { return front().read(); }
     const Target& front() const { return targets_[shown_]; }
