@@ -7,17 +7,16 @@
 
 #include "mv/error.h"
 #include "mv/image/file.h"
-#include "mv/image/jpeg_check.h"
+#include "mv/image/jpeg.h"
 #include "mv/image/png_check.h"
 
-// Only two formats, and no flipping: most of stb_image's known holes lie in the others and in its flip. Those in the
-// two are closed by checkPng and checkJpeg, which look at every file first.
+// stb_image reads PNG, and libjpeg-turbo JPEG: most of stb_image's known holes lie in its other formats and in its flip.
+// Those in PNG are closed by checkPng, which looks at every file first.
 #ifndef __clang_analyzer__  // which would report on stb_image's code, too
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC
 #endif
 #define STBI_ONLY_PNG
-#define STBI_ONLY_JPEG
 #define STBI_NO_STDIO
 #define STBI_MAX_DIMENSIONS 8192
 // Memory that a damaged file leaves unwritten is zero, not what some other picture left there.
@@ -40,6 +39,20 @@ struct FreePixels {
     void operator()(stbi_uc* pixels) const { stbi_image_free(pixels); }
 };
 
+Picture decodePng(std::span<const std::byte> bytes, std::string_view name) {
+    checkPng(bytes, name, maximumLoadedSide);
+    int width = 0;
+    int height = 0;
+    int channelsInFile = 0;
+    const std::unique_ptr<stbi_uc, FreePixels> pixels(
+        stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()), static_cast<int>(bytes.size()), &width,
+                              &height, &channelsInFile, STBI_rgb_alpha));
+    if (!pixels) throw Error(name, "must be an undamaged PNG file; save or fetch it again", stbi_failure_reason());
+    Picture picture(width, height);
+    std::copy_n(pixels.get(), picture.rgba.size(), picture.rgba.begin());
+    return picture;
+}
+
 }  // namespace
 
 Picture decodePicture(std::span<const std::byte> bytes, std::string_view name) {
@@ -47,28 +60,10 @@ Picture decodePicture(std::span<const std::byte> bytes, std::string_view name) {
         throw Error(name, "must hold at most " + std::to_string(maximumPictureFileBytes) + " bytes",
                     std::to_string(bytes.size()));
     }
-    if (startsAsPng(bytes)) {
-        checkPng(bytes, name, maximumLoadedSide);
-    } else if (startsAsJpeg(bytes)) {
-        checkJpeg(bytes, name);
-    } else {
-        throw Error(name, "must be a PNG or JPEG file; other formats have to be converted first",
-                    bytes.empty() ? "it is empty" : "it begins as neither");
-    }
-
-    int width = 0;
-    int height = 0;
-    int channelsInFile = 0;
-    const std::unique_ptr<stbi_uc, FreePixels> pixels(
-        stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()), static_cast<int>(bytes.size()), &width,
-                              &height, &channelsInFile, STBI_rgb_alpha));
-    if (!pixels) {
-        throw Error(name, "must be an undamaged picture of at most 8192 pixels a side; save or fetch it again",
-                    stbi_failure_reason());
-    }
-    Picture picture(width, height);
-    std::copy_n(pixels.get(), picture.rgba.size(), picture.rgba.begin());
-    return picture;
+    if (startsAsPng(bytes)) return decodePng(bytes, name);
+    if (startsAsJpeg(bytes)) return decodeJpeg(bytes, name, maximumLoadedSide);
+    throw Error(name, "must be a PNG or JPEG file; other formats have to be converted first",
+                bytes.empty() ? "it is empty" : "it begins as neither");
 }
 
 Picture loadPicture(const std::filesystem::path& path) {

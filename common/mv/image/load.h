@@ -17,7 +17,7 @@ inline constexpr int maximumLoadedSide = 8192;
 // red = green = blue, and 16 bits per channel become 8. For glTexImage2D turn the rows about (flipRows).
 // Colours come as stored (nearly always sRGB); profiles, gamma, and a JPEG's turned-camera note are not applied.
 // Error, with the path and the reason, if the file cannot be read, is larger than maximumPictureFileBytes, has a side
-// above maximumLoadedSide, is neither PNG nor JPEG, or is cut off or damaged.
+// above maximumLoadedSide, is neither PNG nor JPEG (grey or RGB), or is cut off or damaged.
 // The trap: a JPEG has no checksums. One that is cut off is refused, but a flipped bit may show as a smear instead.
 [[nodiscard]] Picture loadPicture(const std::filesystem::path& path);
 
