@@ -338,6 +338,18 @@ TEST(LoadJpeg, TakesWhatItCanShow) {
                          "must be an undamaged JPEG file; save or fetch it again"));
 }
 
+// A JPEG may hold tables alone, for other files.
+TEST(LoadJpeg, RefusesTablesWithoutAPicture) {
+    const Bytes whole = jpegFile(smoothPicture(16, 16));
+    const Bytes frame{std::byte{0xFF}, std::byte{0xC0}};
+    const auto cut = std::search(whole.begin(), whole.end(), frame.begin(), frame.end());
+    ASSERT_NE(cut, whole.end());
+    Bytes tables(whole.begin(), cut);
+    tables.insert(tables.end(), {std::byte{0xFF}, std::byte{0xD9}});
+    EXPECT_EQ(messageOf([&] { (void)decodePicture(tables, "test"); }),
+              "test: must be an undamaged JPEG file; save or fetch it again, it holds no picture");
+}
+
 // stb_image 2.27 writes beyond its table for the first, and uses memory never written for the second.
 TEST(LoadJpeg, RefusesImpossibleTables) {
     const Bytes whole = jpegFile(smoothPicture(16, 16));

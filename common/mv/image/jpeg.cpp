@@ -41,6 +41,8 @@ Picture decodeJpeg(std::span<const std::byte> bytes, std::string_view name, int 
     int sampling = 0;
     int colours = 0;
     requireRead(tjDecompressHeader3(decoder.get(), data, bytes.size(), &width, &height, &sampling, &colours));
+    if (width < 1 || height < 1)  // as of a file of tables for other files
+        throw Error(name, "must be an undamaged JPEG file; save or fetch it again", "it holds no picture");
     if (std::max(width, height) > maximumSide) {
         throw Error(name, "sides must be at most " + std::to_string(maximumSide) + " pixels; scale it down",
                     std::to_string(width) + " x " + std::to_string(height));
