@@ -2,8 +2,8 @@
 #
 # Makes the program <name> of one demo: <name>.cpp in the current folder (or SOURCE), with the shader files
 # <name>.vert, <name>.frag, <name>.<variant>.vert ... of the folder SHADERS (default: ../shaders beside the current
-# folder, else the current folder) built in, and the folder's include/*.glsl with them; and the demo's committed study,
-# where ../docs/errors-and-times beside the shaders has one.
+# folder, else the current folder) built in, and the folder's include/*.glsl with them; the demo's <name>.study.cpp, where
+# it stands beside the source; and its committed study, where ../docs/errors-and-times beside the shaders has one.
 # The program is the target <target> (default: <name>); the demo's objects are demo-<target>, for programs of several demos.
 #
 # Built programs read the shaders where they are edited. Installed ones must not: so no path is built in. It stands in a file
@@ -47,7 +47,10 @@ function(mvgl_add_demo name)
     set(main "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../common/mv/run/main.cpp")
   endif()
   set(objects demo-${demo_TARGET})
-  add_library(${objects} OBJECT "${demo_SOURCE}")
+  # What measures it, where there is such a file.
+  cmake_path(REPLACE_EXTENSION demo_SOURCE LAST_ONLY ".study.cpp" OUTPUT_VARIABLE study)
+  file(GLOB study CONFIGURE_DEPENDS "${study}")
+  add_library(${objects} OBJECT "${demo_SOURCE}" ${study})
   target_link_libraries(${objects} PUBLIC mvgl::demo)
   mvgl_embed_shaders(${objects} ${name} "${demo_SHADERS}")
   add_executable(${demo_TARGET} "${main}" $<TARGET_OBJECTS:${objects}>)

@@ -1,6 +1,6 @@
 // cube-shadows: what stands before a floor and a wall, and its shadows on them: one matrix for any plane and any light.
 //
-// Claims (each is a test in tests/claims/cube-shadows.cpp; the extreme ones are X11 to X16 in docs/stability.md):
+// Claims (each is a test in tests/claims/cube-shadows.cpp; the extreme ones are the rows X11 to X16 of docs/stability.md):
 // - [cast-by-rays] The picture is what rays show, on floor, wall and leaning wall, from lamps and lights at infinity.
 // - [no-shadow-seen-from-the-light] An eye at the light, as in the first picture, sees no shadow.
 // - [special-case] On planes across an axis the slide's special case and the general matrix give the same picture.
@@ -16,15 +16,16 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
-#include <optional>
+#include <string>
+#include <vector>
 
 #include "mv/demo/demo.h"
 #include "mv/geometry/in_view.h"
-#include "mv/geometry/ray.h"
 #include "mv/geometry/scenes.h"
 #include "mv/geometry/shapes.h"
 #include "mv/gl/gl.h"
+#include "mv/gl/on_demand.h"
+#include "mv/gl/scene_meshes.h"
 #include "mv/math/projection.h"
 #include "mv/math/shadow.h"
 #include "mv/math/shadow_caster.h"
@@ -54,6 +55,21 @@ struct Plane {
     vec4 local() const { return {normal, 0}; }
     vec4 localOf(const vec4& light) const { return {vec3(light) - light.w * origin, light.w}; }
 };
+
+// Which object of the scene that plane is, and the number that the stencil buffer has where it is seen.
+struct Ground {
+    ObjectId object;
+    PlaneKind kind;
+    Plane plane;
+    GLint tag;
+};
+
+// A mesh that is shown in one colour, unlit: its vertices have that colour and no normals.
+MeshData painted(MeshData mesh, const vec3& color) {
+    mesh.colors.assign(mesh.positions.size(), fvec4(color, 1));
+    mesh.normals.clear();
+    return mesh;
+}
 
 struct CubeShadows final : Demo {
     Choice<Place> place{this,
@@ -100,15 +116,12 @@ struct CubeShadows final : Demo {
     Real fov{this, "fov", 40, {10, 120}, "the view's angle, upwards", "deg"};
 
     Readout lightHeight{this, "light-height", "height of the light above the floor; at infinity the sine of its angle"};
-    Readout placeError{this, "place-error",
-                       "farthest that a corner's shadow on the floor is off, for a cube of side 2"};
 
     Program surfaces, shadows;
-    std::optional<Place> made;  // the scene of these two
-    Scene room;
-    std::vector<Mesh> meshes;
-    MeshData lampShape = painted(sphere(0.12, 32, 16), {1, 0.6, 0});
-    Mesh edges, lamp;
+    Scene now;
+    SceneMeshes meshes;
+    const MeshData lampShape = painted(sphere(0.12, 32, 16), {1, 0.6, 0});
+    OnDemand<Mesh> lamp{lampShape, "light"}, edges{painted(wireCube(), {0, 0, 0}), "edges"};
 
     CubeShadows() {
         bindDrag(theta, -360.0 / 700, phi, -360.0 / 700);
@@ -120,81 +133,105 @@ struct CubeShadows final : Demo {
     void init() override {
         surfaces = Program("cube-shadows");
         shadows = Program("cube-shadows", "shadow");
-        edges = Mesh(painted(wireCube(), {0, 0, 0}), "edges");
     }
 
-    // Vertices with a colour and without a normal are shown in that colour, unlit.
-    static MeshData painted(MeshData mesh, const vec3& color) {
-        mesh.colors.assign(mesh.positions.size(), fvec4(color, 1));
-        mesh.normals.clear();
-        return mesh;
-    }
+    void draw(const Frame& frame) override {
+        now = seen(frame);
+        meshes.follow(now);
+        const auto drawn = meshes.of(now);
+        const std::vector<Ground> planes = grounds();
+        tell(frame, planes);
 
-    void makeScene() {
-        if (made == place) return;
-        room = place == Place::stillLife ? stillLifeInRoom() : cubeInRoom();
-        if (place == Place::plane) room.objects.pop_back();  // the wall
-        for (SceneObject& object : room.objects) {
-            if (object.name == "cube") {
-                object.mesh.normals.clear();
-            } else {
-                object.mesh.colors.assign(object.mesh.positions.size(), fvec4(object.color, 1));
+        // 1. What is seen. The stencil buffer keeps for each pixel which plane's front it shows: the plane's tag, else 0.
+        glEnable(GL_DEPTH_TEST);
+        glEnable(GL_STENCIL_TEST);
+        glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+        surfaces.use();
+        surfaces.set("clipFromView", now.clipFromView);
+        surfaces.set("viewLight", now.viewFromWorld * light());
+        for (const auto& [object, mesh] : drawn) {
+            if (object.casts) drawSurface(mesh, object.worldFromObject);
+        }
+        if (place == Place::plane) setSeen(false);  // the original's plane is tagged only
+        for (const Ground& ground : planes) {
+            const auto& [object, mesh] = drawn[ground.object.index];
+            glStencilFunc(GL_ALWAYS, showsFront(ground.plane) ? ground.tag : 0, 0xFF);
+            drawSurface(mesh, object.worldFromObject);
+        }
+        if (place == Place::plane) setSeen(true);
+        glStencilFunc(GL_ALWAYS, 0, 0xFF);
+        drawEdgesAndLamp();
+
+        // 2. What casts once more, flattened onto each plane, where the tag says that this plane is seen. So no depth test
+        //    is needed and nothing fights; and the first shadow sets the tag to 0, so that there is no second.
+        glDisable(GL_DEPTH_TEST);
+        glEnable(GL_BLEND);
+        glBlendFunc(GL_ZERO, GL_SRC_COLOR);  // what is there times what is drawn
+        glStencilOp(GL_KEEP, GL_KEEP, once ? GL_ZERO : GL_KEEP);
+        const bool clips = cut == Cut::clip && !isEs();
+        if (clips) glEnable(GL_CLIP_DISTANCE0);
+        if (clips) glEnable(GL_CLIP_DISTANCE1);
+        shadows.use();
+        shadows.set("clipFromView", now.clipFromView);
+        shadows.set("darkness", darkness);
+        if (!isEs()) shadows.set("clips", clips);
+        shadows.set("discardOutside", cut != Cut::none && !clips);
+        std::vector<std::string> sentences;
+        for (const Ground& ground : planes) {
+            const Plane& plane = ground.plane;
+            glStencilFunc(GL_EQUAL, ground.tag, 0xFF);
+            for (const auto& [object, mesh] : drawn) {
+                if (!object.casts) continue;
+                const CasterVerdict verdict = judged(object, ground);
+                sentences.push_back(verdict.sentence);
+                if (!verdict.casts && (cut != Cut::none || !isLit(plane))) continue;
+                setHalfSpaces(plane, object.worldFromObject);
+                shadows.set("viewFromModel", flattened(now.viewFromWorld, plane, object.worldFromObject));
+                mesh.draw();
             }
         }
-        meshes = uploadMeshes(room);
-        made = place;
+        sayEachOnce(frame, sentences);
     }
 
-    void check() const override {
-        if (formula == Formula::axisAligned && tilt != 0)
-            throw Error("--tilt", "must be 0 for --formula axis-aligned, which knows no other planes", tilt.text());
-        if (space != Space::world || formula != Formula::general) return;
-        for (const Plane& plane : grounds()) {
-            if (lightSide(plane.localOf(light()), plane.local()) != 0 && lightSide(light(), plane.inWorld()) == 0)
-                throw Error("--plane-distance",
-                            "must be less for --space world: so far out the light cannot be told from the plane",
-                            planeDistance.text());
-        }
+    void drawSurface(const Mesh& mesh, const mat4& worldFromModel) const {
+        surfaces.set("viewFromModel", now.viewFromWorld * worldFromModel);
+        mesh.draw();
     }
 
-    // ---- The scene: everything goes with its middle, wherever in the world the floor is
-
-    vec3 middle() const { return {0, 0, floorBelow - planeDistance}; }
-
-    vec4 light() const {
-        if (atInfinity) return {onSphere(1, lightTheta, lightPhi), 0};
-        return {middle() + onSphere(lightDistance, lightTheta, lightPhi), 1};
+    static void setSeen(bool seen) {
+        glColorMask(seen, seen, seen, seen);
+        glDepthMask(seen);
     }
 
-    mat4 worldFromObject(const SceneObject& object) const {
-        if (object.casts) return translate(middle() + vec3(0, 0, lift)) * object.worldFromObject;
-        const mat4 worldFromLevel = translate(middle()) * object.worldFromObject;
-        if (object.name == "wall") return worldFromLevel * rotateX(-tilt);
-        if (place != Place::plane) return worldFromLevel;
-        return worldFromLevel * rotateX(-tilt) * translate(0, 0, -500) * scale(100, 1, 100);  // without an end in sight
+    // Whether the eye is before the plane, where shadows are seen. On the original's plane they are seen from both sides.
+    bool showsFront(const Plane& plane) const {
+        return place == Place::plane || glm::dot(plane.normal, middle() + eye() - plane.origin) > 0;
     }
 
-    // The point on it is the one nearest to the middle of the scene: what is relative to it stays small.
-    Plane planeOf(const mat4& worldFromGround) const {
-        const vec3 normal(worldFromGround[1]), point(worldFromGround[3]);
-        return {normal, middle() - glm::dot(normal, middle() - point) * normal};
+    void drawEdgesAndLamp() {
+        // The edges lie a little outside the faces, which would cover parts of them
+        if (place != Place::stillLife) drawSurface(*edges, now[cubeInRoomScene::cube].worldFromObject * scale(2.004));
+        const mat4 worldFromLamp = translate(vec3(light()));
+        if (!atInfinity && isInView(lampShape, now.clipFromWorld() * worldFromLamp)) drawSurface(*lamp, worldFromLamp);
     }
 
-    // The floor's and the wall's, where there is one.
-    std::vector<Plane> grounds() const {
-        static const Scene cubeScene = cubeInRoom();
-        std::vector<Plane> grounds{planeOf(worldFromObject(cubeScene.objects[1]))};
-        if (place != Place::plane) grounds.push_back(planeOf(worldFromObject(cubeScene.objects[2])));
-        return grounds;
+    CasterVerdict judged(const SceneObject& caster, const Ground& ground) const {
+        const mat4 localFromModel = translate(-ground.plane.origin) * caster.worldFromObject;
+        std::vector<vec3> corners;
+        corners.reserve(caster.mesh.positions.size());
+        for (const fvec3& corner : caster.mesh.positions) corners.emplace_back(localFromModel * vec4(corner, 1));
+        return judgeCaster(caster.name, corners, ground.plane.localOf(light()), ground.plane.local(), ground.kind);
     }
 
-    // ---- The shadow's matrix
-
-    template <class T>
-    glm::mat<4, 4, T> textbook(const glm::vec<4, T>& light, const glm::vec<4, T>& plane) const {
-        if (formula == Formula::axisAligned) return textbookShadowAcrossAxis(light, plane);
-        return textbookShadow(light, plane, formula == Formula::transposed);
+    // Of what casts, only the part between plane and light throws a true shadow.
+    void setHalfSpaces(const Plane& plane, const mat4& worldFromModel) const {
+        const auto [beforePlane, beforeLight] = shadowCasterBounds(plane.localOf(light()), plane.local());
+        const mat4 localFromModel = translate(-plane.origin) * worldFromModel;
+        shadows.set("beforePlane", beforePlane * localFromModel);  // a half space moves by the transpose
+        shadows.set("beforeLight", beforeLight * localFromModel);
     }
+
+    bool isLit(const Plane& plane) const { return lightSide(plane.localOf(light()), plane.local()) > 0; }
 
     // What model space is flattened by, seen from `target`: one matrix, multiplied from both ends before it is uploaded.
     mat4 flattened(const mat4& targetFromWorld, const Plane& plane, const mat4& worldFromModel) const {
@@ -210,174 +247,116 @@ struct CubeShadows final : Demo {
         return (targetFromWorld * translate(plane.origin)) * flat * (translate(-plane.origin) * worldFromModel);
     }
 
-    void draw(const Frame& frame) override {
-        makeScene();
-
-        // Look at the middle; its distance from the world's origin drops out of the product in double
-        const vec3 eye = onSphere(distance, theta, phi);
-        const mat4 viewFromWorld = lookAt(eye, vec3(0), vec3(0, 0, 1)) * translate(-middle());
-        const mat4 clipFromView = perspective(fov, frame.aspect(), 1, 100);
-        frame.show("viewFromWorld", viewFromWorld);
-        frame.show("clipFromView", clipFromView);
-
-        // Draw what is seen. The stencil buffer keeps for each pixel whether it shows a plane's front, and which: its tag
-        glEnable(GL_DEPTH_TEST);
-        glEnable(GL_STENCIL_TEST);
-        glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
-        surfaces.use();
-        surfaces.set("clipFromView", clipFromView);
-        surfaces.set("viewLight", viewFromWorld * light());
-        std::vector<std::size_t> planes;
-        for (std::size_t i = 0; i < room.objects.size(); ++i) {
-            const mat4 worldFromModel = worldFromObject(room.objects[i]);
-            GLint tag = 0;
-            if (!room.objects[i].casts) {
-                const Plane plane = planeOf(worldFromModel);
-                const bool fromTheFront = glm::dot(plane.normal, middle() + eye - plane.origin) > 0;
-                if (fromTheFront || place == Place::plane) tag = static_cast<GLint>(i);
-                planes.push_back(i);
-            }
-            glStencilFunc(GL_ALWAYS, tag, 0xFF);
-            if (tag != 0 && place == Place::plane) setSeen(false);
-            drawSurface(meshes[i], viewFromWorld * worldFromModel);
-        }
-        if (place == Place::plane) setSeen(true);
-        glStencilFunc(GL_ALWAYS, 0, 0xFF);
-        // Draw the edges a little outside the faces: on the faces themselves, the faces would cover parts of them
-        if (place != Place::stillLife)
-            drawSurface(edges, viewFromWorld * worldFromObject(room.objects[0]) * scale(2.004));
-        const mat4 viewFromLamp = viewFromWorld * translate(vec3(light()));
-        if (!atInfinity && isInView(lampShape, clipFromView * viewFromLamp)) {
-            if (lamp.count() == 0) lamp = Mesh(lampShape, "light");
-            drawSurface(lamp, viewFromLamp);
-        }
-
-        // Draw what casts once more, flattened onto each plane, where the tag says that this plane is seen. So the depth
-        // test is not needed and nothing fights; and with the tag set to 0 by the first shadow, there is no second.
-        glDisable(GL_DEPTH_TEST);
-        glEnable(GL_BLEND);
-        glBlendFunc(GL_ZERO, GL_SRC_COLOR);  // what is there times what is drawn
-        glStencilOp(GL_KEEP, GL_KEEP, once ? GL_ZERO : GL_KEEP);
-        const bool clips = cut == Cut::clip && !isEs();
-        if (clips) glEnable(GL_CLIP_DISTANCE0);
-        if (clips) glEnable(GL_CLIP_DISTANCE1);
-        shadows.use();
-        shadows.set("clipFromView", clipFromView);
-        shadows.set("darkness", darkness);
-        if (!isEs()) shadows.set("clips", clips);
-        shadows.set("discardOutside", cut != Cut::none && !clips);
-        std::vector<std::string> sentences;
-        for (const std::size_t i : planes) {
-            const SceneObject& ground = room.objects[i];
-            const Plane plane = planeOf(worldFromObject(ground));
-            const PlaneKind kind = ground.name == "wall" ? PlaneKind::wall : PlaneKind::floor;
-            glStencilFunc(GL_EQUAL, static_cast<GLint>(i), 0xFF);
-            for (std::size_t k = 0; k < planes[0]; ++k) {
-                const std::string sentence = castShadow(plane, kind, room.objects[k], meshes[k], viewFromWorld);
-                if (std::find(sentences.begin(), sentences.end(), sentence) == sentences.end())
-                    sentences.push_back(sentence);
-            }
-        }
-        for (const std::string& sentence : sentences) {
-            if (!sentence.empty()) frame.say(sentence);
-        }
-        const Plane floor = planeOf(worldFromObject(room.objects[planes[0]]));
-        if (lightSide(floor.localOf(light()), floor.local()) > 0)
-            frame.show("shadowFromWorld", flattened(mat4(1), floor, mat4(1)));
-        if (frame.readouts()) measure(frame, floor);
+    template <class T>
+    glm::mat<4, 4, T> textbook(const glm::vec<4, T>& light, const glm::vec<4, T>& plane) const {
+        if (formula == Formula::axisAligned) return textbookShadowAcrossAxis(light, plane);
+        return textbookShadow(light, plane, formula == Formula::transposed);
     }
 
-    // The original's plane is not drawn: it is only tagged.
-    static void setSeen(bool seen) {
-        glColorMask(seen, seen, seen, seen);
-        glDepthMask(seen);
-    }
-
-    void drawSurface(const Mesh& mesh, const mat4& viewFromModel) const {
-        surfaces.set("viewFromModel", viewFromModel);
-        mesh.draw();
-    }
-
-    // Returns what is to be said about it.
-    std::string castShadow(const Plane& plane, PlaneKind kind, const SceneObject& caster, const Mesh& mesh,
-                           const mat4& viewFromWorld) const {
-        const mat4 worldFromModel = worldFromObject(caster), localFromModel = translate(-plane.origin) * worldFromModel;
-        const vec4 localLight = plane.localOf(light());
-        std::vector<vec3> corners;
-        corners.reserve(caster.mesh.positions.size());
-        for (const fvec3& corner : caster.mesh.positions) corners.emplace_back(localFromModel * vec4(corner, 1));
-        const CasterVerdict verdict = judgeCaster(caster.name, corners, localLight, plane.local(), kind);
-        const bool possible = cut == Cut::none && lightSide(localLight, plane.local()) > 0;
-        if (!verdict.casts && !possible) return verdict.sentence;
-
-        const auto [beforePlane, beforeLight] = shadowCasterBounds(localLight, plane.local());
-        shadows.set("beforePlane", beforePlane * localFromModel);  // a half space moves by the transpose
-        shadows.set("beforeLight", beforeLight * localFromModel);
-        shadows.set("viewFromModel", flattened(viewFromWorld, plane, worldFromModel));
-        mesh.draw();
-        return verdict.sentence;
-    }
-
-    // ---- The study: where the shadows of the cube's corners lie on the floor, relative to a point on it
-
-    static std::array<vec3, 8> corners() {
-        std::array<vec3, 8> corners;
-        for (int i = 0; i < 8; ++i) corners[static_cast<std::size_t>(i)] = vec3(i & 1, i >> 1 & 1, i >> 2) * 2.0 - 1.0;
-        return corners;
-    }
-    Plane studied() const { return grounds().front(); }
-    vec3 cubeMiddle() const { return middle() + vec3(0, 0, lift); }
-
-    // As the GPU computes it: the matrix rounded to float, multiplied and divided in float.
+    // For the study: where the shadows of a cube's corners lie on the floor, relative to the plane's point. As the GPU
+    // computes it: the matrix is rounded to float, and multiplied and divided in float.
     std::vector<double> values() const override {
-        const Plane plane = studied();
-        const fmat4 localFromModel(flattened(translate(-plane.origin), plane, translate(cubeMiddle())));
+        const Plane plane = planeOf(worldFromFloor());
+        const mat4 worldFromCube = translate(middle() + vec3(0, 0, lift));
+        const fmat4 localFromModel(flattened(translate(-plane.origin), plane, worldFromCube));
         std::vector<double> places;
-        for (const vec3& corner : corners()) {
+        for (int i = 0; i < 8; ++i) {
+            const fvec3 corner = fvec3(i & 1, i >> 1 & 1, i >> 2) * 2.0F - 1.0F;
             const fvec4 shadow = localFromModel * fvec4(corner, 1);
             for (int axis = 0; axis < 3; ++axis) places.push_back(shadow[axis] / shadow.w);
         }
         return places;
     }
 
-    // By another way: where the ray from the light through the corner meets the plane. No matrix, and nothing large.
-    Reference reference(const Frame&, const std::function<void(double)>&) const override {
-        const Plane plane = studied();
-        const vec4 source = plane.localOf(light());
-        Reference result;
-        for (const vec3& corner : corners()) {
-            const vec3 from = (cubeMiddle() - plane.origin) + corner;
-            const auto t = intersectPlane(Ray{from, source.w * from - vec3(source)}, plane.local());
-            if (!t) throw Error("reference", "must have every corner between plane and light");
-            const vec3 met = from + *t * (source.w * from - vec3(source));
-            result.values.insert(result.values.end(), {met.x, met.y, met.z});
+    // ---- What is shown: everything goes with its middle, wherever in the world the floor is
+
+    void check() const override {
+        if (formula == Formula::axisAligned && tilt != 0)
+            throw Error("--tilt", "must be 0 for --formula axis-aligned, which knows no other planes", tilt.text());
+        if (space != Space::world || formula != Formula::general) return;
+        for (const Ground& ground : grounds()) {
+            if (lightSide(ground.plane.localOf(light()), ground.plane.local()) != 0 &&
+                lightSide(light(), ground.plane.inWorld()) == 0)
+                throw Error("--plane-distance",
+                            "must be less for --space world: so far out the light cannot be told from the plane",
+                            planeDistance.text());
         }
-        return result;
     }
 
-    void measure(const Frame& frame, const Plane& floor) {
-        const vec4 localLight = floor.localOf(light());
-        lightHeight = glm::dot(floor.local(), localLight);
-        if (lightSide(localLight, floor.local()) <= 0) return;
-        for (const vec4& bound : shadowCasterBounds(localLight, floor.local())) {
-            for (const vec3& corner : corners())
-                if (glm::dot(bound, vec4(cubeMiddle() + corner - floor.origin, 1)) <= 0) return;  // not all of it casts
+    Scene scene(const Frame& frame) const override {
+        const bool life = place == Place::stillLife;
+        Scene scene = life ? stillLifeInRoom() : cubeInRoom();
+        for (SceneObject& object : scene.objects) {
+            if (object.casts) object.worldFromObject = translate(middle() + vec3(0, 0, lift)) * object.worldFromObject;
+            object.receives = !object.casts;
+            std::vector<fvec4>& colors = object.mesh.colors;
+            if (colors.empty()) colors.assign(object.mesh.positions.size(), fvec4(object.color, 1));
         }
-        const std::vector<double> drawn = values(), right = reference(frame, {}).values;
-        double most = 0;
-        for (std::size_t i = 0; i < drawn.size(); ++i) most = std::fmax(most, std::abs(drawn[i] - right[i]));
-        if (std::isfinite(most)) placeError = most;
+        if (!life) scene[cubeInRoomScene::cube].mesh.normals.clear();  // it is shown in its own colours, unlit
+        scene[floorId()].worldFromObject = worldFromFloor();
+        scene[wallId()].worldFromObject = worldFromWall();
+        if (place == Place::plane) scene.objects.resize(wallId().index);  // without the wall, the last of them
+        scene.lights = {{.position = light()}};
+        // The eye looks at the middle, whose distance from the world's origin drops out of the product in double
+        scene.viewFromWorld = lookAt(eye(), vec3(0), vec3(0, 0, 1)) * translate(-middle());
+        scene.clipFromView = perspective(fov, frame.aspect(), 1, 100);
+        return scene;
+    }
+
+    vec3 middle() const { return {0, 0, floorBelow - planeDistance}; }
+    vec3 eye() const { return onSphere(distance, theta, phi); }  // from the middle
+
+    vec4 light() const {
+        if (atInfinity) return {onSphere(1, lightTheta, lightPhi), 0};
+        return {middle() + onSphere(lightDistance, lightTheta, lightPhi), 1};
+    }
+
+    ObjectId floorId() const {
+        return place == Place::stillLife ? stillLifeInRoomScene::floor : cubeInRoomScene::floor;
+    }
+    ObjectId wallId() const { return place == Place::stillLife ? stillLifeInRoomScene::wall : cubeInRoomScene::wall; }
+
+    // Floor and wall are the same round the cube and round the still life.
+    static const Scene& room() {
+        static const Scene room = cubeInRoom();
+        return room;
+    }
+    mat4 worldFromFloor() const {
+        const mat4 level = translate(middle()) * room()[cubeInRoomScene::floor].worldFromObject;
+        if (place != Place::plane) return level;
+        return level * rotateX(-tilt) * translate(0, 0, -500) * scale(100, 1, 100);  // without an end in sight
+    }
+    mat4 worldFromWall() const {
+        return translate(middle()) * room()[cubeInRoomScene::wall].worldFromObject * rotateX(-tilt);
+    }
+
+    // Its point is the one nearest to the middle of the scene: what is relative to it stays small.
+    Plane planeOf(const mat4& worldFromGround) const {
+        const vec3 normal(worldFromGround[1]), point(worldFromGround[3]);
+        return {normal, middle() - glm::dot(normal, middle() - point) * normal};
+    }
+
+    // The floor, and the wall where there is one.
+    std::vector<Ground> grounds() const {
+        std::vector<Ground> grounds{{floorId(), PlaneKind::floor, planeOf(worldFromFloor()), 1}};
+        if (place != Place::plane) grounds.push_back({wallId(), PlaneKind::wall, planeOf(worldFromWall()), 2});
+        return grounds;
+    }
+
+    void tell(const Frame& frame, const std::vector<Ground>& planes) {
+        const Plane& floor = planes.front().plane;
+        frame.show("viewFromWorld", now.viewFromWorld);
+        frame.show("clipFromView", now.clipFromView);
+        if (isLit(floor)) frame.show("shadowFromWorld", flattened(mat4(1), floor, mat4(1)));
+        lightHeight = glm::dot(floor.local(), floor.localOf(light()));
+    }
+
+    static void sayEachOnce(const Frame& frame, std::vector<std::string> sentences) {
+        for (auto next = sentences.begin(); next != sentences.end(); ++next) {
+            if (!next->empty() && std::find(sentences.begin(), next, *next) == next) frame.say(*next);
+        }
     }
 };
-
-const char* const distances[] = {"1", "10", "100", "1e3", "1e4", "1e5", "1e6", "1e7", "1e8"};
-
-StudyLine lineOf(const std::string& method, const std::string& space) {
-    return {.method = method,
-            .settings = {{"space", space}},
-            .knob = "plane-distance",
-            .values = {std::begin(distances), std::end(distances)}};
-}
 
 const bool added = addDemo<CubeShadows>({
     .name = "cube-shadows",
@@ -401,18 +380,6 @@ const bool added = addDemo<CubeShadows>({
              {"distance", "13"}},
     .waste = {{"no-sample", "draw of 'cube'",
                "in the first picture the eye is at the light: the cube hides its shadow"}},
-    .study =
-        Study{.quantity = "place of the shadows of a cube's eight corners, relative to a point on the plane",
-              .reference = "the ray from the light through the corner meets the plane, in double, without a matrix",
-              .scenes = {{"level plane", {{"light-phi", "40"}}},
-                         {"rising plane", {{"light-phi", "40"}, {"tilt", "-20"}}}},
-              .lines = {lineOf("world space, float", "world-float"), lineOf("world space, double", "world"),
-                        lineOf("plane-local, double", "plane-local")},
-              .wrongBeyond = 2e-5,
-              .says = "In world space the error grows with the distance of the plane, in float from the start and in "
-                      "double from 1e5 on; relative to a point on the plane it is what rounding the matrix to float "
-                      "costs, wherever the plane is. That costs 0.15 microseconds a matrix more than float does.",
-              .ofValues = true},
 });
 
 }  // namespace

@@ -256,7 +256,7 @@ struct Pipeline final : Demo {
         text.next();
     }
 
-    // The study: where points of the cube fall, by each way of multiplying.
+    // Where points of the cube fall, by each way of multiplying.
     static constexpr int side = 8, pictureSide = 560;
     static std::vector<vec3> points() {
         std::vector<vec3> all;
@@ -278,27 +278,7 @@ struct Pipeline final : Demo {
         }
         return pixels;
     }
-
-    // With 64 bits of mantissa all the way; the points are the float ones.
-    Reference reference(const Frame&, const std::function<void(double)>&) const override {
-        using Wide = glm::mat<4, 4, long double>;
-        const Wide all = Wide(clipFromCamera(1)) * Wide(cameraFromWorld()) * Wide(worldFromModel());
-        Reference right;
-        for (const vec3& point : points()) {
-            const auto clip = all * glm::vec<4, long double>(fvec3(point), 1);
-            for (int axis = 0; axis < 2; ++axis)
-                right.values.push_back(double((clip[axis] / clip.w + 1) / 2 * pictureSide));
-        }
-        return right;
-    }
 };
-
-StudyLine line(const std::string& method, const std::string& products) {
-    return {.method = method,
-            .settings = {{"products", products}},
-            .knob = "offset",
-            .values = {"0", "1e2", "1e4", "1e6", "1e7"}};
-}
 
 const bool added = addDemo<Pipeline>({
     .name = "pipeline",
@@ -310,18 +290,6 @@ const bool added = addDemo<Pipeline>({
     .height = 560,
     .background = vec4(1),
     .needs = {.depth = true},
-    .study =
-        Study{.quantity = "where 512 points of the cube fall, x and y in pixels of a picture 560 wide",
-              .reference = "the same matrices and points in long double, rounded nowhere else",
-              .scenes = {{"the cube at 3"}},
-              .lines = {line("three products, float", "shader"), line("one product, float matrices", "single"),
-                        line("one product, double matrices", "once")},
-              .says =
-                  "Far from the origin a matrix has large numbers that cancel, and in float what is left of them is "
-                  "wrong by the distance times 1e-7: a tenth of a pixel at 1e4, whole pixels at 1e6. "
-                  "Multiplied in double they cancel before they are rounded, and the picture is everywhere the one "
-                  "at the origin, to 3e-5 pixels.",
-              .ofValues = true},
 });
 
 }  // namespace

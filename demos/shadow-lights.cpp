@@ -8,26 +8,24 @@
 // - [sum-of-lights] Light is added and never taken away: each light adds to the picture without any.
 // - [kept] Maps and volumes are kept while light and casters rest; where one moves, they are made anew.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
-#include <numeric>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "mv/demo/demo.h"
-#include "mv/demo/lit_reference.h"
+#include "mv/demo/made_for.h"
 #include "mv/demo/turntable.h"
 #include "mv/geometry/bounds.h"
+#include "mv/geometry/light_scenes.h"
 #include "mv/geometry/light_view.h"
-#include "mv/geometry/scenes.h"
 #include "mv/geometry/shapes.h"
 #include "mv/gl/caster_volumes.h"
 #include "mv/gl/depth_map.h"
 #include "mv/gl/gl.h"
+#include "mv/gl/on_demand.h"
 #include "mv/gl/scene_meshes.h"
+#include "mv/gl/z_fail.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
 
@@ -37,95 +35,6 @@ namespace {
 
 enum class Which { lamps, circle };
 enum class Method { maps, volumes };
-
-// A light beyond its homogeneous position, which is in Scene::lights.
-struct Lamp {
-    std::optional<vec3> aim = {};  // the way a lamp with a shade looks, unit length
-};
-
-struct LitScene {
-    Scene scene;
-    std::vector<Lamp> lamps;  // one for each of the scene's lights
-};
-
-// The matrix that lays the box -0.5..0.5 between two points, `thickness` across.
-mat4 between(const vec3& from, const vec3& to, double thickness) {
-    const vec3 y = to - from, x = glm::normalize(glm::cross(y, vec3(0.1, 0.2, 1))),
-               z = glm::normalize(glm::cross(x, y));
-    return {vec4(thickness * x, 0), vec4(y, 0), vec4(thickness * z, 0), vec4((from + to) / 2.0, 1)};
-}
-
-// A reading lamp: a foot, two arms of equal length, and a shade with a light in it, at `head`, that looks at `target`.
-void addLamp(LitScene& lit, const vec3& foot, const vec3& head, const vec3& target, double size, const vec3& color,
-             const vec3& lightColor) {
-    const std::vector<vec2> shade{{0, 0}, {0.09, 0}, {0.12, 0.08}, {0.27, 0.34}, {0.25, 0.34}, {0.10, 0.09}, {0, 0.05}};
-    const std::vector<vec2> disc{{0, 0}, {0.3, 0}, {0.3, 0.03}, {0.05, 0.06}, {0, 0.06}};
-    const vec3 aim = glm::normalize(target - head), shoulder = foot + vec3(0, 0.06 * size, 0);
-    const vec3 along = head - shoulder, middle = (shoulder + head) / 2.0;
-    const vec3 sideways = glm::normalize(glm::cross(glm::cross(along, vec3(0, 1, 0)), along));
-    const double arm = 0.85 * size;
-    const vec3 elbow = middle + std::sqrt(std::max(arm * arm - glm::dot(along, along) / 4, 0.0)) * sideways;
-    const vec3 x = glm::normalize(glm::cross(aim, vec3(0.1, 0.2, 1)));
-    const mat4 worldFromShade(vec4(size * x, 0), vec4(size * aim, 0), vec4(size * glm::cross(x, aim), 0),
-                              vec4(head, 1));
-    auto& objects = lit.scene.objects;
-    objects.push_back({"foot", lathe(disc, 48), translate(foot) * rotateY(20) * scale(size), 0.7 * color});
-    objects.push_back({"lower arm", box(vec3(-0.5), vec3(0.5)), between(shoulder, elbow, 0.05 * size), 0.8 * color});
-    objects.push_back({"upper arm", box(vec3(-0.5), vec3(0.5)), between(elbow, head, 0.05 * size), 0.9 * color});
-    objects.push_back({"shade", lathe(shade, 48), worldFromShade, color});
-    lit.scene.lights.push_back({.position = vec4(head + 0.13 * size * aim, 1), .color = lightColor});
-    lit.lamps.push_back({.aim = aim});
-}
-
-// Two lamps and a ball under a third light, which rests. The lamps look about after `index` frames.
-LitScene lampsScene(double aspect, int index) {
-    LitScene lit;
-    Scene& scene = lit.scene;
-    scene = cubeOnPlane(aspect);
-    scene.objects.pop_back();
-    scene.viewFromWorld = lookAt({0.3, 2.6, 4.3}, {0.25, 0.5, 0}, {0, 1, 0});
-    scene.objects[0].color = vec3(0.75, 0.62, 0.48);
-    scene.lights = {{.position = vec4(0.5, 6, 3, 1), .color = vec3(0.35, 0.38, 0.45)}};
-    lit.lamps = {{}};
-    const double t = radians(2.0 * index);
-    const vec3 ball(0.35 + 0.35 * std::sin(t), 0.22, 0.7);
-    addLamp(lit, {-1.1, 0, -0.4}, {-0.55, 1.35 + 0.06 * std::cos(t), 0.1}, ball, 1, {0.80, 0.82, 0.85},
-            {0.55, 0.50, 0.40});
-    addLamp(lit, {1.6, 0, 0.3}, {1.15, 0.75 + 0.05 * std::sin(2 * t), 0.5}, ball, 0.55, {0.85, 0.70, 0.66},
-            {0.52, 0.50, 0.45});
-    scene.objects.push_back(
-        {"ball", sphere(0.22, 64, 32), translate(ball) * rotateZ(-degrees(ball.x / 0.22)), {0.90, 0.75, 0.20}});
-    return lit;
-}
-
-// Lights of all hues on a circle over the still life. The colours of two or more add up to white.
-LitScene circleScene(double aspect, int index, int count) {
-    LitScene lit{stillLife(aspect), {}};
-    lit.scene.lights.clear();
-    for (int i = 0; i < count; ++i) {
-        const double turn = double(i) / count, angle = 2 * pi * turn + radians(1.0 * index) + 2.4;
-        vec3 color(0.9);
-        for (int k = 0; k < 3 && count > 1; ++k) {
-            color[k] = 2.2 / count *
-                       std::clamp(1.5 - 6 * std::abs(turn - k / 3.0 - std::round(turn - k / 3.0)) + 0.5, 0.0, 1.0);
-        }
-        lit.scene.lights.push_back(
-            {.position = vec4(0.3 + 3.4 * std::cos(angle), 3.8, 2.6 + 2.6 * std::sin(angle), 1), .color = color});
-        lit.lamps.push_back({});
-    }
-    return lit;
-}
-
-// Whether a light's reach comes to what is seen: the sphere is in the view, and a thing is in the sphere.
-bool reaches(const Scene& scene, const vec3& light, double reach) {
-    for (const vec4& plane : planesFromClip(scene.clipFromWorld())) {
-        if (glm::dot(vec3(plane), light) + plane.w < -reach) return false;
-    }
-    return std::any_of(scene.objects.begin(), scene.objects.end(), [&](const SceneObject& object) {
-        const Bounds bounds = boundsOf(object.mesh, object.worldFromObject);
-        return glm::distance(glm::clamp(light, bounds.low, bounds.high), light) < reach;
-    });
-}
 
 struct ShadowLights final : Demo {
     Choice<Which> which{this, "scene", Which::lamps, {{"lamps"}, {"circle"}}, "what is shown"};
@@ -141,201 +50,172 @@ struct ShadowLights final : Demo {
     Readout remade{this, "shadows-remade", "lights whose map or volumes were made anew for this frame"};
 
     Program program, plain;
-    Mesh bulb;
-    LitScene lit;
-    mat4 clipFromWorld{1};  // with the far plane at infinity
-    std::vector<Mesh> meshes;
-    std::optional<Which> built;
+    OnDemand<Mesh> bulb{sphere(0.05, 16, 8), "bulb"};
+    Scene now;
+    SceneMeshes meshes;
     struct Shadow {
-        CasterVolumes volumes;
-        DepthMap map;
+        CasterVolumes volumes = {};
+        DepthMap map = {};
         LightView view = {};
-        // What the map was drawn for: the view of the light, and where the casters stood.
-        std::vector<mat4> mapOf = {};
+        MadeFor<int, mat4, std::vector<mat4>> mapFor = {};  // its size, the light's view, and where the casters stand
     };
     std::vector<Shadow> shadows;  // one a light
-    int made = 0;
 
     ShadowLights() { bindKeys(Key::left, Key::right, lights, 1); }
 
     void init() override {
         program = Program("shadow-lights");
         plain = Program("shadow-lights", "plain");
-        bulb = Mesh(sphere(0.05, 16, 8), "bulb");
-        built.reset();
-    }
-
-    LitScene sceneAt(double aspect, int index) const {
-        LitScene now = which == Which::lamps ? lampsScene(aspect, index) : circleScene(aspect, index, lights);
-        now.scene.viewFromWorld = turntable.seenBy(now.scene.viewFromWorld);
-        return now;
     }
 
     void draw(const Frame& frame) override {
-        lit = sceneAt(frame.aspect(), frame.index());
-        const Scene& scene = lit.scene;
-        if (built != which) {
-            meshes = uploadMeshes(scene);
-            shadows.clear();
-            built = which;
-        }
-        while (shadows.size() < scene.lights.size()) shadows.push_back({CasterVolumes(scene), {}});
-        clipFromWorld = withDepths(scene.clipFromView, 0.1, HUGE_VAL) * scene.viewFromWorld;
-        frame.show("viewFromWorld", scene.viewFromWorld);
+        now = seen(frame);
+        frame.show("viewFromWorld", now.viewFromWorld);
+        meshes.follow(now);
+        shadows.resize(now.lights.size());
+        const std::vector<std::size_t> reaching = lightsThatReach();
+        int made = 0;
 
-        // First the maps, which need the framebuffer's place
+        // 1. The maps, each in a framebuffer of its own
         glEnable(GL_DEPTH_TEST);
-        std::vector<std::size_t> reaching;
-        made = 0;
-        for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-            if (!reaches(scene, vec3(scene.lights[i].position), reach)) continue;
-            reaching.push_back(i);
+        for (const std::size_t i : reaching) {
             if (method == Method::maps && drawMap(i)) ++made;
         }
         if (made > 0) frame.bindTarget();
-        drawn = double(reaching.size());
-        frame.count("lights drawn", double(reaching.size()));
 
-        // The picture without a light, which fills the depth buffer
+        // 2. The picture without a light, which fills the depth buffer
         program.use();
-        program.set("measuring", frame.measuring());
-        program.set("share", 1.0 / double(scene.lights.size()));
-        program.set("firstLight", scene.lights[0].position);
+        program.set("share", 1.0 / double(now.lights.size()));
+        program.set("firstLight", now.lights[0].position);
         program.set("reach", reach);
         program.set("byMap", method == Method::maps);
         program.set("map", 0);
         program.set("ambientPass", true);
-        drawScene(mat4(1));
+        drawObjects(mat4(1));
 
-        // Then what each light adds to it
+        // 3. What each light adds to it, where the map or the stencil buffer lets it through
         program.set("ambientPass", false);
         glDepthMask(GL_FALSE);
         glEnable(GL_BLEND);
         glBlendFunc(GL_ONE, GL_ONE);
         if (method == Method::volumes) glEnable(GL_STENCIL_TEST);
-        std::optional<bool> shaded;
         for (const std::size_t i : reaching) {
-            if (method == Method::volumes) countVolumes(i);
+            const SceneLight& light = now.lights[i];
+            if (method == Method::volumes && countVolumes(i)) ++made;
             program.use();
-            program.set("light", scene.lights[i].position);
-            program.set("lightColor", scene.lights[i].color);
-            if (shaded != lit.lamps[i].aim.has_value()) program.set("shaded", lit.lamps[i].aim.has_value());
-            shaded = lit.lamps[i].aim.has_value();
+            program.set("light", light.position);
+            program.set("lightColor", light.color);
+            if (method == Method::maps) program.set("shaded", light.aim.has_value());
             if (method == Method::maps) shadows[i].map.bind(0, DepthLookup::compareNearest);
             glDepthFunc(GL_EQUAL);
-            drawScene(method == Method::maps ? shadows[i].view.mapFromWorld() : mat4(1));
+            drawObjects(method == Method::maps ? shadows[i].view.mapFromWorld() : mat4(1));
             glDepthFunc(GL_LESS);
             if (method == Method::volumes) glStencilFunc(GL_ALWAYS, 0, ~0U);
         }
-        glDepthMask(GL_TRUE);
-        if (method == Method::volumes) glDisable(GL_STENCIL_TEST);
+        drawn = double(reaching.size());
         remade = made;
-        if (!frame.measuring()) drawBulbs();
+        frame.count("lights drawn", double(reaching.size()));
     }
 
-    // A lamp's map covers its shade's opening, that of another light what casts.
-    LightView viewOf(std::size_t i) const {
-        const vec3 light(lit.scene.lights[i].position);
-        if (!lit.lamps[i].aim) return fitLightView(vec4(light, 1), casterPoints(lit.scene));
-        LightView view{.viewFromWorld = lookAtAnyRoll(light, light + *lit.lamps[i].aim)};
-        view.bounds = frustumBounds(116, 1, 0.02, 20);
-        view.clipFromView = frustum(view.bounds);
-        return view;
+    void drawObjects(const mat4& mapFromWorld) {
+        for (const auto& [object, mesh] : meshes.of(now)) {
+            program.set("clipFromObject", now.clipFromWorld() * object.worldFromObject);
+            program.set("worldFromObject", object.worldFromObject);
+            program.set("worldFromNormal", normalMatrix(object.worldFromObject));
+            program.set("mapFromObject", mapFromWorld * object.worldFromObject);
+            program.set("color", object.color);
+            mesh.draw();
+        }
     }
 
+    // By z-fail, as in shadow-volume; the count begins anew with each light. True when volumes were made.
+    bool countVolumes(std::size_t i) {
+        CasterVolumes& volumes = shadows[i].volumes;
+        if (!keep) volumes.forget();
+        const bool made = volumes.follow(now, now.lights[i].position);
+        glClear(GL_STENCIL_BUFFER_BIT);
+        glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+        plain.use();
+        countByZFail(volumes, now, plain);
+        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+        glStencilFunc(GL_EQUAL, 0, ~0U);
+        glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+        return made;
+    }
+
+    // True when it was drawn, and not kept.
     bool drawMap(std::size_t i) {
         Shadow& shadow = shadows[i];
-        shadow.view = viewOf(i);
-        const mat4 mapClipFromWorld = shadow.view.clipFromWorld();
-        std::vector<mat4> wanted{mapClipFromWorld};
-        for (const auto& caster : shadow.volumes.casters()) {
-            wanted.push_back(lit.scene.objects[caster.object].worldFromObject);
-        }
+        shadow.view = viewOf(now.lights[i]);
         const int size = 256 << resolution;
-        if (keep && shadow.map.size() == size && shadow.mapOf == wanted) return false;
+        if (!shadow.mapFor.changed(size, shadow.view.clipFromWorld(), casterPlaces(now)) && keep) return false;
         if (shadow.map.size() != size) shadow.map = DepthMap(size, "map of light " + std::to_string(i));
-        shadow.mapOf = wanted;
         shadow.map.bindForDrawing();
         glClear(GL_DEPTH_BUFFER_BIT);
         glEnable(GL_POLYGON_OFFSET_FILL);
         glPolygonOffset(2, 4);
         plain.use();
-        for (const auto& caster : shadow.volumes.casters()) {
-            plain.set("clipFromObject", mapClipFromWorld * lit.scene.objects[caster.object].worldFromObject);
-            meshes[caster.object].draw();
+        for (const auto& [object, mesh] : meshes.of(now)) {
+            if (!object.casts) continue;
+            plain.set("clipFromObject", shadow.view.clipFromWorld() * object.worldFromObject);
+            mesh.draw();
         }
         glDisable(GL_POLYGON_OFFSET_FILL);
         return true;
     }
 
-    // By z-fail, as in shadow-volume; the count begins anew with each light.
-    void countVolumes(std::size_t i) {
-        CasterVolumes& volumes = shadows[i].volumes;
-        if (!keep) volumes.forget();
-        if (volumes.follow(lit.scene, lit.scene.lights[i].position)) ++made;
-        glClear(GL_STENCIL_BUFFER_BIT);
-        glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-        glStencilOpSeparate(GL_BACK, GL_KEEP, GL_INCR_WRAP, GL_KEEP);
-        glStencilOpSeparate(GL_FRONT, GL_KEEP, GL_DECR_WRAP, GL_KEEP);
-        plain.use();
-        for (const auto& caster : volumes.casters()) {
-            plain.set("clipFromObject", clipFromWorld * lit.scene.objects[caster.object].worldFromObject);
-            caster.mesh.draw();
-        }
-        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-        glStencilFunc(GL_EQUAL, 0, ~0U);
-        glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+    // A lamp's map covers its shade's opening, that of another light what casts.
+    LightView viewOf(const SceneLight& light) const {
+        if (!light.aim) return fitLightView(light.position, casterPoints(now));
+        const vec3 at(light.position);
+        LightView view{.viewFromWorld = lookAtAnyRoll(at, at + *light.aim)};
+        view.bounds = frustumBounds(116, 1, 0.02, 20);
+        view.clipFromView = frustum(view.bounds);
+        return view;
     }
 
-    void drawScene(const mat4& mapFromWorld) {
-        for (std::size_t k = 0; k < meshes.size(); ++k) {
-            const mat4& worldFromObject = lit.scene.objects[k].worldFromObject;
-            program.set("clipFromObject", clipFromWorld * worldFromObject);
-            program.set("worldFromObject", worldFromObject);
-            program.set("worldFromNormal", normalMatrix(worldFromObject));
-            program.set("mapFromObject", mapFromWorld * worldFromObject);
-            program.set("color", lit.scene.objects[k].color);
-            meshes[k].draw();
+    // Those whose reach comes to what is seen: their sphere is in the view, and a thing is in the sphere.
+    std::vector<std::size_t> lightsThatReach() const {
+        std::vector<std::size_t> reaching;
+        for (std::size_t i = 0; i < now.lights.size(); ++i) {
+            const vec3 light(now.lights[i].position);
+            const auto planes = planesFromClip(withDepths(now.clipFromView, 0.5, 20) * now.viewFromWorld);
+            const bool outside = std::any_of(planes.begin(), planes.end(), [&](const vec4& plane) {
+                return glm::dot(vec3(plane), light) + plane.w < -reach;
+            });
+            const bool near = std::any_of(now.objects.begin(), now.objects.end(), [&](const SceneObject& object) {
+                const Bounds bounds = boundsOf(object.mesh, object.worldFromObject);
+                return glm::distance(glm::clamp(light, bounds.low, bounds.high), light) < reach;
+            });
+            if (!outside && near) reaching.push_back(i);
         }
+        return reaching;
+    }
+
+    // Without a far plane, which would cut volumes off.
+    Scene scene(const Frame& frame) const override {
+        const double aspect = frame.aspect();
+        Scene scene =
+            which == Which::lamps ? lampsAndBall(aspect, frame.index()) : circleOfLights(aspect, frame.index(), lights);
+        scene.viewFromWorld = turntable.seenBy(scene.viewFromWorld);
+        scene.clipFromView = withDepths(scene.clipFromView, 0.1, HUGE_VAL);
+        return scene;
     }
 
     // Where the lights are: no solids, so they cast nothing.
-    void drawBulbs() {
+    void annotate(const Frame&) override {
         glDisable(GL_BLEND);
+        glDepthMask(GL_TRUE);
+        if (method == Method::volumes) glDisable(GL_STENCIL_TEST);
         plain.use();
-        for (const SceneLight& light : lit.scene.lights) {
+        for (const SceneLight& light : now.lights) {
             const double most = std::max({light.color.x, light.color.y, light.color.z});
             plain.set("color", vec4(light.color / most, 1));
-            plain.set("clipFromObject", clipFromWorld * translate(vec3(light.position)));
-            bulb.draw();
+            plain.set("clipFromObject", now.clipFromWorld() * translate(vec3(light.position)));
+            bulb->draw();
         }
     }
-
-    Reference reference(const Frame& frame, const std::function<void(double)>& progress) const override {
-        const Scene scene = sceneAt(frame.aspect(), frame.index()).scene;
-        std::vector<int> all(scene.lights.size());
-        std::iota(all.begin(), all.end(), 0);
-        return litReference(scene, frame, {.lights = all}, progress);
-    }
 };
-
-Study lightsStudy() {
-    Study study;
-    study.quantity = "mean over the lights of lit or not, of the pixels that face the first";
-    study.reference = "one ray through each pixel and one to each light, in double precision";
-    study.scenes = {{"circle", {{"scene", "circle"}}}, {"lamps", {{"scene", "lamps"}}}};
-    const std::vector<std::string> counts{"1", "2", "4", "8"}, sizes{"256", "512", "1024", "2048"};
-    study.lines = {{"volumes, by lights", {{"method", "volumes"}, {"keep", "off"}}, "lights", counts, {"circle"}},
-                   {"maps, by lights", {{"method", "maps"}, {"keep", "off"}}, "lights", counts, {"circle"}},
-                   {"maps, by resolution", {{"method", "maps"}, {"keep", "off"}}, "resolution", sizes}};
-    study.axis = ErrorAxis::fraction;
-    study.wrongBeyond = 0.05;  // less than one light of eight
-    study.says =
-        "Beside the frame's own cost each light costs about the same, by maps and by volumes: eight take four to five "
-        "times as long as one. Volumes are right but in the band of one pixel at edges; of maps about half as many "
-        "pixels are wrong when they are twice as large, and with every light there are more edges to be wrong at.";
-    return study;
-}
 
 const char* const inShadow = "what is wholly in one light's shadow is known when it is drawn";
 
@@ -355,7 +235,6 @@ const bool added = addDemo<ShadowLights>({
               {"no-sample", "draw of 'upper arm'", inShadow},
               {"no-sample", "draw of 'bulb'", "whether a shade hides it is known when it is drawn"},
               {"outside-view", "draw of 'bulb'", "a bulb of 224 triangles is drawn sooner than asked for"}},
-    .study = lightsStudy(),
 });
 
 }  // namespace

@@ -14,12 +14,9 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <tuple>
-#include <utility>
-#include <vector>
 
 #include "mv/demo/demo.h"
-#include "mv/demo/lit_reference.h"
+#include "mv/demo/made_for.h"
 #include "mv/demo/turntable.h"
 #include "mv/geometry/light_view.h"
 #include "mv/geometry/scenes.h"
@@ -28,7 +25,6 @@
 #include "mv/gl/gl.h"
 #include "mv/gl/lit_difference.h"
 #include "mv/gl/scene_meshes.h"
-#include "mv/gl/shadow_check.h"
 #include "mv/gl/text.h"
 #include "mv/gl/z_fail.h"
 #include "mv/math/shadow.h"
@@ -78,107 +74,65 @@ struct ShadowMethods final : Demo {
     Toggle keep{this, "keep", true, "keep map and volumes while light and casters rest"};
     Turntable turntable{this, {-3, 10}};
 
-    Readout wrong{this, "wrong", "pixels of a coarse grid whose shadow is not what rays show", "%"};
     Readout different{this, "different", "pixels whose lit fractions differ by more than half", "%"};
     Readout differenceRms{this, "difference-rms", "root mean square of the difference"};
 
-    Scene scene;
-    mat4 viewAsBuilt{1};
-    std::vector<Mesh> meshes;
-    LightView lightView;
-    std::optional<std::pair<Which, double>> built;  // the scene, and its aspect
-
-    // What only some methods need is made when one of them is first chosen.
-    std::map<std::string, Program> programs;
+    Scene now;
+    SceneMeshes meshes;
+    std::map<std::string, Program> programs;  // each made when a method first uses it
     CasterVolumes volumes;
     DepthMap map;
-    std::optional<std::tuple<Which, int, bool, double>> mapped;  // what the map was drawn for
-    ShadowCheck shadowCheck;
+    LightView lightView;
+    MadeFor<Which> lightViewFor;
+    MadeFor<Which, int, bool, double> mapFor;
     LitDifference litDifference;
 
     ShadowMethods() { bindKeys(Key::left, Key::right, split, 0.02); }
 
     void init() override {}
 
-    const Program& use(const std::string& variant) {
-        const Program& program = programs.try_emplace(variant, "shadow-methods", variant).first->second;
-        program.use();
-        return program;
-    }
-
-    std::optional<Method> second() const { return against == 0 ? std::nullopt : std::optional(Method(against - 1)); }
-
-    Scene build(double aspect) const {
-        Scene made = which == Which::cube ? cubeOnPlane(aspect) : stillLife(aspect);
-        // No far plane, which would cut the volumes off
-        made.clipFromView = withDepths(made.clipFromView, 0.1, HUGE_VAL);
-        return made;
-    }
-
     void draw(const Frame& frame) override {
-        if (built != std::pair(Which(which), frame.aspect())) {
-            scene = build(frame.aspect());
-            viewAsBuilt = scene.viewFromWorld;
-            if (!built || built->first != which) {
-                meshes = uploadMeshes(scene);
-                volumes = {};
-                litDifference = {};
-                lightView = fitLightView(scene.lights[0].position, casterPoints(scene));
-            }
-            built = {which, frame.aspect()};
-        }
-        scene.viewFromWorld = turntable.seenBy(viewAsBuilt);
-        frame.show("viewFromWorld", scene.viewFromWorld);
-        frame.show("clipFromView", scene.clipFromView);
-
+        now = seen(frame);
+        frame.show("viewFromWorld", now.viewFromWorld);
+        frame.show("clipFromView", now.clipFromView);
+        meshes.follow(now);
         glEnable(GL_DEPTH_TEST);
         glEnable(GL_CULL_FACE);
+
+        // What is measured is the first method alone
         const std::optional<Method> other = frame.measuring() ? std::nullopt : second();
-        const Method beside = other.value_or(method);
-        if (usesMap(method) || usesMap(beside)) makeMap(frame);
-        if (method == Method::volume || beside == Method::volume) makeVolumes();
-        if (usesMap(method))
-            frame.count("texels a lookup", (method == Method::map ? 1 : 4) * looksAlong(method) * looksAlong(method));
-        if (frame.measuring()) return drawScene(method, true);
-        if (which == Which::stillLife && (method == Method::matrix || beside == Method::matrix)) {
-            frame.say("The matrix flattens onto floor and wall; no body has a shadow of its own or of another.");
-        }
-        if (show == Show::difference) {
-            const auto lit = [this](Method by) { return [this, by] { drawScene(by, true); }; };
-            const auto found = other ? litDifference.show(scene, frame, lit(method), lit(*other))
-                                     : litDifference.show(scene, frame, lit(method));
-            different = found.beyondHalf;
-            differenceRms = found.rms;
-            drawText(frame, 8, 8,
-                     method.text() + " less " + (other ? against.text() : "rays") + ": red too dark, blue too light");
-            return;
-        }
-        const int middle = other ? int(std::lround(split * frame.width())) : frame.width();
-        if (other) glEnable(GL_SCISSOR_TEST);
-        if (other) glScissor(0, 0, middle, frame.height());
-        if (middle > 0) drawScene(method, false);
-        if (other && middle < frame.width()) {
-            glScissor(middle, 0, frame.width() - middle, frame.height());
-            drawScene(*other, false);
-            glScissor(middle, 0, 1, frame.height());
-            glClearColor(1, 1, 1, 1);
-            glClear(GL_COLOR_BUFFER_BIT);
-        }
-        if (other) glDisable(GL_SCISSOR_TEST);
-        if (other && middle > 0) drawText(frame, middle - 8 - textWidth(method.text()), 8, method.text());
-        if (other && middle < frame.width()) drawText(frame, middle + 8, 8, against.text());
-        if (!frame.readouts()) return;
-        if (const auto found = shadowCheck.compare(scene, frame, [&] { drawScene(method, true); }))
-            wrong = found->dark + found->lit;
+        for (const Method each : {Method(method), other.value_or(method)}) prepare(each, frame);
+        if (show == Show::difference && !frame.measuring()) return drawDifference(other, frame);
+        if (!other) return drawScene(method);
+
+        // Left of the split by one method, right of it by the other
+        const int middle = int(std::lround(split * frame.width()));
+        glEnable(GL_SCISSOR_TEST);
+        glScissor(0, 0, middle, frame.height());
+        if (middle > 0) drawScene(method);
+        if (middle == frame.width()) return;
+        glScissor(middle, 0, frame.width() - middle, frame.height());
+        drawScene(*other);
+        glScissor(middle, 0, 1, frame.height());
+        glClearColor(1, 1, 1, 1);
+        glClear(GL_COLOR_BUFFER_BIT);
     }
 
     // ---- What some methods prepare, and keep while the light and what casts rest
 
+    void prepare(Method by, const Frame& frame) {
+        if (usesMap(by)) makeMap(frame);
+        if (by == Method::volume) {
+            if (!keep) volumes.forget();
+            volumes.follow(now, now.lights[0].position);
+        }
+    }
+
     void makeMap(const Frame& frame) {
         const int size = 256 << resolution;
-        const std::tuple wanted(Which(which), size, bool(receiver), double(slopeBias));
-        if (keep && mapped == wanted) return;
+        if (!mapFor.changed(which, size, receiver, slopeBias) && keep) return;
         if (map.size() != size) map = DepthMap(size, "shadow map");
+        if (lightViewFor.changed(which)) lightView = fitLightView(now.lights[0].position, casterPoints(now));
         map.bindForDrawing();
         glClear(GL_DEPTH_BUFFER_BIT);
         // Backs are as good an end of the shadow as fronts, and what is lit is not there to shade itself
@@ -186,29 +140,21 @@ struct ShadowMethods final : Demo {
         glEnable(GL_POLYGON_OFFSET_FILL);
         glPolygonOffset(float(slopeBias), float(2 * slopeBias));
         const Program& program = use("flat");
-        for (std::size_t i = 0; i < meshes.size(); ++i) {
-            if (!receiver && !scene.objects[i].casts) continue;
-            program.set("clipFromObject", lightView.clipFromWorld() * scene.objects[i].worldFromObject);
-            meshes[i].draw();
+        for (const auto& [object, mesh] : meshes.of(now)) {
+            if (!receiver && !object.casts) continue;
+            program.set("clipFromObject", lightView.clipFromWorld() * object.worldFromObject);
+            mesh.draw();
         }
         glDisable(GL_POLYGON_OFFSET_FILL);
         if (!receiver) glCullFace(GL_BACK);
-        mapped = wanted;
         frame.bindTarget();
-    }
-
-    void makeVolumes() {
-        if (volumes.casters().empty()) volumes = CasterVolumes(scene);
-        if (!keep) volumes.forget();
-        volumes.follow(scene, scene.lights[0].position);
     }
 
     // ---- The scene with its shadows by one method: a picture, or the lit fraction of each pixel
 
-    void drawScene(Method by, bool measuring) {
+    void drawScene(Method by) {
         const Program& program = use(usesMap(by) ? "map" : "");
-        program.set("light", scene.lights[0].position);
-        program.set("measuring", measuring);
+        program.set("light", now.lights[0].position);
         if (usesMap(by)) {
             map.bind(1, by == Method::map ? DepthLookup::compareNearest : DepthLookup::compareLinear);
             program.set("map", 1);
@@ -221,41 +167,43 @@ struct ShadowMethods final : Demo {
             glEnable(GL_STENCIL_TEST);
             glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
         }
-        for (std::size_t i = 0; i < meshes.size(); ++i) {
-            if (by == Method::matrix) glStencilFunc(GL_ALWAYS, scene.objects[i].casts ? 0 : int(i) + 1, ~0U);
-            drawObject(program, by, i);
+        int place = 0;
+        for (const auto& [object, mesh] : meshes.of(now)) {
+            ++place;
+            if (by == Method::matrix) glStencilFunc(GL_ALWAYS, object.casts ? 0 : place, ~0U);
+            drawObject(program, by, object, mesh);
         }
-        if (by == Method::matrix) drawFlattened(measuring);
+        if (by == Method::matrix) drawFlattened();
         if (by == Method::volume) drawInVolumes(program);
         if (by == Method::matrix || by == Method::volume) glDisable(GL_STENCIL_TEST);
     }
 
-    void drawObject(const Program& program, Method by, std::size_t i) const {
-        const mat4& worldFromObject = scene.objects[i].worldFromObject;
-        program.set("clipFromObject", scene.clipFromWorld() * worldFromObject);
-        program.set("worldFromObject", worldFromObject);
-        if (usesMap(by)) program.set("mapFromObject", lightView.mapFromWorld() * worldFromObject);
-        program.set("color", scene.objects[i].color);
-        meshes[i].draw();
+    void drawObject(const Program& program, Method by, const SceneObject& object, const Mesh& mesh) const {
+        program.set("clipFromObject", now.clipFromWorld() * object.worldFromObject);
+        program.set("worldFromObject", object.worldFromObject);
+        if (usesMap(by)) program.set("mapFromObject", lightView.mapFromWorld() * object.worldFromObject);
+        program.set("color", object.color);
+        mesh.draw();
     }
 
     // What casts, flattened onto each plane that is seen: no depth test, and nothing to blend, so nothing can show twice.
-    void drawFlattened(bool measuring) {
+    void drawFlattened() {
         glDisable(GL_DEPTH_TEST);
         glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
         const Program& program = use("flat");
-        for (std::size_t i = 0; i < meshes.size(); ++i) {
-            const SceneObject& plane = scene.objects[i];
+        int place = 0;
+        for (const SceneObject& plane : now.objects) {
+            ++place;
             if (plane.casts) continue;
             const vec3 normal(plane.worldFromObject[1]), origin(plane.worldFromObject[3]);
-            const mat4 flat = shadowProjection(scene.lights[0].position, {normal, -glm::dot(normal, origin)}, origin);
-            const mat4 clipFromFlat = scene.clipFromWorld() * translate(origin) * flat;
-            glStencilFunc(GL_EQUAL, int(i) + 1, ~0U);
-            program.set("color", measuring ? vec3(0) : plane.color);
-            for (std::size_t k = 0; k < meshes.size(); ++k) {
-                if (!scene.objects[k].casts) continue;
-                program.set("clipFromObject", clipFromFlat * translate(-origin) * scene.objects[k].worldFromObject);
-                meshes[k].draw();
+            const mat4 flat = shadowProjection(now.lights[0].position, {normal, -glm::dot(normal, origin)}, origin);
+            const mat4 clipFromFlat = now.clipFromWorld() * translate(origin) * flat;
+            glStencilFunc(GL_EQUAL, place, ~0U);
+            program.set("color", plane.color);
+            for (const auto& [object, mesh] : meshes.of(now)) {
+                if (!object.casts) continue;
+                program.set("clipFromObject", clipFromFlat * translate(-origin) * object.worldFromObject);
+                mesh.draw();
             }
         }
         glEnable(GL_DEPTH_TEST);
@@ -263,7 +211,12 @@ struct ShadowMethods final : Demo {
 
     // Count the volumes behind what is seen, by z-fail, and draw again, without the light, where some are left.
     void drawInVolumes(const Program& program) {
-        countByZFail(volumes, scene, use("flat"));
+        glEnable(GL_STENCIL_TEST);
+        glStencilFunc(GL_ALWAYS, 0, ~0U);
+        glDisable(GL_CULL_FACE);
+        glDepthMask(GL_FALSE);
+        glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+        countByZFail(volumes, now, use("flat"));
         glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
         glEnable(GL_CULL_FACE);
         glStencilFunc(GL_NOTEQUAL, 0, ~0U);
@@ -271,26 +224,52 @@ struct ShadowMethods final : Demo {
         glDepthFunc(GL_EQUAL);
         program.use();
         program.set("lit", 0.0);
-        for (std::size_t i = 0; i < meshes.size(); ++i) drawObject(program, Method::volume, i);
+        for (const auto& [object, mesh] : meshes.of(now)) drawObject(program, Method::volume, object, mesh);
         glDepthFunc(GL_LESS);
         glDepthMask(GL_TRUE);
     }
 
-    Reference reference(const Frame& frame, const std::function<void(double)>& progress) const override {
-        Scene posed = build(frame.aspect());
-        posed.viewFromWorld = turntable.seenBy(posed.viewFromWorld);
-        return litReference(posed, frame, {.pixelSide = 8}, progress);
+    // Where the lit fractions by the two methods differ, or by one and rays.
+    void drawDifference(std::optional<Method> other, const Frame& frame) {
+        const auto lit = [this](Method by) { return [this, by] { drawScene(by); }; };
+        const auto found = litDifference.show(now, frame, lit(method), other ? lit(*other) : std::function<void()>());
+        different = found.beyondHalf;
+        differenceRms = found.rms;
+    }
+
+    const Program& use(const std::string& variant) {
+        const Program& program = programs.try_emplace(variant, "shadow-methods", variant).first->second;
+        program.use();
+        return program;
+    }
+
+    std::optional<Method> second() const { return against == 0 ? std::nullopt : std::optional(Method(against - 1)); }
+
+    // Without a far plane, which would cut the volumes off.
+    Scene scene(const Frame& frame) const override {
+        Scene scene = which == Which::cube ? cubeOnPlane(frame.aspect()) : stillLife(frame.aspect());
+        scene.viewFromWorld = turntable.seenBy(scene.viewFromWorld);
+        scene.clipFromView = withDepths(scene.clipFromView, 0.1, HUGE_VAL);
+        return scene;
+    }
+
+    void annotate(const Frame& frame) override {
+        glDisable(GL_SCISSOR_TEST);
+        const Method beside = second().value_or(method);
+        if (usesMap(method))
+            frame.count("texels a lookup", (method == Method::map ? 1 : 4) * looksAlong(method) * looksAlong(method));
+        if (which == Which::stillLife && (method == Method::matrix || beside == Method::matrix))
+            frame.say("The matrix flattens onto floor and wall; no body has a shadow of its own or of another.");
+        if (show == Show::difference) {
+            const std::string less = second() ? against.text() : "rays";
+            drawText(frame, 8, 8, method.text() + " less " + less + ": red too dark, blue too light");
+        } else if (second()) {
+            const int middle = int(std::lround(split * frame.width()));
+            if (middle > 0) drawText(frame, middle - 8 - textWidth(method.text()), 8, method.text());
+            if (middle < frame.width()) drawText(frame, middle + 8, 8, against.text());
+        }
     }
 };
-
-// A line of the study along the map's resolution, the map drawn again in each frame.
-StudyLine mapLine(const std::string& name, const std::string& method, const std::string& slopeBias,
-                  const std::string& receiver = "on", const std::string& keep = "off") {
-    return {name,
-            {{"method", method}, {"slope-bias", slopeBias}, {"receiver", receiver}, {"keep", keep}},
-            "resolution",
-            {"256", "512", "1024", "2048", "4096"}};
-}
 
 const bool added = addDemo<ShadowMethods>({
     .name = "shadow-methods",
@@ -306,27 +285,6 @@ const bool added = addDemo<ShadowMethods>({
               .stencil = true,
               .beyondEs = {{"float targets", "--show difference is refused, and wrong is not measured"}}},
     .pose = {{"scene", "still-life"}, {"method", "map"}, {"against", "volume"}, {"resolution", "256"}},
-    .study =
-        Study{
-            .quantity = "lit fraction of the pixels whose surface faces the light",
-            .reference = "a ray in double precision from each pixel to the light; 64 for the root mean square",
-            .scenes = {{"cube on plane", {{"scene", "cube-on-plane"}}}, {"still life", {{"scene", "still-life"}}}},
-            .lines = {{"no shadow", {{"method", "none"}}},
-                      {"matrix", {{"method", "matrix"}}},
-                      {"volumes", {{"method", "volume"}}},
-                      {"volumes, made anew", {{"method", "volume"}, {"keep", "off"}}},
-                      mapLine("map, 1 tap", "map", "2"),
-                      mapLine("map, hardware 2x2", "map-hardware", "2"),
-                      mapLine("map, PCF 3x3", "pcf3", "4"),
-                      mapLine("map, PCF 5x5", "pcf5", "6"),
-                      mapLine("map, 1 tap, kept", "map", "2", "on", "on"),
-                      mapLine("map, 1 tap, receiver left out, no bias", "map", "0", "off")},
-            .axis = ErrorAxis::fraction,
-            .says = "On one plane the matrix is exact for hardly more time than no shadow takes, and no map, however "
-                    "fine, has fewer wrong pixels or takes less time. Where bodies shade bodies the matrix is wrong in "
-                    "2 % of the pixels and volumes are exact; a kept map nearly halves its error with each doubling of "
-                    "its side at little more time, while one that is drawn anew pays for every texel.",
-        },
 });
 
 }  // namespace

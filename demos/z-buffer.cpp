@@ -243,7 +243,7 @@ struct ZBuffer final : Demo {
         misordered = 100 * std::accumulate(pairs.begin(), pairs.end(), 0.0) / pairCount;
     }
 
-    // The study: of pairs of points, one the part `separation` farther away, those whose depths are equal or the wrong
+    // Of pairs of points, one the part `separation` farther away, those whose depths are equal or the wrong
     // way round.
     static constexpr int pairCount = 100000;
     std::vector<double> values() const override { return misorderedAmong(mapping == Mapping::reversed); }
@@ -255,17 +255,7 @@ struct ZBuffer final : Demo {
             return (nearIsOne() ? -1 : 1) * keptDepth(format, depth);
         });
     }
-    Reference reference(const Frame&, const std::function<void(double)>&) const override {
-        return {.values = std::vector<double>(pairCount, 0)};  // it is known which of a pair is nearer
-    }
 };
-
-StudyLine line(const std::string& method, const std::string& format, const std::string& mapping) {
-    return {.method = method,
-            .settings = {{"format", format}, {"mapping", mapping}},
-            .knob = "far",
-            .values = {"100", "1e4", "1e6"}};
-}
 
 const bool added = addDemo<ZBuffer>({
     .name = "z-buffer",
@@ -278,25 +268,6 @@ const bool added = addDemo<ZBuffer>({
     .needs = {.beyondEs = {{"clip control", "the depth is reversed within -1..1, as with --mapping flipped"}}},
     .waste = {{"repeated-pass", "pass into 'scene'", "what the depth test costs in every frame is the lesson"},
               {"state-again", "glViewport", "the scene is as large as the picture, and a target sets its own"}},
-    .study =
-        Study{.quantity = "pairs of points at distances z and z (1 + separation) whose depths are not in order",
-              .reference = "which of the two is nearer, as they were made",
-              .scenes = {{"separation 1e-4", {{"near", "0.1"}, {"separation", "1e-4"}}},
-                         {"separation 1e-5", {{"near", "0.1"}, {"separation", "1e-5"}}},
-                         {"separation 1e-6", {{"near", "0.1"}, {"separation", "1e-6"}}}},
-              .lines = {line("D16 standard", "d16", "standard"), line("D24 standard", "d24", "standard"),
-                        line("D32F standard", "d32f", "standard"), line("D16 infinite", "d16", "infinite"),
-                        line("D24 infinite", "d24", "infinite"), line("D32F infinite", "d32f", "infinite"),
-                        line("D16 reversed", "d16", "reversed"), line("D24 reversed", "d24", "reversed"),
-                        line("D32F reversed", "d32f", "reversed"), line("D32F flipped", "d32f", "flipped"),
-                        line("D16 logarithmic", "d16", "logarithmic"), line("D24 logarithmic", "d24", "logarithmic"),
-                        line("D32F logarithmic", "d32f", "logarithmic")},
-              .axis = ErrorAxis::fraction,
-              .says =
-                  "Only the float with reversed depth and glClipControl has every pair in order; with standard depth "
-                  "it is no better than 24 bits, which gain a point or two by reversing. The times are those of this "
-                  "model on a CPU and say nothing of a GPU's.",
-              .ofValues = true},
 });
 
 }  // namespace

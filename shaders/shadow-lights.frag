@@ -1,4 +1,5 @@
 #include "light.glsl"
+#include "measure.glsl"
 #include "shadow-map.glsl"
 
 uniform bool ambientPass;  // the first pass: no light yet
@@ -9,29 +10,23 @@ uniform bool byMap;        // else the stencil test has left out what is in shad
 uniform bool shaded;       // a lamp with a shade, which darkens all that its map does not hold
 uniform sampler2DShadow map;
 uniform vec3 color;
-uniform bool measuring;    // the mean lit fraction as a number, instead of a picture
+// What is measured is the mean over the lights of the lit fraction:
 uniform float share;       // of one light in that mean
 uniform vec4 firstLight;   // that decides which pixels count
 in vec3 worldPoint;
 in vec3 worldNormal;
 in vec4 onMap;
-out vec4 fragColor;
-
-// Whether the triangle's front faces a light: its own normal, not the smooth one of the shading.
-bool faces(vec3 normal, vec4 towards) { return (dot(normal, towardsLight(worldPoint, towards)) > 0.0) == gl_FrontFacing; }
 
 void main() {
-    vec3 facet = cross(dFdx(worldPoint), dFdy(worldPoint));  // towards the eye
-    float lit = 1.0;
-    if (byMap && !ambientPass) lit = shaded && !isOnMap(onMap) ? 0.0 : litOneTap(map, onMap, 0.0);
-    if (measuring) {
-        bool counts = faces(facet, firstLight);
-        fragColor = vec4(ambientPass ? (counts ? 0.0 : -1.0) : counts && faces(facet, light) ? share * lit : 0.0);
-    } else if (ambientPass) {
-        fragColor = vec4(ambientShare * color, 1.0);
-    } else {
-        float part = min(distance(worldPoint, light.xyz) / reach, 1.0);
-        float falloff = (1.0 - part * part) * (1.0 - part * part);
-        fragColor = vec4(color * lightColor * falloff * lit * diffuse(worldPoint, normalize(worldNormal), light), 1.0);
+    if (ambientPass) {
+        show(ambientShare * color, 0.0, facesLight(worldPoint, firstLight));
+        return;
     }
+    bool counts = facesLight(worldPoint, firstLight) && facesLight(worldPoint, light);
+    float lit = 1.0;
+    if (byMap) lit = shaded && !isOnMap(onMap) ? 0.0 : litOneTap(map, onMap, 0.0);
+    float part = min(distance(worldPoint, light.xyz) / reach, 1.0);
+    float falloff = (1.0 - part * part) * (1.0 - part * part);
+    show(color * lightColor * falloff * lit * diffuse(worldPoint, normalize(worldNormal), light),
+         counts ? share * lit : 0.0, true);
 }

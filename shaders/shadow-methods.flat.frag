@@ -1,6 +1,6 @@
 #include "light.glsl"
+#include "measure.glsl"
 
 uniform vec3 color;
-out vec4 fragColor;
 
-void main() { fragColor = vec4(ambientShare * color, 1.0); }  // what is left in shadow
+void main() { show(ambientShare * color, 0.0, true); }  // what is left in shadow

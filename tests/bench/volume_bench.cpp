@@ -26,8 +26,8 @@ class Planar {
     Planar()
         : program_("shadow-volume"),
           flatProgram_("shadow-volume", "volume"),
-          scene_(cubeOnPlane(double(width) / height)),
-          meshes_(uploadMeshes(scene_)) {
+          scene_(cubeOnPlane(double(width) / height)) {
+        meshes_.follow(scene_);
         scene_.clipFromView = infinitePerspective(40, double(width) / height, 0.1);
     }
 
@@ -42,29 +42,27 @@ class Planar {
         program_.use();
         program_.set("light", light);
         program_.set("lit", 1.0);
-        program_.set("measuring", false);
-        for (std::size_t i = 0; i < meshes_.size(); ++i) {
-            const SceneObject& object = scene_.objects[i];
+        for (const auto& [object, mesh] : meshes_.of(scene_)) {
             program_.set("clipFromObject", scene_.clipFromWorld() * object.worldFromObject);
             program_.set("worldFromObject", object.worldFromObject);
             program_.set("worldFromNormal", normalMatrix(object.worldFromObject));
             program_.set("color", object.color);
-            meshes_[i].draw();
+            mesh.draw();
         }
         if (!shadow) return;
-        const SceneObject& cube = scene_.objects[1];
+        const auto& [cube, cubeMesh] = meshes_.of(scene_)[cubeOnThePlane.index];
         flatProgram_.use();
         // A millimetre above the floor, in the colour that the floor has without the light
         const mat4 shadowFromWorld = translate(0, 1e-3, 0) * shadowProjection(light, floorPlane);
         flatProgram_.set("clipFromObject", scene_.clipFromWorld() * shadowFromWorld * cube.worldFromObject);
         flatProgram_.set("color", vec4(0.3 * scene_.objects[0].color, 1));
-        meshes_[1].draw();
+        cubeMesh.draw();
     }
 
   private:
     Program program_, flatProgram_;
     Scene scene_;
-    std::vector<Mesh> meshes_;
+    SceneMeshes meshes_;
 };
 
 long darkPixels(const Picture& picture) {

@@ -257,6 +257,10 @@ TEST(ShadowMap, map_is_kept) {
         run.set("keep", "on");
         EXPECT_EQ(passes(), 1);
     }
+    // What a picture that keeps nothing leaves in the map is not taken for what was kept before it.
+    const Picture kept = run.picture();
+    EXPECT_NE(run.set("keep", "off").set("light-y", 4).picture(), kept);
+    EXPECT_EQ(run.set("keep", "on").set("light-y", 4.8).picture(), kept);
 }
 
 TEST(ShadowMap, frustum_holds_the_map) {

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <iostream>
 #include <map>
-#include <set>
 #include <utility>
 
 #include "mv/gl/gl.h"
@@ -90,24 +90,24 @@ DemoInfo unruly() {
 TEST(Stage, demos_leave_no_trace) {
     std::map<std::string, Picture> fresh;
     for (const std::string& name : demoNames()) fresh[name] = freshPicture(name);
-    // A way from demo to demo that takes each step from one to another once: 0 1 0 2 0 3 ... 1 2 1 3 ...
     const std::vector<std::string> names = demoNames();
-    std::set<std::pair<std::string, std::string>> steps;
     std::string before = names.back();
     const auto visit = [&](const std::string& name) {
         EXPECT_EQ(freshPicture(name), fresh[name]) << name << " after " << before;
-        steps.emplace(before, name);
         before = name;
     };
-    for (std::size_t a = 0; a < names.size(); ++a) {
+    // Round once, and back: each demo after both of its neighbours.
+    for (const std::string& name : names) visit(name);
+    for (auto name = names.rbegin(); name != names.rend(); ++name) visit(*name);
+    // And after each of the others: 0 1 0 2 0 3 ... 1 2 1 3 ...
+    for (std::size_t a = 0; std::getenv("MVGL_LONG") && a < names.size(); ++a) {
         for (std::size_t b = a + 1; b < names.size(); ++b) {
             visit(names[a]);
             visit(names[b]);
         }
-        stage().close();
-        EXPECT_EQ(liveObjects(), 0) << names[a];
     }
-    EXPECT_EQ(steps.size(), names.size() * (names.size() - 1));
+    stage().close();
+    EXPECT_EQ(liveObjects(), 0);
 }
 
 // What the stage undoes is what a reader has to, who pastes a draw into a loop of their own: each demo drawn twice without
@@ -127,7 +127,9 @@ TEST(Stage, a_draw_pasted_elsewhere_needs_what_is_undone) {
             glClearColor(color.r, color.g, color.b, color.a);
             glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
             glClearColor(0, 0, 0, 0);
-            stage().demo().draw(Frame(1, info.width, info.height, notes, mode));
+            const Frame frame(1, info.width, info.height, notes, mode);
+            stage().demo().draw(frame);
+            stage().demo().annotate(frame);
             return stage().picture();
         };
         stage().draw(1);

@@ -134,6 +134,19 @@ TEST(Scenes, RoomsMeetInAnEdge) {
     EXPECT_EQ(stillLifeInRoom().objects.size(), 6U);
 }
 
+TEST(Scenes, HandlesNameTheirObjects) {
+    const Scene cube = cubeInRoom(), life = stillLifeInRoom();
+    EXPECT_EQ(cube[cubeInRoomScene::cube].name, "cube");
+    EXPECT_EQ(cube[cubeInRoomScene::floor].name, "floor");
+    EXPECT_EQ(cube[cubeInRoomScene::wall].name, "wall");
+    EXPECT_EQ(life[stillLifeInRoomScene::pawn].name, "pawn");
+    EXPECT_EQ(life[stillLifeInRoomScene::ring].name, "ring");
+    EXPECT_EQ(life[stillLifeInRoomScene::sphere].name, "sphere");
+    EXPECT_EQ(life[stillLifeInRoomScene::box].name, "box");
+    EXPECT_EQ(life[stillLifeInRoomScene::floor].name, "floor");
+    EXPECT_EQ(life[stillLifeInRoomScene::wall].name, "wall");
+}
+
 TEST(Scenes, TheHouseIsClosedStandsUprightAndHasSixDifferentSides) {
     const Scene scene = house();
     EXPECT_EQ(scene.objects.size(), 10U);

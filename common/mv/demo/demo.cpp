@@ -1,6 +1,8 @@
 #include "mv/demo/demo.h"
 
 #include <algorithm>
+#include <charconv>
+#include <map>
 #include <numeric>
 #include <utility>
 
@@ -18,8 +20,17 @@ void Demo::add(Knob* knob) {
     knobs_.push_back(knob);
 }
 
-Reference Demo::reference(const Frame&, const std::function<void(double)>&) const {
-    throw Error("reference", "must be made by a demo that has a study; this one makes none");
+Scene Demo::scene(const Frame&) const {
+    throw Error("scene", "must be given by a demo that draws one; this one gives none");
+}
+
+Scene Demo::seen(const Frame& frame) const {
+    Scene scene = this->scene(frame);
+    if (const auto& camera = frame.camera()) {
+        scene.viewFromWorld = camera->viewFromWorld;
+        scene.clipFromView = camera->clipFromView;
+    }
+    return scene;
 }
 
 std::vector<double> Demo::values() const {
@@ -33,6 +44,15 @@ Knob& Demo::knob(std::string_view name) const {
         names.push_back(knob->name());
     }
     throw Error("--" + std::string(name), "is no knob of this demo" + suggestion(name, names));
+}
+
+double Demo::number(std::string_view name) const {
+    const std::string text = word(name);
+    double value = 0;
+    const auto end = text.data() + text.size();
+    if (const auto read = std::from_chars(text.data(), end, value); read.ec != std::errc{} || read.ptr != end)
+        throw Error("--" + std::string(name), "must be a knob whose value is a number", text);
+    return value;
 }
 
 bool Demo::press(Key key) {
@@ -104,6 +124,27 @@ std::vector<DemoInfo>& demos() {
     return all;
 }
 
+// What study files have added so far, by the name of the demo, which may come later.
+struct Measures {
+    std::optional<Study> study;
+    std::vector<Probe> probes;
+    void give(DemoInfo& info) const {
+        if (study) info.study = study;
+        if (!probes.empty()) info.probes = probes;
+    }
+};
+
+std::map<std::string, Measures>& measures() {
+    static std::map<std::string, Measures> all;
+    return all;
+}
+
+void giveToDemo(const std::string& name) {
+    for (DemoInfo& info : demos()) {
+        if (info.name == name) measures()[name].give(info);
+    }
+}
+
 std::size_t editDistance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> row(b.size() + 1);
     std::iota(row.begin(), row.end(), std::size_t{0});
@@ -120,13 +161,44 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-const std::vector<DemoInfo>& catalogue() { return demos(); }
+const std::vector<DemoInfo>& catalogue() {
+    for (const auto& [name, unused] : measures()) {
+        const bool known =
+            std::any_of(demos().begin(), demos().end(), [&](const DemoInfo& info) { return info.name == name; });
+        if (!known) throw Error("study of " + name, "must measure a demo of this program");
+    }
+    return demos();
+}
+
+bool addStudy(const std::string& name, Study study) {
+    if (measures()[name].study) throw Error("study of " + name, "must be added once");
+    measures()[name].study = std::move(study);
+    giveToDemo(name);
+    return true;
+}
+
+bool addProbes(const std::string& name, std::vector<Probe> probes) {
+    if (!measures()[name].probes.empty()) throw Error("probes of " + name, "must be added once");
+    measures()[name].probes = std::move(probes);
+    giveToDemo(name);
+    return true;
+}
+
+void addProbedReadouts(Demo& demo, const std::string& name) {
+    const auto found = measures().find(name);
+    if (found == measures().end()) return;
+    for (const Probe& probe : found->second.probes) {
+        for (const Probe::Number& number : probe.numbers)
+            demo.probed_.push_back(std::make_unique<Readout>(&demo, number.name, number.help, number.unit));
+    }
+}
 
 bool addDemo(DemoInfo info) {
     auto& all = demos();
     for (const DemoInfo& other : all) {
         if (other.name == info.name) throw Error("demo " + info.name, "must be added once");
     }
+    if (const auto found = measures().find(info.name); found != measures().end()) found->second.give(info);
     const auto place = std::find_if(all.begin(), all.end(), [&](const DemoInfo& d) { return d.number > info.number; });
     all.insert(place, std::move(info));
     return true;

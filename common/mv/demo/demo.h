@@ -16,6 +16,7 @@
 #include "mv/demo/readout.h"
 #include "mv/demo/study.h"
 #include "mv/error.h"
+#include "mv/geometry/scene.h"
 
 namespace mv {
 
@@ -32,14 +33,18 @@ class Demo {
     // target, all of it the viewport, and cleared where the demo declares its background. What draw() changes is undone
     // after it.
     virtual void draw(const Frame& frame) = 0;
+    // Draws over that what only people need: a legend, the light's own ball, glass to look through. OpenGL's state is as
+    // draw() left it. Left out where a quantity is measured instead of a picture.
+    virtual void annotate(const Frame&) {}
     // Throws Error where settings that are each in range make no picture together (near beyond far, eye at the target).
     // Headless that ends the program; the window keeps its last picture and shows the sentence.
     virtual void check() const {}
 
-    // For a demo with a study. What is right for the present settings, in the picture that `frame` describes (its size and
-    // index; not drawn into); made by a method that shares nothing with the one under study. Slow ones report the part
-    // that is done.
-    virtual Reference reference(const Frame& frame, const std::function<void(double part)>& progress) const;
+    // For a demo that draws a Scene: what it is at the present settings, in the picture that `frame` describes. The one
+    // answer for draw(), check(), references and probes.
+    virtual Scene scene(const Frame& frame) const;
+    // The same, through the camera of this picture, which a probe may have put elsewhere: what draw() draws.
+    Scene seen(const Frame& frame) const;
     // For a study of values: computes them for the present settings, without GL. This is what is timed.
     virtual std::vector<double> values() const;
 
@@ -49,6 +54,10 @@ class Demo {
 
     // The knob of that name, or Error naming the nearest one.
     Knob& knob(std::string_view name) const;
+
+    // The present value of a knob, by name: as a number, or as the text of its flag. Error: no such knob, or no number.
+    double number(std::string_view name) const;
+    std::string word(std::string_view name) const { return knob(name).text(); }
 
     // Gestures, in the order of their bindings; true when a knob moved.
     bool press(Key key);
@@ -72,6 +81,8 @@ class Demo {
     std::vector<Knob*> knobs_;
     std::vector<Readout*> readouts_;
     std::vector<Binding> bindings_;
+    std::vector<std::unique_ptr<Readout>> probed_;
+    friend void addProbedReadouts(Demo& demo, const std::string& name);
 };
 
 // Something that a demo uses and OpenGL ES 3.0, which is WebGL 2's, lacks.
@@ -114,8 +125,9 @@ struct DemoInfo {
     // are drawn in this pose, and the sweep test moves one knob at a time from it.
     std::vector<std::pair<std::string, std::string>> pose = {};
     std::vector<DeclaredWaste> waste = {};
-    // What is to be measured, error against run time (--study).
+    // What is to be measured, error against run time (--study), and read out: added by NAME.study.cpp.
     std::optional<Study> study = {};
+    std::vector<Probe> probes = {};
     std::function<std::unique_ptr<Demo>()> make = {};
 };
 
@@ -125,9 +137,15 @@ const std::vector<DemoInfo>& catalogue();
 const DemoInfo& findDemo(std::string_view name);
 // Adds a demo; called at file scope by the last line of its file. Two of one name: Error.
 bool addDemo(DemoInfo info);
+// The numbers of that demo's probes become readouts of it, behind its own. For addDemo().
+void addProbedReadouts(Demo& demo, const std::string& name);
 template <class T>
 bool addDemo(DemoInfo info) {
-    info.make = [] { return std::make_unique<T>(); };
+    info.make = [name = info.name] {
+        auto demo = std::make_unique<T>();
+        addProbedReadouts(*demo, name);
+        return demo;
+    };
     return addDemo(std::move(info));
 }
 

@@ -1,6 +1,7 @@
 // What a demo is told about the picture it draws, and what it may tell back.
 #pragma once
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,11 +17,17 @@ struct FrameNotes {
     std::vector<std::pair<std::string, double>> counts;
 };
 
+// What a picture is seen by.
+struct Camera {
+    mat4 viewFromWorld{1}, clipFromView{1};
+};
+
 // How a frame is drawn, besides its number and size.
 struct FrameMode {
     bool readouts = false;
     bool measuring = false;
     bool ownError = false;
+    std::optional<Camera> camera = {};
     std::function<void()> bindTarget = {};
 };
 
@@ -54,6 +61,8 @@ class Frame {
     // Whether a study asks for its quantity instead of a picture. The target then has one float a pixel (R32F): clear it
     // to -1, where nothing is compared, and write the quantity (the lit fraction, say) in red where it is.
     bool measuring() const { return mode_.measuring; }
+    // The camera that a probe looks through; none: the demo's own. Demo::seen() heeds it.
+    const std::optional<Camera>& camera() const { return mode_.camera; }
     // Whether a reference is to find its own error too, which costs more than it does itself.
     bool ownError() const { return mode_.ownError; }
     // Draws go into the picture again, all of it, after a demo has drawn into a target of its own.

@@ -1,14 +1,22 @@
-// A study: what a demo wants to have measured, error against run time. The declaration only; mv/run/study.h runs it.
+// What measures a demo, and stands beside it in NAME.study.cpp: its study, error against run time, and its probes.
 //
-// A demo that shows an approximation declares the settings to try, the quantity that is compared, and a reference made
-// by a different and far more exact method.
+// A demo that shows an approximation has a study: the settings to try, the quantity that is compared, and a reference made
+// by a different and far more exact method. mv/run/study.h runs it. A study file speaks to the demo through its knobs
+// (Demo::number, Demo::word), its scene (Demo::scene) and its values (Demo::values).
 #pragma once
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "mv/demo/frame.h"
 #include "mv/demo/knob.h"
+#include "mv/image/picture.h"
+#include "mv/math/types.h"
 
 namespace mv {
+
+class Demo;
 
 // Some settings that belong together: one line of the plot.
 struct StudyLine {
@@ -23,25 +31,6 @@ struct StudyLine {
 struct StudyScene {
     std::string name;
     std::vector<KnobSetting> settings = {};
-};
-
-// Which number of the error is drawn: the root mean square, or the part of the values that is wrong.
-enum class ErrorAxis { rms, fraction };
-
-struct Study {
-    std::string quantity;   // what is compared: "lit fraction of the floor's pixels"
-    std::string reference;  // how the reference is made: "one ray a pixel, in double precision"
-    std::vector<StudyScene> scenes;
-    std::vector<StudyLine> lines;
-    ErrorAxis axis = ErrorAxis::rms;
-    // A value that is farther than this from the reference is wrong.
-    double wrongBeyond = 0.5;
-    int width = 640, height = 480;  // of the picture measured
-    int frame = 1;
-    // What the study says, in two sentences, for its page.
-    std::string says = {};
-    // True: the demo's values() are compared and timed, without GL. False: pictures, drawn with frame.measuring().
-    bool ofValues = false;
 };
 
 // What is right, by the demo's other method. Settings that it reads otherwise (the number of lights, say) get a reference
@@ -62,5 +51,69 @@ struct Reference {
     // Rays cast, steps taken.
     double work = 0;
 };
+
+// Which number of the error is drawn: the root mean square, or the part of the values that is wrong.
+enum class ErrorAxis { rms, fraction };
+
+struct Study {
+    std::string quantity;   // what is compared: "lit fraction of the floor's pixels"
+    std::string reference;  // how the reference is made: "one ray a pixel, in double precision"
+    std::vector<StudyScene> scenes;
+    std::vector<StudyLine> lines;
+    ErrorAxis axis = ErrorAxis::rms;
+    // A value that is farther than this from the reference is wrong.
+    double wrongBeyond = 0.5;
+    int width = 640, height = 480;  // of the picture measured
+    int frame = 1;
+    // What the study says, in two sentences, for its page.
+    std::string says = {};
+    // True: the demo's values() are compared and timed, without GL. False: pictures, drawn with frame.measuring().
+    bool ofValues = false;
+    // What is right for the demo's present settings, in the picture that `frame` describes (its size and index; not drawn
+    // into); made by a method that shares nothing with the one under study. Slow ones report the part that is done.
+    std::function<Reference(const Demo& demo, const Frame& frame, const std::function<void(double part)>& progress)>
+        makeReference = {};
+};
+
+// What a probe may ask.
+class Probing {
+  public:
+    Probing(const Demo& demo, const Frame& frame) : demo_(demo), frame_(frame) {}
+    virtual ~Probing() = default;
+    Probing(const Probing&) = delete;
+    Probing& operator=(const Probing&) = delete;
+
+    const Demo& demo() const { return demo_; }
+    // The picture that is probed: its size and index.
+    const Frame& frame() const { return frame_; }
+    // The demo's quantity as a study measures it, in width x height pixels, the upper row first; -1 where there is none.
+    // With a camera, through that instead of the demo's own (Demo::seen). Empty where the context has no
+    // targets of floats (ES 3.0 without EXT_color_buffer_float).
+    virtual std::vector<float> measured(int width, int height, const std::optional<Camera>& camera = {}) = 0;
+    // The picture that was just drawn.
+    virtual Picture picture() = 0;
+    // Its stencil buffer and its depths 0..1, the lower row first; empty in ES, which reads neither back.
+    virtual std::vector<unsigned char> stencil() = 0;
+    virtual std::vector<float> depths() = 0;
+
+  private:
+    const Demo& demo_;
+    const Frame& frame_;
+};
+
+// A number about the picture that costs draws or rays of its own: a readout that the demo itself knows nothing of.
+struct Probe {
+    struct Number {
+        std::string name, help, unit = {};
+    };
+    std::vector<Number> numbers;
+    // One value for each number, or none where these settings do not measure them. Asked after the picture is drawn, and
+    // only where somebody reads the readouts.
+    std::function<std::vector<double>(Probing&)> measure;
+};
+
+// Measures the demo of that name; at file scope in NAME.study.cpp, each once for a demo, or Error.
+bool addStudy(const std::string& name, Study study);
+bool addProbes(const std::string& name, std::vector<Probe> probes);
 
 }  // namespace mv

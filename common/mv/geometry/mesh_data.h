@@ -20,6 +20,7 @@ struct MeshData {
     std::vector<fvec4> colors;
     std::vector<fvec2> texCoords;
     std::vector<std::uint32_t> indices;
+    bool operator==(const MeshData&) const = default;
 };
 
 }  // namespace mv

@@ -13,6 +13,14 @@
 
 namespace mv {
 
+std::vector<mat4> casterPlaces(const Scene& scene) {
+    std::vector<mat4> places;
+    for (const SceneObject& object : scene.objects) {
+        if (object.casts) places.push_back(object.worldFromObject);
+    }
+    return places;
+}
+
 mat4 withDepths(const mat4& clipFromView, double near, double far) {
     if (clipFromView[2][3] != -1) throw Error("withDepths", "must be given a perspective");
     // Only the third row has to do with depth

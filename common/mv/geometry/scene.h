@@ -3,6 +3,8 @@
 // Demos upload each object's mesh and draw it with clipFromWorld() * worldFromObject; the ray caster casts the same
 // triangles through the same matrix. There are never two descriptions of one scene that could disagree.
 #pragma once
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,20 +22,32 @@ struct SceneObject {
 };
 
 // A light that is a point (w = 1), at infinity (w = 0: the direction towards it), or the parallelogram
-// position + s halfU + t halfV with s, t in -1..1.
+// position + s halfU + t halfV with s, t in -1..1. One with an aim has a shade, which lets it shine about that way only
+// (unit length); the shade is an object like others.
 struct SceneLight {
     vec4 position{0, 1, 0, 1};
     vec3 color{1, 1, 1};
     vec3 halfU{0, 0, 0}, halfV{0, 0, 0};
+    std::optional<vec3> aim = {};
+};
+
+// Which object of a scene: what moves one or asks about one says its name, not its number.
+struct ObjectId {
+    std::size_t index;
 };
 
 struct Scene {
     std::vector<SceneObject> objects;
+    SceneObject& operator[](ObjectId id) { return objects.at(id.index); }
+    const SceneObject& operator[](ObjectId id) const { return objects.at(id.index); }
     std::vector<SceneLight> lights;
     mat4 viewFromWorld{1};
     mat4 clipFromView{1};
     mat4 clipFromWorld() const { return clipFromView * viewFromWorld; }
 };
+
+// Where what casts stands: with the light's place, all that the shadow map or the shadow volumes of a scene are made for.
+std::vector<mat4> casterPlaces(const Scene& scene);
 
 // A scene's perspective from other depths on: from `near` to `far`, which may be infinity, for shadow volumes, which a far
 // plane would cut off. Error: not a perspective, or depths that perspective() refuses.

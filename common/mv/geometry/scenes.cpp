@@ -60,15 +60,28 @@ mat4 projectionFor(double aspect, double fovy, double near, double far, double l
 
 }  // namespace
 
-Scene cubeOnPlane(double aspect) {
+Scene floorAlone(double aspect) {
     Scene scene;
-    scene.objects = {
-        ground("floor", 20, 20, mat4(1), {0.80, 0.78, 0.72}),
-        solid("cube", standingBox(1, 1, 1), rotateY(30), {0.85, 0.35, 0.25}),
-    };
+    scene.objects = {ground("floor", 20, 20, mat4(1), {0.80, 0.78, 0.72})};
     scene.lights = {{.position = vec4(-2.2, 3.6, 1.4, 1)}};
     scene.viewFromWorld = lookAt({0.4, 3.7, 4.8}, {0.4, 0.25, 0}, {0, 1, 0});
     scene.clipFromView = projectionFor(aspect, 40, 0.5, 20);
+    return scene;
+}
+
+Scene cubeOnPlane(double aspect) {
+    Scene scene = floorAlone(aspect);
+    scene.objects.push_back(solid("cube", standingBox(1, 1, 1), rotateY(30), {0.85, 0.35, 0.25}));
+    return scene;
+}
+
+Scene nestedShells(double aspect, int shells) {
+    Scene scene = floorAlone(aspect);
+    for (int i = 0; i < shells; ++i) {
+        const double half = 0.2 + 0.35 * (i + 1) / shells;
+        scene.objects.push_back(solid("shell " + std::to_string(i + 1), box(vec3(-half), vec3(half)),
+                                      translate(0, 0.8, 0) * rotateY(30), {0.30, 0.52, 0.78}));
+    }
     return scene;
 }
 
@@ -96,14 +109,16 @@ Scene stillLife(double aspect) {
     const double ringHeight = ringRadius * std::cos(radians(lean)) + tubeRadius;
     const double ringZ = wallZ + ringRadius * std::sin(radians(lean)) + tubeRadius;
 
+    // Made once: a scene is asked for in every frame
+    static const MeshData pawnMesh = lathe(pawn, 64), ringMesh = torus(ringRadius, tubeRadius, 96, 48),
+                          ballMesh = sphere(0.42, 96, 48);
     Scene scene;
     scene.objects = {
         ground("floor", 9, 7, translate(0, 0, wallZ + 3.5), {0.72, 0.66, 0.58}),
         ground("wall", 9, 5, translate(0, 2.5, wallZ) * rotateX(90), {0.82, 0.82, 0.78}),
-        solid("pawn", lathe(pawn, 64), translate(-1.0, 0, 0.15), {0.93, 0.87, 0.74}),
-        solid("ring", torus(ringRadius, tubeRadius, 96, 48), translate(0.10, ringHeight, ringZ) * rotateX(90 - lean),
-              {0.85, 0.55, 0.20}),
-        solid("sphere", sphere(0.42, 96, 48), translate(0.58, 0.42, 0.25), {0.30, 0.52, 0.78}),
+        solid("pawn", pawnMesh, translate(-1.0, 0, 0.15), {0.93, 0.87, 0.74}),
+        solid("ring", ringMesh, translate(0.10, ringHeight, ringZ) * rotateX(90 - lean), {0.85, 0.55, 0.20}),
+        solid("sphere", ballMesh, translate(0.58, 0.42, 0.25), {0.30, 0.52, 0.78}),
         solid("box", standingBox(0.8, 1.05, 0.6), translate(1.45, 0, -0.55) * rotateY(-28), {0.45, 0.62, 0.42}),
     };
     scene.lights = {{.position = vec4(-3.4, 4.2, 2.6, 1)}};
@@ -119,6 +134,7 @@ Scene table(double aspect) {
                                  {0.085, 0.14}, {0.07, 0.19},  {0.045, 0.23}, {0.035, 0.26}, {0.04, 0.29},
                                  {0.055, 0.31}, {0.049, 0.31}, {0.03, 0.28},  {0.028, 0.26}, {0.038, 0.225},
                                  {0.06, 0.18},  {0, 0.17}};
+    static const MeshData vaseMesh = lathe(vase, 64), appleMesh = sphere(0.06, 64, 32);
     Scene scene;
     scene.objects = {
         ground("floor", 20, 20, mat4(1), {0.78, 0.78, 0.80}),
@@ -129,9 +145,8 @@ Scene table(double aspect) {
         scene.objects.push_back(solid("leg " + std::to_string(i + 1), standingBox(legSide, topY - thickness, legSide),
                                       translate(x, 0, z), wood));
     }
-    scene.objects.push_back(solid("vase", lathe(vase, 64), translate(-0.35, topY, -0.05), {0.35, 0.55, 0.70}));
-    scene.objects.push_back(
-        solid("apple", sphere(0.06, 64, 32), translate(0.05, topY + 0.06, 0.15), {0.80, 0.25, 0.20}));
+    scene.objects.push_back(solid("vase", vaseMesh, translate(-0.35, topY, -0.05), {0.35, 0.55, 0.70}));
+    scene.objects.push_back(solid("apple", appleMesh, translate(0.05, topY + 0.06, 0.15), {0.80, 0.25, 0.20}));
     scene.objects.push_back(
         solid("book", standingBox(0.26, 0.045, 0.19), translate(0.40, topY, 0) * rotateY(20), {0.30, 0.45, 0.35}));
     scene.lights = {{.position = vec4(-1.5, 2.3, 1.3, 1), .halfU = {0.2, 0, 0}, .halfV = {0, 0, 0.2}}};

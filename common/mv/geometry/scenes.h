@@ -11,6 +11,14 @@ namespace mv {
 // A cube of side 1 on a floor that fills most of the picture, under a point light: the plainest shadow there is.
 // Objects: floor, cube.
 Scene cubeOnPlane(double aspect);
+inline constexpr ObjectId cubeOnThePlane{1};
+
+// That floor under that light and camera, with nothing on it. Objects: floor.
+Scene floorAlone(double aspect);
+
+// Boxes in boxes over that floor, under that light: as many shadows over one another as there are boxes.
+// Objects: floor, shell 1 (the innermost) to shell `shells`.
+Scene nestedShells(double aspect, int shells);
 
 // The scene of WebGLFundamentals' lessons on shadows: a pink sphere of radius 1 that hangs over a floor, and a green cube
 // on the floor, under a point light just above the sphere. Composed for 1:1, with sky. Objects: floor, sphere, cube.
@@ -23,6 +31,7 @@ Scene stillLife(double aspect);
 // A table on four legs with a vase, an apple and a book, under a square lamp of 40 cm: the shadow of a leg is
 // sharp at its foot and grows softer from there. Objects: floor, top, leg 1 to leg 4, vase, apple, book.
 Scene table(double aspect);
+inline constexpr ObjectId topOfTheTable{1};
 
 // The course's cube, of side 2 about the origin and with a colour on each face, or the still life's things in its place,
 // before a floor at z = -1.0125 and a wall at x = -3 that meet in an edge. Here z is up, and there is neither light nor
@@ -30,6 +39,12 @@ Scene table(double aspect);
 // that worldFromObject * rotateX(-angle) leans them back. Objects: cube, floor, wall; pawn, ring, sphere, box, floor, wall.
 Scene cubeInRoom();
 Scene stillLifeInRoom();
+namespace cubeInRoomScene {
+inline constexpr ObjectId cube{0}, floor{1}, wall{2};
+}
+namespace stillLifeInRoomScene {
+inline constexpr ObjectId pawn{0}, ring{1}, sphere{2}, box{3}, floor{4}, wall{5};
+}
 
 // A small house, 8 m wide and 6 m deep, with a garage on its right (+x), a chimney behind the ridge and its door on the
 // left of the front (+z): no two of its six sides look alike. It stands on y = 0, with its ridge along x; there is

@@ -1,17 +1,31 @@
 #include "mv/gl/caster_volumes.h"
 
+#include <cstddef>
 #include <glm/matrix.hpp>
+#include <utility>
 
 namespace mv {
 
-CasterVolumes::CasterVolumes(const Scene& scene) {
+void CasterVolumes::followCasters(const Scene& scene) {
+    std::size_t known = 0;
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const SceneObject& object = scene.objects[i];
-        if (object.casts) casters_.push_back({i, ClosedMesh(object.mesh, object.name)});
+        if (!object.casts) continue;
+        if (known == casters_.size() || casters_[known].data != object.mesh) {
+            Caster caster{i, object.mesh, ClosedMesh(object.mesh, object.name)};
+            if (known == casters_.size()) {
+                casters_.push_back(std::move(caster));
+            } else {
+                casters_[known] = std::move(caster);
+            }
+        }
+        casters_[known++].object = i;
     }
+    casters_.erase(casters_.begin() + static_cast<std::ptrdiff_t>(known), casters_.end());
 }
 
 bool CasterVolumes::follow(const Scene& scene, const vec4& light, Extrude extrude) {
+    followCasters(scene);
     bool any = false;
     for (Caster& caster : casters_) {
         const SceneObject& object = scene.objects[caster.object];

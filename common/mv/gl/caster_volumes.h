@@ -1,4 +1,4 @@
-// The shadow volumes of a scene's casters on the GPU, made again when the light moves.
+// The shadow volumes of a scene's casters on the GPU, made again when what casts or the light changes.
 #pragma once
 #include <cstddef>
 #include <optional>
@@ -15,17 +15,16 @@ class CasterVolumes {
   public:
     struct Caster {
         std::size_t object;  // index in Scene::objects
+        MeshData data;       // what the edges were found in
         ClosedMesh closed;
         ShadowVolume volume = {};
         Mesh mesh = {};
         std::optional<std::pair<vec4, Extrude>> made = {};  // for this light, in the object's space
     };
 
-    CasterVolumes() = default;
-    // Finds the edges of what casts in the scene. Error: what ClosedMesh refuses.
-    explicit CasterVolumes(const Scene& scene);
-    // Makes the volumes for this light (homogeneous, world space). Those of a caster that stands to the light as it stood
-    // are kept, unless `extrude` has changed. True when one was made. Error: what shadowVolume refuses.
+    // Finds the edges of what casts in the scene, and makes the volumes for this light (homogeneous, world space). The edges
+    // of a caster whose mesh is as it was are kept; and its volume where it also stands to the light as it stood, and
+    // `extrude` is the same. True when one was made. Error: what ClosedMesh or shadowVolume refuses.
     bool follow(const Scene& scene, const vec4& light, Extrude extrude = Extrude::silhouette);
     // The next follow() makes all of them.
     void forget();
@@ -34,6 +33,7 @@ class CasterVolumes {
     int around(const Scene& scene, const vec3& point, std::size_t first, std::size_t last) const;
 
   private:
+    void followCasters(const Scene& scene);
     std::vector<Caster> casters_;
 };
 

@@ -37,6 +37,7 @@ using Sources = std::vector<std::pair<GLenum, ShaderSource>>;
 struct Linked {
     ProgramObject program;
     std::map<std::string, Uniform, std::less<>> uniforms;
+    bool measuring = false;  // as the program was told last
 };
 
 std::string shaderLog(GLuint shader) {
@@ -177,7 +178,10 @@ struct ProgramList {
 
 namespace {
 GLuint programInUse = 0;
-}
+bool isMeasuring = false;
+}  // namespace
+
+bool setMeasuring(bool measuring) { return std::exchange(isMeasuring, measuring); }
 
 Program::Program() = default;
 
@@ -229,6 +233,11 @@ void Program::use() const {
     if (!state_) throw Error("Program", "must be made in init() before it is used");
     glUseProgram(id());
     programInUse = id();
+    Linked& linked = state_->linked;  // a program made anew has been told nothing
+    if (linked.measuring == isMeasuring) return;
+    linked.measuring = isMeasuring;
+    if (const auto found = linked.uniforms.find(std::string_view("measuring")); found != linked.uniforms.end())
+        glUniform1i(found->second.location, isMeasuring ? 1 : 0);
 }
 
 GLint Program::location(const char* name, std::initializer_list<GLenum> types) const {

@@ -24,7 +24,7 @@ class Program {
     Program& operator=(Program&&) noexcept;
     ~Program();
 
-    // Makes it the current program; set() and draws refer to that.
+    // Makes it the current program; set() and draws refer to that. Tells it whether to measure, see setMeasuring().
     void use() const;
 
     // Sets a uniform of the current program. Matrices and vectors are rounded to float here, once.
@@ -47,6 +47,10 @@ class Program {
     GLint location(const char* name, std::initializer_list<GLenum> types) const;
     std::unique_ptr<State> state_;
 };
+
+// From now on each program that declares `uniform bool measuring` (shaders/include/measure.glsl) is told this by use(): to
+// draw a quantity instead of a picture. Returns what held before. For the framework, which asks a demo for its quantity.
+bool setMeasuring(bool measuring);
 
 // What became of the programs whose files were edited.
 struct Reloaded {

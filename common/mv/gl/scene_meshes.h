@@ -1,5 +1,7 @@
 // The meshes of a scene on the GPU.
 #pragma once
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "mv/geometry/scene.h"
@@ -7,12 +9,22 @@
 
 namespace mv {
 
-// One mesh for each object, in the order of Scene::objects, named like it.
-inline std::vector<Mesh> uploadMeshes(const Scene& scene) {
-    std::vector<Mesh> meshes;
-    meshes.reserve(scene.objects.size());
-    for (const SceneObject& object : scene.objects) meshes.emplace_back(object.mesh, object.name);
-    return meshes;
-}
+class SceneMeshes {
+  public:
+    // Uploads each object's mesh that is not what was uploaded for the object of its place, named like the object, and
+    // deletes those of objects that are gone. Where objects stand and what colours they have is no part of it.
+    void follow(const Scene& scene);
+    // Each object with its mesh, in the order of the scene that was followed last:
+    //     for (const auto& [object, mesh] : meshes.of(scene)) { program.set(...); mesh.draw(); }
+    // Refused: a scene of another number of objects.
+    std::vector<std::pair<const SceneObject&, const Mesh&>> of(const Scene& scene) const;
+
+  private:
+    struct Uploaded {
+        MeshData data;
+        Mesh mesh;
+    };
+    std::vector<Uploaded> uploaded_;
+};
 
 }  // namespace mv

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "mv/gl/audit.h"
+#include "mv/gl/program.h"
 #include "mv/gl/state.h"
 #include "mv/gl/text.h"
 
@@ -26,6 +27,38 @@ void clearTarget(const vec4& color, const Needs& needs) {
 }
 
 }  // namespace
+
+// What a probe asks, drawn on a stage.
+class StageProbing final : public Probing {
+  public:
+    StageProbing(Stage& stage, const Target& drawn, const Frame& frame)
+        : Probing(stage.demo(), frame), stage_(stage), drawn_(drawn) {}
+
+    std::vector<float> measured(int width, int height, const std::optional<Camera>& camera) override {
+        if (!floatTargets()) return {};
+        stage_.fitForMeasuring(stage_.probed_, width, height);
+        (void)stage_.drawInto(stage_.probed_, frame().index(), {.measuring = true, .camera = camera});
+        return stage_.probed_.readRed();
+    }
+    Picture picture() override { return drawn_.read(); }
+    std::vector<unsigned char> stencil() override { return read<unsigned char>(GL_STENCIL_INDEX, GL_UNSIGNED_BYTE); }
+    std::vector<float> depths() override { return read<float>(GL_DEPTH_COMPONENT, GL_FLOAT); }
+
+  private:
+    template <class Value>
+    std::vector<Value> read(GLenum format, GLenum type) const {
+        if (isEs()) return {};
+        std::vector<Value> values(static_cast<std::size_t>(drawn_.width()) * static_cast<std::size_t>(drawn_.height()));
+        drawn_.bind();
+        glPixelStorei(GL_PACK_ALIGNMENT, 1);
+        glReadPixels(0, 0, drawn_.width(), drawn_.height(), format, type, values.data());
+        glPixelStorei(GL_PACK_ALIGNMENT, 4);
+        return values;
+    }
+
+    Stage& stage_;
+    const Target& drawn_;
+};
 
 Stage::Stage(const Context& context, bool keepLast) : keepLast_(keepLast) {
     loadFunctions([&](const char* name) { return context.address(name); });
@@ -71,6 +104,7 @@ void Stage::close() {
     targets_[0] = Target();
     targets_[1] = Target();
     measured_ = Target();
+    probed_ = Target();
     forgetText();
     if (liveObjects() != 0) {
         throw Error(info_ ? info_->name : "stage", "must delete its GL objects; left behind",
@@ -82,9 +116,9 @@ void Stage::resize(int width, int height) {
     if (width != front().width() || height != front().height()) makeTargets(width, height);
 }
 
-void Stage::drawInto(const Target& target, int index, FrameMode mode) {
+Stage::Drawn Stage::drawInto(const Target& target, int index, FrameMode mode) {
     demo_->check();
-    FrameNotes notes;
+    Drawn drawn;
     mode.bindTarget = [&target] { target.bind(); };
     restoreInitialState();
     target.bind();
@@ -97,33 +131,66 @@ void Stage::drawInto(const Target& target, int index, FrameMode mode) {
         for (Readout* readout : demo_->readouts()) readout->clear();
     }
     resetCounters();
+    const bool before = setMeasuring(mode.measuring);
     try {
-        demo_->draw(Frame(index, target.width(), target.height(), notes, mode));
+        const Frame frame(index, target.width(), target.height(), drawn.notes, mode);
+        demo_->draw(frame);
+        if (!mode.measuring) demo_->annotate(frame);
     } catch (...) {
+        setMeasuring(before);
         restoreInitialState();
         throw;
     }
-    counters_ = counters();
-    if (auditing()) undone_ = changedState();
+    setMeasuring(before);
+    drawn.counters = counters();
+    if (auditing()) drawn.undone = changedState();
     restoreInitialState();
     const std::vector<std::string> errors = takeErrors();
     if (!errors.empty()) throw Error("OpenGL in " + info_->name, "must report no error", errors.front());
-    notes_ = std::move(notes);
+    return drawn;
+}
+
+void Stage::keep(Drawn drawn) {
+    notes_ = std::move(drawn.notes);
+    counters_ = drawn.counters;
+    undone_ = std::move(drawn.undone);
+}
+
+void Stage::fitForMeasuring(Target& target, int width, int height) const {
+    target.fit(width, height, {.depth = info_->needs.depth, .stencil = info_->needs.stencil, .color = GL_R32F},
+               info_->name + " measured");
+}
+
+// After the picture, so that its counters and notes are those of the picture alone.
+void Stage::askProbes(const Target& drawn, int index) {
+    FrameNotes unread;
+    const Frame frame(index, drawn.width(), drawn.height(), unread);
+    StageProbing probing(*this, drawn, frame);
+    for (const Probe& probe : info_->probes) {
+        const std::vector<double> values = probe.measure(probing);
+        if (!values.empty() && values.size() != probe.numbers.size()) {
+            throw Error("probe of " + info_->name, "must give a value for each of its numbers or none",
+                        std::to_string(values.size()));
+        }
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            for (Readout* readout : demo_->readouts()) {
+                if (readout->name() == probe.numbers[i].name) *readout = values[i];
+            }
+        }
+    }
 }
 
 void Stage::draw(int index, bool readouts) {
-    const int drawn = keepLast_ ? 1 - shown_ : shown_;
-    drawInto(targets_[drawn], index, {.readouts = readouts});
-    shown_ = drawn;
+    const int next = keepLast_ ? 1 - shown_ : shown_;
+    Drawn drawn = drawInto(targets_[next], index, {.readouts = readouts});
+    if (readouts) askProbes(targets_[next], index);
+    keep(std::move(drawn));
+    shown_ = next;
 }
 
 std::vector<float> Stage::measure(int index) {
-    if (measured_.width() != front().width() || measured_.height() != front().height()) {
-        measured_ = Target(front().width(), front().height(),
-                           {.depth = info_->needs.depth, .stencil = info_->needs.stencil, .color = GL_R32F},
-                           info_->name + " measured");
-    }
-    drawInto(measured_, index, {.measuring = true});
+    fitForMeasuring(measured_, front().width(), front().height());
+    keep(drawInto(measured_, index, {.measuring = true}));
     return measured_.readRed();
 }
 

@@ -52,14 +52,24 @@ class Stage {
     const DriverInfo& driver() const { return driver_; }
 
   private:
+    friend class StageProbing;
+    // What a draw leaves beside its picture.
+    struct Drawn {
+        FrameNotes notes;
+        Counters counters;
+        std::vector<std::string> undone;
+    };
     void makeTargets(int width, int height);
-    void drawInto(const Target& target, int index, FrameMode mode);
+    Drawn drawInto(const Target& target, int index, FrameMode mode);
+    void keep(Drawn drawn);
+    void fitForMeasuring(Target& target, int width, int height) const;
+    void askProbes(const Target& drawn, int index);
     bool keepLast_;
     DriverInfo driver_;
     const DemoInfo* info_ = nullptr;
     std::unique_ptr<Demo> demo_;
     Target targets_[2];
-    Target measured_;  // made when something is measured
+    Target measured_, probed_;  // made when something is measured, or probed
     int shown_ = 0;
     FrameNotes notes_;
     Counters counters_;

@@ -180,12 +180,13 @@ struct KnownReference {
 // For the present settings. Error: they make no picture, or the demo cannot make a reference of them.
 KnownReference referenceHere(const Demo& demo, const Study& study, bool ownError,
                              const std::function<void(double part)>& progress) {
+    if (!study.makeReference) throw Error("study", "must say how its reference is made (Study::makeReference)");
     if (!study.ofValues) demo.check();  // as before each picture; values need none
     for (Knob* knob : demo.knobs()) knob->forgetRead();
     FrameNotes notes;
     KnownReference known;
-    known.reference =
-        demo.reference(Frame(study.frame, study.width, study.height, notes, {.ownError = ownError}), progress);
+    known.reference = study.makeReference(
+        demo, Frame(study.frame, study.width, study.height, notes, {.ownError = ownError}), progress);
     for (const Knob* knob : demo.knobs()) {
         if (knob->wasRead()) known.madeOf.push_back({knob->name(), knob->text()});
     }

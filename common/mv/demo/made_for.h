@@ -1,0 +1,27 @@
+// What something was last made for, so that it is made anew only for something else.
+#pragma once
+#include <optional>
+#include <tuple>
+#include <utility>
+
+namespace mv {
+
+// A member of a demo: `MadeFor<int, double> mapFor;` and later `if (mapFor.changed(size, bias)) drawMap();`
+template <class... What>
+class MadeFor {
+  public:
+    // Whether this is not what it was last asked with; it is remembered.
+    bool changed(const What&... what) {
+        std::tuple<What...> now(what...);
+        if (last_ == now) return false;
+        last_ = std::move(now);
+        return true;
+    }
+    // The next question is answered with true.
+    void forget() { last_.reset(); }
+
+  private:
+    std::optional<std::tuple<What...>> last_;
+};
+
+}  // namespace mv

@@ -1,0 +1,189 @@
+// What a demo is made of beside its draw: probes, annotations, things made when they are needed.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "mv/demo/demo.h"
+#include "mv/demo/made_for.h"
+#include "mv/geometry/scenes.h"
+#include "mv/geometry/shapes.h"
+#include "mv/gl/audit.h"
+#include "mv/gl/gl.h"
+#include "mv/gl/on_demand.h"
+#include "mv/gl/scene_meshes.h"
+#include "mv/math/projection.h"
+#include "mv/math/transform.h"
+#include "mv/run/stage.h"
+#include "support/demo_run.h"
+
+using namespace mv;
+using namespace mv::test;
+
+namespace {
+
+const char* const flatVertex =
+    "uniform mat4 clipFromObject;\nin vec4 position;\n"
+    "void main() { gl_Position = clipFromObject * position; }\n";
+const char* const flatFragment =
+    "#include \"measure.glsl\"\nuniform float level;\n"
+    "void main() { show(vec3(level), level, true); }\n";
+
+// A cube on a plane, all of one brightness, which is also what is measured; and a white mark that is not.
+struct Flat final : Demo {
+    Real level{this, "level", 0.25, {0, 1}, "brightness"};
+    Program program;
+    SceneMeshes meshes;
+    void init() override { program = Program::fromText("flat", flatVertex, flatFragment); }
+    Scene scene(const Frame& frame) const override { return cubeOnPlane(frame.aspect()); }
+    void draw(const Frame& frame) override {
+        const Scene now = seen(frame);
+        meshes.follow(now);
+        program.use();
+        program.set("level", level);
+        for (const auto& [object, mesh] : meshes.of(now)) {
+            program.set("clipFromObject", now.clipFromWorld() * object.worldFromObject);
+            mesh.draw();
+        }
+    }
+    void annotate(const Frame&) override {
+        glEnable(GL_SCISSOR_TEST);
+        glScissor(0, 0, 4, 4);
+        glClearColor(1, 1, 1, 1);
+        glClear(GL_COLOR_BUFFER_BIT);
+    }
+};
+
+DemoInfo flatInfo(std::vector<Probe> probes) {
+    DemoInfo made;
+    made.name = "flat";
+    made.background = vec4(0, 0, 0, 1);
+    made.probes = std::move(probes);
+    made.make = [] { return std::make_unique<Flat>(); };
+    return made;
+}
+
+TEST(Probes, get_the_quantity_and_leave_the_picture_alone) {
+    std::vector<float> whole, above, none;
+    Picture picture;
+    const mat4 box = ortho(-1, 1, -1, 1, 1, 20);
+    const Camera fromAbove{lookAt({0, 10, 0}, {0, 0, 0}, {0, 0, -1}), box};
+    const Camera elsewhere{lookAt({100, 10, 0}, {100, 0, 0}, {0, 0, -1}), box};
+    const DemoInfo info = flatInfo({{{}, [&](Probing& probing) {
+                                         EXPECT_EQ(probing.frame().width(), 40);
+                                         EXPECT_EQ(probing.demo().number("level"), 0.25);
+                                         whole = probing.measured(16, 8);
+                                         above = probing.measured(8, 8, fromAbove);
+                                         none = probing.measured(8, 8, elsewhere);
+                                         picture = probing.picture();
+                                         return std::vector<double>{};
+                                     }}});
+    stage().open(info, 40, 30);
+    stage().draw(1);
+    const Picture plain = stage().picture();
+    const long draws = stage().frameCounters().draws;
+    EXPECT_TRUE(whole.empty()) << "nobody reads the readouts";
+    stage().draw(1, true);
+    EXPECT_EQ(stage().picture(), plain);
+    EXPECT_EQ(picture, plain);
+    EXPECT_EQ(stage().frameCounters().draws, draws) << "of the picture alone";
+    ASSERT_EQ(whole.size(), 16U * 8U);
+    // The mark in the corner is an annotation: no part of what is measured.
+    for (const float value : whole) EXPECT_TRUE(value == 0.25F || value == -1) << value;
+    EXPECT_GT(std::count(whole.begin(), whole.end(), 0.25F), 20);
+    EXPECT_EQ(std::count(above.begin(), above.end(), 0.25F), 64) << "the floor fills the view from above";
+    EXPECT_EQ(std::count(none.begin(), none.end(), -1.0F), 64) << "beside the floor there is nothing";
+    EXPECT_EQ(plain.at(0, 29).red, 255) << "the mark is in the picture";
+    stage().close();
+}
+
+TEST(Probes, must_give_a_value_for_each_number) {
+    const DemoInfo info =
+        flatInfo({{{{"a", "one number"}, {"b", "another"}}, [](Probing&) { return std::vector<double>{1}; }}});
+    stage().open(info, 8, 8);
+    EXPECT_NO_THROW(stage().draw(1));
+    try {
+        stage().draw(1, true);
+        ADD_FAILURE() << "one value for two numbers must be refused";
+    } catch (const Error& error) {
+        EXPECT_STREQ(error.what(), "probe of flat: must give a value for each of its numbers or none, 1");
+    }
+    stage().close();
+}
+
+// A demo's probes are its readouts, behind its own; a second study or set of probes is refused.
+TEST(Probes, become_readouts_by_name) {
+    DemoRun run("shadow-volume");
+    run.set("scene", "cube");
+    (void)run.picture();
+    EXPECT_EQ(run.demo().readouts().back()->name(), "wrong");
+    EXPECT_EQ(run.readout("wrong"), 0);
+    EXPECT_GT(run.readout("shadow-pixels"), 100);
+    EXPECT_THROW(addProbes("shadow-volume", {}), Error);
+    EXPECT_THROW(addStudy("shadow-volume", {}), Error);
+}
+
+TEST(Demo, gives_its_knobs_by_name) {
+    const auto demo = findDemo("shadow-volume").make();
+    EXPECT_EQ(demo->number("shells"), 12);
+    EXPECT_EQ(demo->word("method"), "z-fail");
+    EXPECT_THROW((void)demo->number("method"), Error);
+    EXPECT_THROW((void)demo->word("no-such-knob"), Error);
+}
+
+TEST(SceneMeshes, upload_what_has_changed_and_nothing_else) {
+    stage().close();
+    SceneMeshes meshes;
+    Scene scene = cubeOnPlane(1);
+    meshes.follow(scene);
+    const auto uploads = [&] {
+        startAudit();
+        beginAuditedFrame(false);
+        meshes.follow(scene);
+        const long bytes = endAuditedFrame().bytesUploaded;
+        (void)stopAudit();
+        return bytes;
+    };
+    EXPECT_EQ(uploads(), 0);
+    scene[cubeOnThePlane].worldFromObject = translate(1, 0, 0);
+    scene[cubeOnThePlane].color = vec3(1, 0, 0);
+    EXPECT_EQ(uploads(), 0) << "where it stands is no part of the mesh";
+    scene[cubeOnThePlane].mesh = box(vec3(-1), vec3(2));
+    const long one = uploads();
+    EXPECT_GT(one, 0);
+    scene.objects.push_back(scene.objects.back());
+    EXPECT_EQ(uploads(), one);
+    EXPECT_EQ(meshes.of(scene).size(), 3U);
+    EXPECT_EQ(&meshes.of(scene)[1].first, &scene.objects[1]);
+    scene.objects.erase(scene.objects.begin());
+    EXPECT_THROW((void)meshes.of(scene), Error);
+    meshes.follow(scene);
+    EXPECT_EQ(meshes.of(scene).size(), 2U);
+}
+
+TEST(MadeFor, is_changed_by_each_of_its_values) {
+    MadeFor<int, double> made;
+    EXPECT_TRUE(made.changed(1, 2));
+    EXPECT_FALSE(made.changed(1, 2));
+    EXPECT_TRUE(made.changed(1, 3));
+    EXPECT_TRUE(made.changed(2, 3));
+    EXPECT_FALSE(made.changed(2, 3));
+    made.forget();
+    EXPECT_TRUE(made.changed(2, 3));
+}
+
+TEST(OnDemand, makes_one_when_it_is_asked_for) {
+    static int made = 0;
+    struct Counted {
+        explicit Counted(int number) : value(number) { ++made; }
+        int value;
+    };
+    OnDemand<Counted> counted{7};
+    EXPECT_EQ(made, 0);
+    EXPECT_EQ(counted->value, 7);
+    EXPECT_EQ((*counted).value, 7);
+    EXPECT_EQ(made, 1);
+}
+
+}  // namespace
