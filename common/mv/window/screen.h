@@ -1,7 +1,7 @@
 // What the window shows: the menu, or a demo. The loop in app.cpp shows one after the other.
 #pragma once
 #include "mv/demo/demo.h"
-#include "mv/host/window/window.h"
+#include "mv/window/window.h"
 
 namespace mv {
 

@@ -1,4 +1,4 @@
-#include "mv/host/window/playback.h"
+#include "mv/window/playback.h"
 
 #include <cmath>
 #include <limits>

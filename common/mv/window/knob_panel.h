@@ -4,9 +4,9 @@
 #include <string>
 
 #include "mv/demo/demo.h"
-#include "mv/host/window/comparison.h"
-#include "mv/host/window/gui.h"
-#include "mv/host/window/places.h"
+#include "mv/window/comparison.h"
+#include "mv/window/gui.h"
+#include "mv/window/places.h"
 
 namespace mv {
 

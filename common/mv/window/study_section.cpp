@@ -1,13 +1,13 @@
-#include "mv/host/window/study_section.h"
+#include "mv/window/study_section.h"
 
 #include <algorithm>
 #include <charconv>
 #include <iostream>
 
-#include "mv/host/window/study_view.h"
 #include "mv/run/run.h"
 #include "mv/run/stage.h"
 #include "mv/run/study.h"
+#include "mv/window/study_view.h"
 
 namespace mv {
 namespace {

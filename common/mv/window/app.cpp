@@ -4,10 +4,10 @@
 #include <memory>
 #include <thread>
 
-#include "mv/host/window/demo_screen.h"
-#include "mv/host/window/menu_screen.h"
 #include "mv/run/run.h"
 #include "mv/run/window_module.h"
+#include "mv/window/demo_screen.h"
+#include "mv/window/menu_screen.h"
 
 namespace mv {
 namespace {

@@ -1,4 +1,4 @@
-#include "mv/host/window/demo_screen.h"
+#include "mv/window/demo_screen.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -10,10 +10,10 @@
 #include <iostream>
 
 #include "mv/gl/program.h"
-#include "mv/host/window/keys.h"
-#include "mv/host/window/save.h"
 #include "mv/image/png.h"
 #include "mv/run/run.h"
+#include "mv/window/keys.h"
+#include "mv/window/save.h"
 
 namespace mv {
 namespace {

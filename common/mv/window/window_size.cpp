@@ -1,4 +1,4 @@
-#include "mv/host/window/window_size.h"
+#include "mv/window/window_size.h"
 
 #include <cmath>
 #include <iostream>

@@ -1,4 +1,4 @@
-#include "mv/host/window/window_report.h"
+#include "mv/window/window_report.h"
 
 #include <iostream>
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-#include "mv/host/window/save.h"
+#include "mv/window/save.h"
 
 #include "mv/error.h"
 

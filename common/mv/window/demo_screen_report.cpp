@@ -1,10 +1,10 @@
 // What a demo's window reports: the settings, the picture, the panel.
 #include <nlohmann/json.hpp>
 
-#include "mv/host/window/demo_screen.h"
-#include "mv/host/window/window_report.h"
 #include "mv/run/report.h"
 #include "mv/run/run.h"
+#include "mv/window/demo_screen.h"
+#include "mv/window/window_report.h"
 
 namespace mv {
 

@@ -1,4 +1,4 @@
-#include "mv/host/window/thumbnail.h"
+#include "mv/window/thumbnail.h"
 
 #include <cstdint>
 #include <utility>

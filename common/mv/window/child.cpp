@@ -1,4 +1,4 @@
-#include "mv/host/window/child.h"
+#include "mv/window/child.h"
 
 #include <fcntl.h>
 #include <signal.h>

@@ -3,8 +3,8 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "mv/host/window/places.h"
-#include "mv/host/window/screen.h"
+#include "mv/window/places.h"
+#include "mv/window/screen.h"
 
 namespace mv {
 

@@ -1,4 +1,4 @@
-#include "mv/host/window/comparison.h"
+#include "mv/window/comparison.h"
 
 #include <algorithm>
 #include <chrono>

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "mv/host/context.h"
-#include "mv/host/window/window_size.h"
+#include "mv/window/window_size.h"
 
 struct GLFWwindow;
 

@@ -1,4 +1,4 @@
-#include "mv/host/window/knob_panel.h"
+#include "mv/window/knob_panel.h"
 
 #include <algorithm>
 #include <cmath>

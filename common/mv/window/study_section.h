@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "mv/demo/demo.h"
-#include "mv/host/window/child.h"
-#include "mv/host/window/gui.h"
-#include "mv/host/window/places.h"
 #include "mv/image/file.h"
 #include "mv/run/study_data.h"
+#include "mv/window/child.h"
+#include "mv/window/gui.h"
+#include "mv/window/places.h"
 
 namespace mv {
 

@@ -1,4 +1,4 @@
-#include "mv/host/window/keys.h"
+#include "mv/window/keys.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>

@@ -1,4 +1,4 @@
-#include "mv/host/window/window.h"
+#include "mv/window/window.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>

@@ -1,4 +1,4 @@
-#include "mv/host/window/panel_parts.h"
+#include "mv/window/panel_parts.h"
 #include "mv/run/words.h"
 
 #include <algorithm>

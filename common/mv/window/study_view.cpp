@@ -1,4 +1,4 @@
-#include "mv/host/window/study_view.h"
+#include "mv/window/study_view.h"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "mv/host/window/window.h"
+#include "mv/window/window.h"
 
 namespace mv {
 

@@ -3,10 +3,10 @@
 #include <string>
 
 #include "mv/demo/demo.h"
-#include "mv/host/window/comparison.h"
-#include "mv/host/window/gui.h"
-#include "mv/host/window/places.h"
-#include "mv/host/window/playback.h"
+#include "mv/window/comparison.h"
+#include "mv/window/gui.h"
+#include "mv/window/places.h"
+#include "mv/window/playback.h"
 
 namespace mv {
 

@@ -1,4 +1,4 @@
-#include "mv/host/window/menu_screen.h"
+#include "mv/window/menu_screen.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "mv/gl/functions.h"
-#include "mv/host/window/panel_parts.h"
-#include "mv/host/window/window_report.h"
 #include "mv/run/run.h"
+#include "mv/window/panel_parts.h"
+#include "mv/window/window_report.h"
 
 namespace mv {
 namespace {

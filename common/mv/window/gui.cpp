@@ -1,4 +1,4 @@
-#include "mv/host/window/gui.h"
+#include "mv/window/gui.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>

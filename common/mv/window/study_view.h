@@ -3,9 +3,9 @@
 #include <optional>
 #include <string>
 
-#include "mv/host/window/gui.h"
-#include "mv/host/window/places.h"
 #include "mv/run/study_data.h"
+#include "mv/window/gui.h"
+#include "mv/window/places.h"
 
 namespace mv {
 

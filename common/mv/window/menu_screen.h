@@ -3,12 +3,12 @@
 #include <map>
 #include <string>
 
-#include "mv/host/window/gui.h"
-#include "mv/host/window/places.h"
-#include "mv/host/window/screen.h"
-#include "mv/host/window/thumbnail.h"
 #include "mv/run/command_line.h"
 #include "mv/run/stage.h"
+#include "mv/window/gui.h"
+#include "mv/window/places.h"
+#include "mv/window/screen.h"
+#include "mv/window/thumbnail.h"
 
 namespace mv {
 

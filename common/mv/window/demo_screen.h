@@ -5,16 +5,16 @@
 #include <string>
 #include <vector>
 
-#include "mv/host/window/comparison.h"
-#include "mv/host/window/gui.h"
-#include "mv/host/window/knob_panel.h"
-#include "mv/host/window/panel_parts.h"
-#include "mv/host/window/playback.h"
-#include "mv/host/window/screen.h"
-#include "mv/host/window/study_section.h"
 #include "mv/run/command_line.h"
 #include "mv/run/report.h"
 #include "mv/run/stage.h"
+#include "mv/window/comparison.h"
+#include "mv/window/gui.h"
+#include "mv/window/knob_panel.h"
+#include "mv/window/panel_parts.h"
+#include "mv/window/playback.h"
+#include "mv/window/screen.h"
+#include "mv/window/study_section.h"
 
 namespace mv {
 
