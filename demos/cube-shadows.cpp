@@ -22,7 +22,6 @@
 #include "mv/demo/demo.h"
 #include "mv/geometry/in_view.h"
 #include "mv/geometry/ray.h"
-#include "mv/geometry/scenes.h"
 #include "mv/geometry/shapes.h"
 #include "mv/gl/gl.h"
 #include "mv/math/projection.h"
@@ -30,6 +29,7 @@
 #include "mv/math/shadow_caster.h"
 #include "mv/math/shadow_textbook.h"
 #include "mv/math/transform.h"
+#include "shared/scenes.h"
 
 using namespace mv;
 

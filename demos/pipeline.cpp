@@ -17,11 +17,11 @@
 #include <vector>
 
 #include "mv/demo/demo.h"
-#include "mv/demo/gpu_product.h"
 #include "mv/geometry/shapes.h"
 #include "mv/gl/gl.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
+#include "shared/gpu_product.h"
 
 using namespace mv;
 

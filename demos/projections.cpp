@@ -17,11 +17,11 @@
 
 #include "mv/demo/demo.h"
 #include "mv/geometry/edges.h"
-#include "mv/geometry/scenes.h"
-#include "mv/geometry/vanishing.h"
 #include "mv/gl/gl.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
+#include "shared/scenes.h"
+#include "shared/vanishing.h"
 
 using namespace mv;
 

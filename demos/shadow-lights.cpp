@@ -18,18 +18,18 @@
 #include <vector>
 
 #include "mv/demo/demo.h"
-#include "mv/demo/lit_reference.h"
-#include "mv/demo/turntable.h"
 #include "mv/geometry/bounds.h"
 #include "mv/geometry/light_view.h"
-#include "mv/geometry/scenes.h"
 #include "mv/geometry/shapes.h"
-#include "mv/gl/caster_volumes.h"
 #include "mv/gl/depth_map.h"
 #include "mv/gl/gl.h"
 #include "mv/gl/scene_meshes.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
+#include "shared/caster_volumes.h"
+#include "shared/lit_reference.h"
+#include "shared/scenes.h"
+#include "shared/turntable.h"
 
 using namespace mv;
 

@@ -21,18 +21,18 @@
 #include <vector>
 
 #include "mv/demo/demo.h"
-#include "mv/demo/lit_reference.h"
-#include "mv/demo/turntable.h"
 #include "mv/geometry/light_view.h"
-#include "mv/geometry/scenes.h"
 #include "mv/geometry/shapes.h"
 #include "mv/gl/depth_map.h"
 #include "mv/gl/gl.h"
-#include "mv/gl/light_overlay.h"
 #include "mv/gl/scene_meshes.h"
-#include "mv/gl/shadow_check.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
+#include "shared/light_overlay.h"
+#include "shared/lit_reference.h"
+#include "shared/scenes.h"
+#include "shared/shadow_check.h"
+#include "shared/turntable.h"
 
 using namespace mv;
 

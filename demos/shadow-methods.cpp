@@ -19,20 +19,20 @@
 #include <vector>
 
 #include "mv/demo/demo.h"
-#include "mv/demo/lit_reference.h"
-#include "mv/demo/turntable.h"
 #include "mv/geometry/light_view.h"
-#include "mv/geometry/scenes.h"
-#include "mv/gl/caster_volumes.h"
 #include "mv/gl/depth_map.h"
 #include "mv/gl/gl.h"
-#include "mv/gl/lit_difference.h"
 #include "mv/gl/scene_meshes.h"
-#include "mv/gl/shadow_check.h"
 #include "mv/gl/text.h"
-#include "mv/gl/z_fail.h"
 #include "mv/math/shadow.h"
 #include "mv/math/transform.h"
+#include "shared/caster_volumes.h"
+#include "shared/lit_difference.h"
+#include "shared/lit_reference.h"
+#include "shared/scenes.h"
+#include "shared/shadow_check.h"
+#include "shared/turntable.h"
+#include "shared/z_fail.h"
 
 using namespace mv;
 

@@ -16,14 +16,14 @@
 #include <utility>
 
 #include "mv/demo/demo.h"
-#include "mv/demo/lit_reference.h"
 #include "mv/geometry/lamp.h"
 #include "mv/geometry/light_view.h"
-#include "mv/geometry/scenes.h"
 #include "mv/gl/gl.h"
 #include "mv/math/projection.h"
 #include "mv/math/shadow.h"
 #include "mv/math/transform.h"
+#include "shared/lit_reference.h"
+#include "shared/scenes.h"
 
 using namespace mv;
 

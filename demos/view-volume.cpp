@@ -18,11 +18,11 @@
 
 #include "mv/demo/demo.h"
 #include "mv/geometry/bounds.h"
-#include "mv/geometry/scenes.h"
 #include "mv/geometry/shapes.h"
 #include "mv/gl/gl.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
+#include "shared/scenes.h"
 
 using namespace mv;
 

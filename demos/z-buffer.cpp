@@ -18,11 +18,11 @@
 #include <string_view>
 
 #include "mv/demo/demo.h"
-#include "mv/demo/depth_order.h"
-#include "mv/demo/plates.h"
 #include "mv/gl/gl.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
+#include "shared/depth_order.h"
+#include "shared/plates.h"
 
 using namespace mv;
 

@@ -6,10 +6,10 @@
 
 #include "mv/demo/demo.h"
 #include "mv/geometry/ray_caster.h"
-#include "mv/geometry/scenes.h"
 #include "mv/math/shadow.h"
 #include "mv/math/transform.h"
 #include "mv/run/study.h"
+#include "shared/scenes.h"
 #include "support/demo_run.h"
 
 using namespace mv;

@@ -7,9 +7,9 @@
 #include <limits>
 #include <string>
 
-#include "mv/geometry/scenes.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
+#include "shared/scenes.h"
 #include "support/demo_run.h"
 
 using namespace mv;

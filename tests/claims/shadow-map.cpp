@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "mv/demo/lit_reference.h"
 #include "mv/geometry/light_view.h"
-#include "mv/geometry/scenes.h"
 #include "mv/run/study.h"
+#include "shared/lit_reference.h"
+#include "shared/scenes.h"
 #include "support/demo_run.h"
 
 using namespace mv;

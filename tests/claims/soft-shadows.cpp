@@ -5,9 +5,9 @@
 #include <glm/geometric.hpp>
 
 #include "mv/demo/demo.h"
-#include "mv/geometry/scenes.h"
 #include "mv/math/projection.h"
 #include "mv/run/study.h"
+#include "shared/scenes.h"
 #include "support/demo_run.h"
 
 using namespace mv;

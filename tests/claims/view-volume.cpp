@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "mv/geometry/ray_caster.h"
-#include "mv/geometry/scenes.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
 #include "mv/run/audit.h"
+#include "shared/scenes.h"
 #include "support/demo_run.h"
 #include "support/random.h"
 

@@ -34,8 +34,10 @@ int storeyOf(const std::string& floor) {
 std::string wrongInclude(const std::string& floor, const std::string& line) {
     std::smatch match;
     static const std::regex ours(R"(^\s*#\s*include\s*"mv/([a-z_]+)/)");
+    static const std::regex lessons(R"(^\s*#\s*include\s*"shared/)");
     static const std::regex windows(R"(^\s*#\s*include\s*[<"](GLFW/|imgui))");
     static const std::regex contexts(R"(^\s*#\s*include\s*[<"](EGL/|GL/osmesa))");
+    if (std::regex_search(line, lessons) && floor != "demos") return "the library knows nothing that only lessons use";
     if (std::regex_search(line, windows) && floor != "window") return "only mv/window knows GLFW and Dear ImGui";
     if (std::regex_search(line, contexts) && floor != "host") return "only mv/host knows EGL and OSMesa";
     if (!std::regex_search(line, match, ours) || match[1] == floor) return "";
@@ -90,6 +92,8 @@ TEST(Floors, TheSearchFindsWhatItLooksFor) {
     EXPECT_NE(wrongInclude("gl", "#include <EGL/egl.h>"), "");
     EXPECT_NE(wrongInclude("demos", "#include \"mv/host/context.h\""), "");
     EXPECT_NE(wrongInclude("run", "#include \"mv/cellar/wine.h\""), "");
+    EXPECT_NE(wrongInclude("gl", "#include \"shared/plates.h\""), "");
+    EXPECT_EQ(wrongInclude("demos", "#include \"shared/plates.h\""), "");
     EXPECT_EQ(wrongInclude("gl", "#include \"mv/gl/gl.h\""), "");
     EXPECT_EQ(wrongInclude("gl", "#include \"mv/error.h\""), "");
     EXPECT_EQ(wrongInclude("window", "#include \"mv/run/stage.h\""), "");

@@ -1,4 +1,4 @@
-#include "mv/demo/lit_reference.h"
+#include "shared/lit_reference.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "mv/demo/depth_order.h"
+#include "shared/depth_order.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "mv/demo/turntable.h"
+#include "shared/turntable.h"
 
 #include "mv/math/transform.h"
 

@@ -1,4 +1,4 @@
-#include "mv/demo/plates.h"
+#include "shared/plates.h"
 
 #include <gtest/gtest.h>
 

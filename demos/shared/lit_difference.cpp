@@ -1,11 +1,11 @@
-#include "mv/gl/lit_difference.h"
+#include "shared/lit_difference.h"
 
 #include <cmath>
 
-#include "mv/demo/lit_reference.h"
 #include "mv/error.h"
-#include "mv/gl/measured.h"
 #include "mv/gl/text.h"
+#include "shared/lit_reference.h"
+#include "shared/measured.h"
 
 namespace mv {
 

@@ -1,8 +1,8 @@
 // Shadow volumes counted in the stencil buffer.
 #pragma once
-#include "mv/gl/caster_volumes.h"
 #include "mv/gl/gl.h"
 #include "mv/gl/program.h"
+#include "shared/caster_volumes.h"
 
 namespace mv {
 

@@ -1,4 +1,4 @@
-#include "mv/gl/light_overlay.h"
+#include "shared/light_overlay.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "mv/gl/measured.h"
+#include "shared/measured.h"
 
 #include "mv/gl/gl.h"
 #include "mv/gl/state.h"

@@ -1,10 +1,10 @@
-#include "mv/gl/shadow_check.h"
+#include "shared/shadow_check.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "mv/demo/lit_reference.h"
-#include "mv/gl/measured.h"
+#include "shared/lit_reference.h"
+#include "shared/measured.h"
 
 namespace mv {
 

@@ -1,4 +1,4 @@
-#include "mv/demo/gpu_product.h"
+#include "shared/gpu_product.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "mv/gl/caster_volumes.h"
+#include "shared/caster_volumes.h"
 
 #include <glm/matrix.hpp>
 

@@ -1,4 +1,4 @@
-#include "mv/geometry/vanishing.h"
+#include "shared/vanishing.h"
 
 #include <glm/geometric.hpp>
 

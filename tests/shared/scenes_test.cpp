@@ -1,4 +1,4 @@
-#include "mv/geometry/scenes.h"
+#include "shared/scenes.h"
 
 #include <cmath>
 #include <set>
