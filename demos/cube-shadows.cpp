@@ -341,7 +341,7 @@ struct CubeShadows final : Demo {
     }
 
     // By another way: where the ray from the light through the corner meets the plane. No matrix, and nothing large.
-    Reference reference(const Frame&, const std::function<void(double)>&) const override {
+    Reference reference(const ReferenceFrame&, const std::function<void(double)>&) const override {
         const Plane plane = studied();
         const vec4 source = plane.localOf(light());
         Reference result;

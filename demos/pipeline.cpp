@@ -280,7 +280,7 @@ struct Pipeline final : Demo {
     }
 
     // With 64 bits of mantissa all the way; the points are the float ones.
-    Reference reference(const Frame&, const std::function<void(double)>&) const override {
+    Reference reference(const ReferenceFrame&, const std::function<void(double)>&) const override {
         using Wide = glm::mat<4, 4, long double>;
         const Wide all = Wide(clipFromCamera(1)) * Wide(cameraFromWorld()) * Wide(worldFromModel());
         Reference right;

@@ -311,7 +311,7 @@ struct ShadowLights final : Demo {
         }
     }
 
-    Reference reference(const Frame& frame, const std::function<void(double)>& progress) const override {
+    Reference reference(const ReferenceFrame& frame, const std::function<void(double)>& progress) const override {
         const Scene scene = sceneAt(frame.aspect(), frame.index()).scene;
         std::vector<int> all(scene.lights.size());
         std::iota(all.begin(), all.end(), 0);

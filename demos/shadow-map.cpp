@@ -257,7 +257,7 @@ struct ShadowMap final : Demo {
         }
     }
 
-    Reference reference(const Frame& frame, const std::function<void(double)>& progress) const override {
+    Reference reference(const ReferenceFrame& frame, const std::function<void(double)>& progress) const override {
         Scene posed = build(which, frame.aspect());
         pose(posed, posed.viewFromWorld);
         return litReference(posed, frame, {.pixelSide = 8}, progress);

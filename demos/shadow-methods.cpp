@@ -276,7 +276,7 @@ struct ShadowMethods final : Demo {
         glDepthMask(GL_TRUE);
     }
 
-    Reference reference(const Frame& frame, const std::function<void(double)>& progress) const override {
+    Reference reference(const ReferenceFrame& frame, const std::function<void(double)>& progress) const override {
         Scene posed = build(frame.aspect());
         posed.viewFromWorld = turntable.seenBy(posed.viewFromWorld);
         return litReference(posed, frame, {.pixelSide = 8}, progress);

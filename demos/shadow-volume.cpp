@@ -368,7 +368,7 @@ struct ShadowVolumes final : Demo {
         inShadow = double(dark);
     }
 
-    Reference reference(const Frame& frame, const std::function<void(double)>& progress) const override {
+    Reference reference(const ReferenceFrame& frame, const std::function<void(double)>& progress) const override {
         return litReference(sceneNow(frame.aspect()), frame, {}, progress);
     }
 };

@@ -110,7 +110,7 @@ struct SoftShadows final : Demo {
         return scene;
     }
 
-    Reference reference(const Frame& frame, const std::function<void(double)>& progress) const override {
+    Reference reference(const ReferenceFrame& frame, const std::function<void(double)>& progress) const override {
         return litReference(arranged(sceneOf(frame.aspect())), frame, {.lightSide = 32, .doubled = true}, progress);
     }
 

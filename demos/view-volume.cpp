@@ -260,7 +260,7 @@ struct ViewVolume final : Demo {
     }
 
     // By another way, without a matrix: planes through three corners of the volume, in long double.
-    Reference reference(const Frame&, const std::function<void(double)>&) const override {
+    Reference reference(const ReferenceFrame&, const std::function<void(double)>&) const override {
         using real = long double;
         using real3 = glm::vec<3, real>;
         const real tangent = std::tan(real(fovy) / 360 * std::acos(real(-1)));

@@ -255,7 +255,7 @@ struct ZBuffer final : Demo {
             return (nearIsOne() ? -1 : 1) * keptDepth(format, depth);
         });
     }
-    Reference reference(const Frame&, const std::function<void(double)>&) const override {
+    Reference reference(const ReferenceFrame&, const std::function<void(double)>&) const override {
         return {.values = std::vector<double>(pairCount, 0)};  // it is known which of a pair is nearer
     }
 };

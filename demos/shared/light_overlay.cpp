@@ -66,7 +66,7 @@ void LightOverlay::drawFrustum(const mat4& clipFromWorld, const LightView& light
     ball_.draw();
 }
 
-void LightOverlay::drawMap(const Frame& frame, const DepthMap& map, const LightView& light) const {
+void LightOverlay::drawMap(const FrameInfo& frame, const DepthMap& map, const LightView& light) const {
     const FrustumBounds& bounds = light.bounds;
     const double aspect = std::abs((bounds.right - bounds.left) / (bounds.top - bounds.bottom));
     const double most = 0.3 * std::min(frame.width(), frame.height());

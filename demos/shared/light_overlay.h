@@ -18,7 +18,7 @@ class LightOverlay {
     // The map in the lower left corner, up to 0.3 of the picture high and wide, in the shape of its window, with its size
     // above it: distances along the light's gaze, near dark and far bright. Changes the current program and the map's
     // sampling (DepthMap::bind) on unit 0, and switches depth test, culling and blending off.
-    void drawMap(const Frame& frame, const DepthMap& map, const LightView& light) const;
+    void drawMap(const FrameInfo& frame, const DepthMap& map, const LightView& light) const;
 
   private:
     Program lines_, corner_;

@@ -43,7 +43,7 @@ std::vector<float> LitDifference::drawn(const Frame& frame, const std::function<
     return drawMeasured(target_, frame, draw);
 }
 
-std::vector<float> LitDifference::byRays(const Scene& scene, const Frame& frame) {
+std::vector<float> LitDifference::byRays(const Scene& scene, const FrameInfo& frame) {
     const std::tuple wanted(scene.clipFromWorld(), frame.width(), frame.height());
     if (castFor_ != wanted) rays_ = litReference(scene, frame, {}, {});
     castFor_ = wanted;

@@ -27,7 +27,7 @@ class LitDifference {
 
   private:
     std::vector<float> drawn(const Frame& frame, const std::function<void()>& draw);
-    std::vector<float> byRays(const Scene& scene, const Frame& frame);
+    std::vector<float> byRays(const Scene& scene, const FrameInfo& frame);
     Target target_;
     Reference rays_;
     std::optional<std::tuple<mat4, int, int>> castFor_;

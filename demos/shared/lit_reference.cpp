@@ -6,7 +6,7 @@ namespace mv {
 namespace {
 
 // The mean over the lights; `work` grows by the rays.
-LitPicture meanLit(const RayCaster& caster, const Frame& frame, const LitReferenceOptions& options, int lightSide,
+LitPicture meanLit(const RayCaster& caster, const FrameInfo& frame, const LitReferenceOptions& options, int lightSide,
                    int pixelSide, const Progress& progress, double& work) {
     LitPicture mean;
     const double share = 1.0 / double(options.lights.size());
@@ -41,7 +41,7 @@ double rmsBetween(const std::vector<double>& a, const std::vector<double>& b, co
 
 }  // namespace
 
-Reference litReference(const Scene& scene, const Frame& frame, const LitReferenceOptions& options,
+Reference litReference(const Scene& scene, const ReferenceFrame& frame, const LitReferenceOptions& options,
                        const Progress& progress) {
     const RayCaster caster(scene);
     Reference reference;
@@ -58,7 +58,7 @@ Reference litReference(const Scene& scene, const Frame& frame, const LitReferenc
         reference.averages =
             meanLit(caster, frame, options, options.lightSide, pixelSide, progress, reference.work).lit;
     }
-    if (options.doubled && frame.ownError()) {
+    if (options.doubled && frame.ownError) {
         double ignored = 0;
         const bool byPixel = pixelSide > 1;
         const std::vector<double> finer =

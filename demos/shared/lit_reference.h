@@ -11,13 +11,13 @@ struct LitReferenceOptions {
     int lightSide = 1;           // an area light is asked at lightSide x lightSide points
     // Above 1: Reference::averages is the mean of pixelSide x pixelSide points of each pixel, whose edges are soft.
     int pixelSide = 1;
-    // Casts again with lightSide (or, for point lights, pixelSide) doubled for Reference::ownError, where frame.ownError().
+    // Casts again with lightSide (or, for point lights, pixelSide) doubled for Reference::ownError, where frame.ownError.
     bool doubled = false;
 };
 
 // One value for each pixel of the frame: the lit fraction in its centre. A pixel counts where the object seen there
 // receives shadows and has its front towards the first of the lights; its region is the object's index.
-Reference litReference(const Scene& scene, const Frame& frame, const LitReferenceOptions& options,
+Reference litReference(const Scene& scene, const ReferenceFrame& frame, const LitReferenceOptions& options,
                        const Progress& progress);
 
 }  // namespace mv

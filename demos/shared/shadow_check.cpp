@@ -18,8 +18,7 @@ std::optional<FalseShadows> ShadowCheck::compare(const Scene& scene, const Frame
     target_.fit(width, height, {.depth = true, .stencil = true, .color = GL_R32F}, "shadow check");
     const std::vector<float> drawn = drawMeasured(target_, frame, draw);
 
-    FrameNotes notes;
-    const Reference right = litReference(scene, Frame(frame.index(), width, height, notes), {}, {});
+    const Reference right = litReference(scene, FrameInfo(frame.index(), width, height), {}, {});
     FalseShadows result;
     long dark = 0, lit = 0;
     for (std::size_t i = 0; i < drawn.size(); ++i) {

@@ -19,10 +19,9 @@ using namespace mv::test;
 namespace {
 
 TEST(Panes, share_the_picture_without_overlap) {
-    FrameNotes notes;
     for (int count = 1; count <= 10; ++count) {
         for (const auto& [width, height] : {std::pair{960, 720}, {101, 37}, {40, 300}}) {
-            const auto panes = Frame(1, width, height, notes).panes(count);
+            const auto panes = FrameInfo(1, width, height).panes(count);
             ASSERT_EQ(panes.size(), std::size_t(count));
             std::vector<int> owner(std::size_t(width) * std::size_t(height), -1);
             long owned = 0;
@@ -46,14 +45,14 @@ TEST(Panes, share_the_picture_without_overlap) {
                       long(width - 2 * columns) * (height - 2 * rows));
         }
     }
-    const Frame frame(1, 21, 11, notes);
+    const FrameInfo frame(1, 21, 11);
     const auto four = frame.panes(4);  // row by row from the upper left, y counted from below
     EXPECT_EQ(std::pair(four[0].x, four[0].y), std::pair(0, 6));
     EXPECT_EQ(std::pair(four[1].x, four[1].y), std::pair(11, 6));
     EXPECT_EQ(std::pair(four[2].x, four[2].y), std::pair(0, 0));
     EXPECT_EQ(std::pair(four[3].x, four[3].y), std::pair(11, 0));
     EXPECT_EQ(frame.panes(1)[0].width, 21);
-    EXPECT_EQ(Frame(1, 1, 1, notes).panes(4)[3].width, 1);
+    EXPECT_EQ(FrameInfo(1, 1, 1).panes(4)[3].width, 1);
     EXPECT_THROW(frame.panes(0), Error);
 }
 
@@ -127,7 +126,7 @@ TEST(Stage, a_draw_pasted_elsewhere_needs_what_is_undone) {
             glClearColor(color.r, color.g, color.b, color.a);
             glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
             glClearColor(0, 0, 0, 0);
-            stage().demo().draw(Frame(1, info.width, info.height, notes, mode));
+            stage().demo().draw(Frame({1, info.width, info.height}, notes, mode));
             return stage().picture();
         };
         stage().draw(1);

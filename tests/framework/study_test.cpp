@@ -60,7 +60,7 @@ struct Step final : Demo {
         glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
         frame.count("cells", cells);
     }
-    Reference reference(const Frame& frame, const std::function<void(double)>& progress) const override {
+    Reference reference(const ReferenceFrame& frame, const std::function<void(double)>& progress) const override {
         ++references;
         Reference right;
         for (int y = 0; y < frame.height(); ++y) {
@@ -68,7 +68,7 @@ struct Step final : Demo {
         }
         right.regions.assign(right.values.size(), 0);
         progress(1);
-        if (frame.ownError()) right.ownError = 0;
+        if (frame.ownError) right.ownError = 0;
         return right;
     }
 };
@@ -100,7 +100,7 @@ struct Trapezia final : Demo {
         for (int i = 1; i < n; ++i) sum += std::exp(double(i) / n);
         return {sum / n};
     }
-    Reference reference(const Frame&, const std::function<void(double)>&) const override {
+    Reference reference(const ReferenceFrame&, const std::function<void(double)>&) const override {
         return {.values = {std::exp(1.0) - 1}};
     }
 };
@@ -192,7 +192,7 @@ TEST(StudyRun, a_reference_depends_on_what_it_read) {
         void draw(const Frame&) override {}
         double right() const { return usesB ? double(b) : 0; }
         std::vector<double> values() const override { return {right() + more}; }
-        Reference reference(const Frame&, const std::function<void(double)>&) const override {
+        Reference reference(const ReferenceFrame&, const std::function<void(double)>&) const override {
             ++*references;
             if (usesB && b > 8) throw Error("--b", "must be at most 8 for a reference", b.text());
             return {.values = {right()}};

@@ -124,7 +124,7 @@ struct Integral final : Demo {
         for (int i = 1; i < n; ++i) sum += at(double(i) / n) * (rule == Rule::simpson ? (i % 2 == 1 ? 4 : 2) : 2);
         return {sum / n / (rule == Rule::simpson ? 3 : 2)};
     }
-    Reference reference(const Frame&, const std::function<void(double)>& progress) const override {
+    Reference reference(const ReferenceFrame&, const std::function<void(double)>& progress) const override {
         const char* hold = std::getenv("PROBE_HOLD");
         for (double done = 0; hold && std::filesystem::exists(hold); done += (1 - done) / 100) {
             progress(done);

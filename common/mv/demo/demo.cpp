@@ -18,7 +18,7 @@ void Demo::add(Knob* knob) {
     knobs_.push_back(knob);
 }
 
-Reference Demo::reference(const Frame&, const std::function<void(double)>&) const {
+Reference Demo::reference(const ReferenceFrame&, const std::function<void(double)>&) const {
     throw Error("reference", "must be made by a demo that has a study; this one makes none");
 }
 

@@ -39,7 +39,7 @@ class Demo {
     // For a demo with a study. What is right for the present settings, in the picture that `frame` describes (its size and
     // index; not drawn into); made by a method that shares nothing with the one under study. Slow ones report the part
     // that is done.
-    virtual Reference reference(const Frame& frame, const std::function<void(double part)>& progress) const;
+    virtual Reference reference(const ReferenceFrame& frame, const std::function<void(double part)>& progress) const;
     // For a study of values: computes them for the present settings, without GL. This is what is timed.
     virtual std::vector<double> values() const;
 
@@ -55,8 +55,7 @@ class Demo {
     bool drag(double across, double down);
     bool wheel(double notches);
 
-  protected:
-    // Declared in a demo's constructor; `amount` as in Binding.
+    // Declared in a demo's constructor, or by a member that brings its knobs; `amount` as in Binding.
     void bindKeys(Key less, Key more, Knob& knob, double amount);
     void bindKey(Key key, Knob& knob, std::string text);
     void bindDrag(Knob& across, double perPixelAcross, Knob& down, double perPixelDown);
@@ -65,7 +64,6 @@ class Demo {
   private:
     friend class Knob;
     friend class Readout;
-    friend struct Turntable;
     void add(Knob* knob);
     void add(Readout* readout) { readouts_.push_back(readout); }
 

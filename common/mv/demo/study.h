@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "mv/demo/frame.h"
 #include "mv/demo/knob.h"
 
 namespace mv {
@@ -42,6 +43,12 @@ struct Study {
     std::string says = {};
     // True: the demo's values() are compared and timed, without GL. False: pictures, drawn with frame.measuring().
     bool ofValues = false;
+};
+
+// The picture that a reference is made for, and what else is asked of it.
+struct ReferenceFrame : FrameInfo {
+    ReferenceFrame(const FrameInfo& info, bool withOwnError = false) : FrameInfo(info), ownError(withOwnError) {}
+    bool ownError;  // Reference::ownError is asked for, too, which costs more than the reference itself
 };
 
 // What is right, by the demo's other method. Settings that it reads otherwise (the number of lights, say) get a reference

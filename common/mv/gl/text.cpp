@@ -31,7 +31,7 @@ TextureObject uploaded(const Coverage& sheet) {
 
 // Appends a rectangle of the picture, pixels from its upper left corner, that shows the sheet from `texel` on; the color
 // alone where there is none.
-void append(MeshData& mesh, const Frame& frame, const glm::ivec4& rectangle, const vec4& color,
+void append(MeshData& mesh, const FrameInfo& frame, const glm::ivec4& rectangle, const vec4& color,
             const std::optional<glm::ivec2>& texel) {
     for (const glm::ivec2& corner : {glm::ivec2(0, 0), {0, 1}, {1, 1}, {0, 0}, {1, 1}, {1, 0}}) {
         const int right = corner.x * rectangle.z, down = corner.y * rectangle.w;
@@ -143,7 +143,7 @@ std::shared_ptr<const Words> wordsOf(std::span<const TextLine> lines) {
     return words;
 }
 
-Mesh rectanglesOf(const Frame& frame, std::span<const TextLine> lines, const Words& words) {
+Mesh rectanglesOf(const FrameInfo& frame, std::span<const TextLine> lines, const Words& words) {
     MeshData rectangles;
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const glm::ivec4 box(lines[i].x, lines[i].y, words.sizes[i]);
@@ -154,7 +154,7 @@ Mesh rectanglesOf(const Frame& frame, std::span<const TextLine> lines, const Wor
 }
 
 // What draws these lines: kept from an earlier call, or made.
-const Drawn& drawnOf(const Frame& frame, std::span<const TextLine> lines) {
+const Drawn& drawnOf(const FrameInfo& frame, std::span<const TextLine> lines) {
     std::vector<Drawn>& all = kept()->drawn;
     const glm::ivec2 picture(frame.width(), frame.height());
     const auto found = std::find_if(all.begin(), all.end(), [&](const Drawn& drawn) {
@@ -174,11 +174,11 @@ const Drawn& drawnOf(const Frame& frame, std::span<const TextLine> lines) {
 
 }  // namespace
 
-void drawText(const Frame& frame, int x, int y, std::string_view text, const TextStyle& style) {
+void drawText(const FrameInfo& frame, int x, int y, std::string_view text, const TextStyle& style) {
     drawText(frame, std::array{TextLine{x, y, std::string(text), style}});
 }
 
-void drawText(const Frame& frame, std::span<const TextLine> lines) {
+void drawText(const FrameInfo& frame, std::span<const TextLine> lines) {
     if (lines.empty()) return;
     for (const TextLine& line : lines) {
         const int height = line.style.height;
@@ -206,7 +206,7 @@ std::string rounded(const char* format, double value) {
 
 int textHeight(const TextStyle& style) { return style.height + 2 * wordPadding; }
 
-void showImage(const Frame& frame, int x, int y, const Picture& picture) {
+void showImage(const FrameInfo& frame, int x, int y, const Picture& picture) {
     const StateScope scope;
     setOverlayState();
     Program& program = kept()->image;

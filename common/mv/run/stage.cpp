@@ -98,7 +98,7 @@ void Stage::drawInto(const Target& target, int index, FrameMode mode) {
     }
     resetCounters();
     try {
-        demo_->draw(Frame(index, target.width(), target.height(), notes, mode));
+        demo_->draw(Frame({index, target.width(), target.height()}, notes, mode));
     } catch (...) {
         restoreInitialState();
         throw;

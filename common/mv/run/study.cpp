@@ -182,10 +182,8 @@ KnownReference referenceHere(const Demo& demo, const Study& study, bool ownError
                              const std::function<void(double part)>& progress) {
     if (!study.ofValues) demo.check();  // as before each picture; values need none
     for (Knob* knob : demo.knobs()) knob->forgetRead();
-    FrameNotes notes;
     KnownReference known;
-    known.reference =
-        demo.reference(Frame(study.frame, study.width, study.height, notes, {.ownError = ownError}), progress);
+    known.reference = demo.reference({FrameInfo(study.frame, study.width, study.height), ownError}, progress);
     for (const Knob* knob : demo.knobs()) {
         if (knob->wasRead()) known.madeOf.push_back({knob->name(), knob->text()});
     }

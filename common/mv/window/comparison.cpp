@@ -152,8 +152,7 @@ const Target& Comparison::sheet() {
         return sheet_;
     }
     sheet_.bind();
-    FrameNotes notes;
-    const Frame frame(0, width, height, notes);
+    const FrameInfo frame(0, width, height);
     showImage(frame, 0, 0, composed());
     if (view_ == View::difference) {
         drawText(frame, margin, margin, difference(), fittedStyle({difference()}, width - 2 * margin));
