@@ -60,6 +60,8 @@ TEST(Claims, each_has_a_test_and_each_test_a_claim) {
 
 TEST(Pages, tables_are_fresh) {
     EXPECT_EQ(fileText(source / "docs/demos.md"), cataloguePage()) << "./run --docs . makes it anew";
+    const std::string readme = fileText(source / "README.md");
+    EXPECT_EQ(readme, readmePage(readme)) << "README.md: ./run --docs . makes it anew";
     for (const DemoInfo& info : catalogue()) {
         const std::string page = fileText(source / "demos" / (info.name + ".md"));
         EXPECT_EQ(page, lessonPage(page, info)) << info.name << ": ./run --docs . makes it anew";

@@ -187,7 +187,7 @@ const bool integralAdded = addDemo<Integral>({
     .name = "integral",
     .sentence = "A demo with a study of errors and times.",
     .lookFor = "",
-    .chapter = "Studies",
+    .chapter = "Shadows",
     .number = 99,
     .width = 400,
     .height = 300,
@@ -199,7 +199,7 @@ const bool probeAdded = addDemo<Probe>({
     .name = "probe",
     .sentence = "Every kind of knob, and a square whose background moves.",
     .lookFor = "The background goes from green to blue once a second.",
-    .chapter = "Probes",
+    .chapter = "Viewing and projection",
     .number = 1,
     .width = 400,
     .height = 300,
@@ -209,7 +209,7 @@ const bool brokenAdded = addDemo<Broken>({
     .name = "broken",
     .sentence = "A demo that cannot be opened.",
     .lookFor = "",
-    .chapter = "Probes",
+    .chapter = "Viewing and projection",
     .number = 2,
 });
 

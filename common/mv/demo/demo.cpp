@@ -4,6 +4,8 @@
 #include <numeric>
 #include <utility>
 
+#include "mv/demo/chapters.h"
+
 namespace mv {
 
 Readout::Readout(Demo* owner, std::string name, std::string help, std::string unit)
@@ -127,7 +129,8 @@ bool addDemo(DemoInfo info) {
     for (const DemoInfo& other : all) {
         if (other.name == info.name) throw Error("demo " + info.name, "must be added once");
     }
-    const auto place = std::find_if(all.begin(), all.end(), [&](const DemoInfo& d) { return d.number > info.number; });
+    const auto order = [](const DemoInfo& d) { return std::pair(chapterPlace(d), d.number); };
+    const auto place = std::find_if(all.begin(), all.end(), [&](const DemoInfo& d) { return order(d) > order(info); });
     all.insert(place, std::move(info));
     return true;
 }

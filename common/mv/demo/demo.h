@@ -100,8 +100,8 @@ struct DemoInfo {
     std::string name;               // kebab-case; the program, the page and the shaders have the same name
     std::string sentence;           // what it shows
     std::string lookFor;            // what to look for, one sentence
-    std::string chapter;            // the heading it stands under
-    int number = 0;                 // its row in the course's catalogue, which orders the lists
+    std::string chapter;            // the heading it stands under: one of mv/demo/chapters.h, or none
+    int number = 0;                 // its row in the course's catalogue, which orders a chapter
     int width = 512, height = 512;  // the original's canvas
     bool animated = false;          // the picture depends on the frame index
     // The colour that the picture is cleared to before each draw, with depth to 1 and the stencil to 0; without one, the
@@ -117,11 +117,11 @@ struct DemoInfo {
     std::function<std::unique_ptr<Demo>()> make = {};
 };
 
-// All demos linked into this program, in the order of their numbers.
+// All demos linked into this program, by chapters and in them by numbers.
 const std::vector<DemoInfo>& catalogue();
 // The demo of that name, or Error naming the nearest one.
 const DemoInfo& findDemo(std::string_view name);
-// Adds a demo; called at file scope by the last line of its file. Two of one name: Error.
+// Adds a demo; called at file scope by the last line of its file. Error: two of one name, a chapter that there is not.
 bool addDemo(DemoInfo info);
 template <class T>
 bool addDemo(DemoInfo info) {

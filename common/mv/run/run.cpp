@@ -5,11 +5,13 @@
 #include <filesystem>
 #include <iostream>
 #include <new>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <system_error>
 #include <vector>
 
+#include "mv/demo/chapters.h"
 #include "mv/run/audit.h"
 #include "mv/run/command_line.h"
 #include "mv/run/docs.h"
@@ -27,10 +29,21 @@ void print(const std::string& text) {
     if (!std::cout) throw Error("standard output", "could not be written");
 }
 
+// The demos, each chapter's below its name.
 std::string list() {
     std::vector<std::vector<std::string>> rows;
-    for (const DemoInfo& info : catalogue()) rows.push_back({info.name, info.sentence});
-    return aligned(rows, 2);
+    for (const DemoInfo& info : catalogue()) rows.push_back({"  " + info.name, info.sentence});
+    std::istringstream lines(aligned(rows, 2));
+    std::string text;
+    for (const Chapter& chapter : catalogueByChapter()) {
+        text += chapter.name + "\n";
+        for (std::size_t i = 0; i < chapter.demos.size(); ++i) {
+            std::string line;
+            std::getline(lines, line);
+            text += line + "\n";
+        }
+    }
+    return text;
 }
 
 std::unique_ptr<Demo> demoWithKnobs(const Command& command) {

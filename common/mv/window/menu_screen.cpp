@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "mv/demo/chapters.h"
 #include "mv/gl/functions.h"
 #include "mv/run/run.h"
 #include "mv/window/panel_parts.h"
@@ -153,23 +154,16 @@ void MenuScreen::showContent() {
     const auto columns = static_cast<std::size_t>(
         std::max(1.0F, std::floor((ImGui::GetContentRegionAvail().x + spacing) / (cardWidth + spacing))));
 
-    // By chapters, in the order in which each comes first.
-    std::vector<std::string> chapters;
-    for (const DemoInfo& info : catalogue()) {
-        if (std::find(chapters.begin(), chapters.end(), info.chapter) == chapters.end())
-            chapters.push_back(info.chapter);
-    }
     rows_.clear();
-    for (const std::string& chapter : chapters) {
+    for (const Chapter& chapter : catalogueByChapter()) {
         ImGui::Dummy({0, padding / 3});
-        ImGui::TextColored(color::heading, "%s", chapter.c_str());
+        ImGui::TextColored(color::heading, "%s", chapter.name.c_str());
         rows_.emplace_back();
-        for (const DemoInfo& info : catalogue()) {
-            if (info.chapter != chapter) continue;
+        for (const DemoInfo* info : chapter.demos) {
             if (rows_.back().size() == columns) rows_.emplace_back();
             if (!rows_.back().empty()) ImGui::SameLine(0, spacing);
-            rows_.back().push_back(&info);
-            showCard(info, cardWidth, cardHeight, side);
+            rows_.back().push_back(info);
+            showCard(*info, cardWidth, cardHeight, side);
         }
     }
     scrollToSelected_ = false;
