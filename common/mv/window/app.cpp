@@ -26,6 +26,7 @@ constexpr auto reportTime = std::chrono::seconds(1);
 // window is handled and seen, so that a program that drives it knows when to go on.
 Wish show(Window& window, Gui& gui, Screen& screen, bool reporting) {
     using Clock = std::chrono::steady_clock;
+    gui.forgetPlaces();  // the screen before had them
     const auto start = Clock::now();
     auto last = start, reported = start;
     int settling = framesToSettle;

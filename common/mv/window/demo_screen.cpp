@@ -40,8 +40,8 @@ DemoScreen::DemoScreen(Window& window, Gui& gui, Stage& stage, const Command& co
       report_(command.report),
       program_(command.program),
       menu_(menu),
-      knobs_(gui, places_),
-      study_(*command.demo, gui, places_),
+      knobs_(gui),
+      study_(*command.demo, gui),
       // A frame asked for by number stands still, so that a copied command shows the very picture it was copied from.
       playback_(info_.animated, command.firstFrame, command.frameGiven),
       drawnFrame_(command.firstFrame) {
@@ -246,7 +246,6 @@ void DemoScreen::draw() {
     if ((stale_ || sizeChanged) && pictureWidth() > 0) redraw();
     showPicture();
     gui_.begin();
-    places_.clear();
     if (panelShown_) {
         showPanel();
     } else {
@@ -321,7 +320,7 @@ void DemoScreen::showDividerHandle() {
 }
 
 void DemoScreen::showPanelContent() {
-    if (menu_ && button(places_, "Back to the menu")) wish_ = {Wish::Kind::menu};
+    if (menu_ && button("Back to the menu")) wish_ = {Wish::Kind::menu};
     ImGui::PushFont(gui_.titleFont());
     ImGui::TextUnformatted(info_.name.c_str());
     ImGui::PopFont();
@@ -330,8 +329,8 @@ void DemoScreen::showPanelContent() {
 
     Demo& demo = stage_.demo();
     if (!demo.knobs().empty() && section("Settings")) stale_ |= knobs_.show(demo, comparison_);
-    if (!demo.knobs().empty() && section("Compare")) stale_ |= showComparison(demo, comparison_, gui_, places_);
-    if (playback_.animated() && section("Time")) stale_ |= showTime(playback_, places_, gui_.scale());
+    if (!demo.knobs().empty() && section("Compare")) stale_ |= showComparison(demo, comparison_, gui_);
+    if (playback_.animated() && section("Time")) stale_ |= showTime(playback_, gui_.scale());
     if (!demo.readouts().empty() && section("Readouts")) showReadouts(demo, comparison_);
     if (study_.any() && section("Error and time")) stale_ |= study_.show(demo);
     if (!stage_.notes().matrices.empty() && section("Matrices")) {
@@ -366,13 +365,13 @@ void DemoScreen::showFile() {
     const float buttonWidth = ImGui::CalcTextSize("Save picture").x + 2 * style.FramePadding.x;
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - buttonWidth - style.ItemSpacing.x);
     ImGui::InputTextWithHint("##name", defaultName().c_str(), fileName_.data(), fileName_.size());
-    notePlace(places_, "file name");
+    notePlace("file name");
     tooltip("the file's name; a file that is there is not replaced, the next free number is taken");
     ImGui::SameLine();
-    if (button(places_, "Save picture", {buttonWidth, 0})) save();
+    if (button("Save picture", {buttonWidth, 0})) save();
     if (!saved_.empty()) wrapped(saveFailed_ ? color::error : color::dim, saved_);
 
-    if (button(places_, "Copy command line", {ImGui::GetContentRegionAvail().x, 0})) copyCommand();
+    if (button("Copy command line", {ImGui::GetContentRegionAvail().x, 0})) copyCommand();
     tooltip("the command that makes this very picture, to the clipboard");
     wrapped(color::dim, commandLine());
 }

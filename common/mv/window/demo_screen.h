@@ -65,7 +65,6 @@ class DemoScreen final : public Screen {
     ReportForm report_;
     std::string program_;  // how it was started
     bool menu_;
-    Places places_;
     KnobPanel knobs_;
     Comparison comparison_;
     StudySection study_;

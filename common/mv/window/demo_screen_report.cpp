@@ -50,7 +50,7 @@ void DemoScreen::report(const WindowState& state) {
         window["divider"] = comparison_.divider();
         window["difference"] = comparison_.difference();
     }
-    json["places"] = placesJson(places_);
+    json["places"] = placesJson(gui_.places());
     printReport(json.dump(2) + "\n");
 }
 

@@ -66,6 +66,7 @@ Gui::Gui(Window& window) : window_(window) {
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;  // nothing is written into the folder one happens to stand in
     io.LogFilename = nullptr;
+    io.UserData = &places_;                 // what notePlace() finds without being told of it
     io.ConfigInputTextCursorBlink = false;  // a blinking bar would have the window drawn for ever
     ImGui_ImplGlfw_InitForOpenGL(window.handle(), false);
     ImGui_ImplOpenGL3_Init("#version 330");
@@ -142,6 +143,7 @@ void Gui::feed(const Event& event) {
 }
 
 void Gui::begin() {
+    places_.clear();
     setLooks();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
@@ -165,6 +167,21 @@ void Gui::end() {
     closePopup_ = false;
     ImGui::Render();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+void notePlace(const std::string& name) {
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    notePlace(name, {low.x, low.y, high.x, high.y});
+}
+
+void notePlace(const std::string& name, const ImVec4& place) {
+    (*static_cast<Places*>(ImGui::GetIO().UserData))[name] = place;
+}
+
+bool button(const char* label, ImVec2 size) {
+    const bool pressed = ImGui::Button(label, size);
+    notePlace(label);
+    return pressed;
 }
 
 void tooltip(const std::string& text) {

@@ -3,10 +3,16 @@
 #include <imgui.h>
 
 #include <array>
+#include <map>
+#include <string>
 
 #include "mv/window/window.h"
 
 namespace mv {
+
+// Where the widgets of a frame stand, for those who drive the window by program: name -> upper left and lower right corner
+// in window coordinates.
+using Places = std::map<std::string, ImVec4>;
 
 // Colours of words that mean something.
 namespace color {
@@ -43,6 +49,10 @@ class Gui {
     // Asked inside of an open list.
     bool wantsPopupClosed() const { return closePopup_; }
 
+    // Of the widgets of the last frame, as notePlace() was told; --window --report=json prints them.
+    const Places& places() const { return places_; }
+    void forgetPlaces() { places_.clear(); }
+
   private:
     void setLooks();
     Window& window_;
@@ -52,8 +62,14 @@ class Gui {
     float scale_ = 1;
     double contentScale_ = 0, pixelsPerUnit_ = 0;  // what the looks were made for
     bool popupOpen_ = false, closePopup_ = false;
+    Places places_;
 };
 
+// Notes in the Gui's places, under that name, where the last widget stands; or a part of one, in window coordinates.
+void notePlace(const std::string& name);
+void notePlace(const std::string& name, const ImVec4& place);
+// A button whose place is noted under its label.
+bool button(const char* label, ImVec2 size = {0, 0});
 // Words under the last widget while the mouse is on it, also where it is disabled.
 void tooltip(const std::string& text);
 // Words as they are, no wider than the panel.

@@ -65,7 +65,7 @@ bool KnobPanel::show(Demo& demo, Comparison& comparison) {
     }
     const bool initial = std::all_of(demo.knobs().begin(), demo.knobs().end(), [](Knob* k) { return k->isInitial(); });
     ImGui::BeginDisabled(initial);
-    if (button(places_, "Reset all")) {
+    if (button("Reset all")) {
         for (Knob* knob : demo.knobs()) knob->reset();
         typed_.clear();
         moved = true;
@@ -113,7 +113,7 @@ bool KnobPanel::row(Knob& knob, float labelWidth, const std::string& side) {
             knob.reset();
             moved = true;
         }
-        notePlace(places_, "reset " + rowName_);
+        notePlace("reset " + rowName_);
         tooltip("back to " + knob.initialText());
     }
     if (typing && !refusal_.empty()) wrapped(color::error, refusal_);
@@ -144,7 +144,7 @@ bool KnobPanel::bar(const Knob& knob, double& value, double low, double high, do
     // The format is the text itself, so that the bar shows all digits there are and ImGui rounds nothing.
     ImGui::SliderScalar("##bar", ImGuiDataType_Double, &shown, &low, &high, asFormat(knob).c_str(),
                         ImGuiSliderFlags_NoInput);
-    notePlace(places_, rowName_);
+    notePlace(rowName_);
     const bool byHand = ImGui::IsItemHovered() && (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) ||
                                                    (ImGui::IsItemClicked() && ImGui::GetIO().KeyCtrl));
     if (byHand) {
@@ -172,7 +172,7 @@ bool KnobPanel::field(Knob& knob) {
     const bool entered = ImGui::InputText("##field", text_.data(), text_.size(),
                                           ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     if (red) ImGui::PopStyleColor();
-    notePlace(places_, rowName_);
+    notePlace(rowName_);
     if (!entered) {
         if (ImGui::IsItemDeactivated()) typed_.clear();  // Escape, or a click elsewhere: as it was
         return false;
@@ -190,7 +190,7 @@ bool KnobPanel::field(Knob& knob) {
 
 bool KnobPanel::checkbox(const Knob&, bool& value) {
     const bool moved = ImGui::Checkbox("##box", &value);
-    notePlace(places_, rowName_);
+    notePlace(rowName_);
     return moved;
 }
 
@@ -198,7 +198,7 @@ bool KnobPanel::choose(const Knob&, int& index, const std::vector<Option>& optio
     const Option& present = options[static_cast<std::size_t>(index)];
     bool moved = false;
     const bool open = ImGui::BeginCombo("##choice", present.word.c_str());
-    if (!open) notePlace(places_, rowName_);
+    if (!open) notePlace(rowName_);
     if (open) {
         ImGui::PushStyleColor(ImGuiCol_Header, ImGui::GetStyleColorVec4(ImGuiCol_Button));
         float wordWidth = 0;
@@ -217,7 +217,7 @@ bool KnobPanel::choose(const Knob&, int& index, const std::vector<Option>& optio
                 index = static_cast<int>(i);
                 moved = true;
             }
-            notePlace(places_, rowName_ + " " + options[i].word);
+            notePlace(rowName_ + " " + options[i].word);
             ImGui::SameLine(ImGui::GetStyle().WindowPadding.x);
             ImGui::TextUnformatted(options[i].word.c_str());
             if (!options[i].meaning.empty()) {

@@ -6,13 +6,12 @@
 #include "mv/demo/demo.h"
 #include "mv/window/comparison.h"
 #include "mv/window/gui.h"
-#include "mv/window/places.h"
 
 namespace mv {
 
 class KnobPanel final : public Panel {
   public:
-    KnobPanel(Gui& gui, Places& places) : gui_(gui), places_(places) {}
+    explicit KnobPanel(Gui& gui) : gui_(gui) {}
 
     // A row for each knob: name, widget, unit, and a button that sets it back; a second row for the other value of the
     // one that is compared. True when one was moved.
@@ -37,7 +36,6 @@ class KnobPanel final : public Panel {
     // Of the row that is being made: the knob's name, with " B" for the other value of the one that is compared.
     std::string rowName_;
     Gui& gui_;
-    Places& places_;
     // The row whose value is being typed; "" for none.
     std::string typed_;
     std::array<char, 128> text_{};

@@ -117,7 +117,6 @@ void MenuScreen::draw() {
     glClear(GL_COLOR_BUFFER_BIT);
 
     gui_.begin();
-    places_.clear();
     const auto width = float(window_.size().width()), height = float(window_.size().height());
     ImGui::SetNextWindowPos({0, 0});
     ImGui::SetNextWindowSize({width, height});
@@ -175,7 +174,7 @@ void MenuScreen::showCard(const DemoInfo& info, float width, float height, float
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const ImVec2 high{low.x + width, low.y + height};
     if (ImGui::InvisibleButton(info.name.c_str(), {width, height})) open(info);
-    notePlace(places_, info.name);
+    notePlace(info.name);
     const bool hovered = ImGui::IsItemHovered();
     if (selected && scrollToSelected_) ImGui::SetScrollHereY(0.5F);
 
@@ -218,7 +217,7 @@ void MenuScreen::report(const WindowState& state) {
     json["menu"] = cards_.selected;
     if (!problem_.empty()) json["error"] = problem_;
     json["window"] = windowJson(state);
-    json["places"] = placesJson(places_);
+    json["places"] = placesJson(gui_.places());
     printReport(json.dump(2) + "\n");
 }
 

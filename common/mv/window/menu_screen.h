@@ -6,7 +6,6 @@
 #include "mv/run/command_line.h"
 #include "mv/run/stage.h"
 #include "mv/window/gui.h"
-#include "mv/window/places.h"
 #include "mv/window/screen.h"
 #include "mv/window/thumbnail.h"
 
@@ -47,7 +46,6 @@ class MenuScreen final : public Screen {
     Cards& cards_;
     std::string problem_;
     ReportForm report_;
-    Places places_;
     // The demos by rows, as they stood in the last frame: what the arrow keys walk over.
     std::vector<std::vector<const DemoInfo*>> rows_;
     bool scrollToSelected_ = true;

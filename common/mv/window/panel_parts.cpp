@@ -107,12 +107,12 @@ std::pair<std::string, std::string> controlText(const Binding& binding) {
 }
 
 // A list of the knobs: which one to compare.
-bool chooseComparison(Demo& demo, Comparison& comparison, Gui& gui, Places& places) {
+bool chooseComparison(Demo& demo, Comparison& comparison, Gui& gui) {
     bool started = false;
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
     const bool open = ImGui::BeginCombo("##compare", "Compare with ...", ImGuiComboFlags_HeightLarge);
     if (!open) {
-        notePlace(places, "Compare with");
+        notePlace("Compare with");
         tooltip("the present value of a setting with another one, in one picture");
         return false;
     }
@@ -123,7 +123,7 @@ bool chooseComparison(Demo& demo, Comparison& comparison, Gui& gui, Places& plac
             comparison.start(*knob, other);
             started = true;
         }
-        notePlace(places, "compare " + knob->name());
+        notePlace("compare " + knob->name());
     }
     if (gui.wantsPopupClosed()) ImGui::CloseCurrentPopup();
     ImGui::EndCombo();
@@ -131,7 +131,7 @@ bool chooseComparison(Demo& demo, Comparison& comparison, Gui& gui, Places& plac
 }
 
 // Which view of the two; true when it has ended.
-bool showCompared(Comparison& comparison, Places& places) {
+bool showCompared(Comparison& comparison) {
     using View = Comparison::View;
     wrapped(color::heading, "A: " + comparison.labelA() + "\nB: " + comparison.labelB());
     const std::array<std::pair<const char*, View>, 4> views{
@@ -144,7 +144,7 @@ bool showCompared(Comparison& comparison, Places& places) {
             ImGui::PushStyleColor(ImGuiCol_ButtonHovered, ImGui::GetStyleColorVec4(ImGuiCol_SliderGrab));
             ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_WindowBg));
         }
-        if (button(places, name)) comparison.setView(view);
+        if (button(name)) comparison.setView(view);
         if (chosen) ImGui::PopStyleColor(3);
     }
     if (comparison.view() == View::divider) wrapped(color::dim, "Drag the line in the picture, or press [ and ].");
@@ -152,7 +152,7 @@ bool showCompared(Comparison& comparison, Places& places) {
         wrapped(comparison.difference());
         wrapped(color::dim, "Dark: the same. Orange to yellow: it differs, yellow the most.");
     }
-    if (!button(places, "Stop comparing", {ImGui::GetContentRegionAvail().x, 0})) return false;
+    if (!button("Stop comparing", {ImGui::GetContentRegionAvail().x, 0})) return false;
     comparison.stop();
     return true;
 }
@@ -204,8 +204,8 @@ void showReadouts(const Demo& demo, const Comparison& comparison) {
     }
 }
 
-bool showComparison(Demo& demo, Comparison& comparison, Gui& gui, Places& places) {
-    return comparison.on() ? showCompared(comparison, places) : chooseComparison(demo, comparison, gui, places);
+bool showComparison(Demo& demo, Comparison& comparison, Gui& gui) {
+    return comparison.on() ? showCompared(comparison) : chooseComparison(demo, comparison, gui);
 }
 
 void showMatrices(const FrameNotes& notes) {
@@ -220,21 +220,21 @@ void showMatrices(const FrameNotes& notes) {
     }
 }
 
-bool showTime(Playback& playback, Places& places, float scale) {
+bool showTime(Playback& playback, float scale) {
     bool moved = false;
     const ImVec2 size{70 * scale, 0};
     const bool playing = playback.playing();
     if (ImGui::Button(playing ? "Pause" : "Play", size)) playback.toggle();
-    notePlace(places, "Pause");
+    notePlace("Pause");
     tooltip("or the space bar");
     ImGui::SameLine();
-    if (button(places, "Step", size)) {
+    if (button("Step", size)) {
         playback.step();
         moved = true;
     }
     tooltip("one frame further, and pause there");
     ImGui::SameLine();
-    if (button(places, "Restart", size)) {
+    if (button("Restart", size)) {
         playback.restart();
         moved = true;
     }
@@ -245,7 +245,7 @@ bool showTime(Playback& playback, Places& places, float scale) {
                            ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoInput)) {
         playback.setSpeed(std::clamp(double(std::round(speed * 10) / 10), 0.1, 4.0));
     }
-    notePlace(places, "speed");
+    notePlace("speed");
     tooltip("0.1 .. 4 times 60 frames a second");
     ImGui::SameLine();
     ImGui::Text("frame %d", playback.frame());

@@ -5,7 +5,6 @@
 #include "mv/demo/demo.h"
 #include "mv/window/comparison.h"
 #include "mv/window/gui.h"
-#include "mv/window/places.h"
 #include "mv/window/playback.h"
 
 namespace mv {
@@ -17,13 +16,13 @@ bool section(const char* title);
 void showReadouts(const Demo& demo, const Comparison& comparison);
 
 // What to compare, and how the two are shown. True when the picture is to be drawn anew.
-bool showComparison(Demo& demo, Comparison& comparison, Gui& gui, Places& places);
+bool showComparison(Demo& demo, Comparison& comparison, Gui& gui);
 
 // Live tables of the matrices, laid out as on paper.
 void showMatrices(const FrameNotes& notes);
 
 // Play, pause, step, speed. True when another frame is to be shown.
-bool showTime(Playback& playback, Places& places, float scale);
+bool showTime(Playback& playback, float scale);
 
 // What keys, drag and wheel do: the demo's own, then the window's.
 void showControls(const Demo& demo, bool animated, bool menu, bool comparing);

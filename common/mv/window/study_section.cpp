@@ -29,7 +29,7 @@ std::optional<std::pair<int, int>> stepOf(const std::string& line) {
 
 }  // namespace
 
-StudySection::StudySection(const DemoInfo& info, Gui& gui, Places& places) : info_(info), gui_(gui), places_(places) {
+StudySection::StudySection(const DemoInfo& info, Gui& gui) : info_(info), gui_(gui) {
     try {
         if (auto run = committedStudy(info.name)) take(std::move(*run), false);
     } catch (const std::exception& error) {
@@ -106,9 +106,9 @@ void StudySection::finish(int status) {
 void StudySection::showMeasurement() {
     const float width = ImGui::GetContentRegionAvail().x;
     if (!measurement_) {
-        if (info_.study && button(places_, "Measure here", {width, 0})) start();
+        if (info_.study && button("Measure here", {width, 0})) start();
         tooltip("runs the study on this machine, in a program of its own without a window");
-        if (measuredHere_ && button(places_, "Back to the committed study", {width, 0})) {
+        if (measuredHere_ && button("Back to the committed study", {width, 0})) {
             shown_.reset();
             measuredHere_ = false;
             if (auto run = committedStudy(info_.name)) take(std::move(*run), false);
@@ -122,7 +122,7 @@ void StudySection::showMeasurement() {
                        measurement_->steps.empty() ? "starting" : measurement_->steps.c_str());
     ImGui::PopStyleColor();
     ImGui::SameLine();
-    const bool stop = button(places_, "Cancel");
+    const bool stop = button("Cancel");
     if (!measurement_->doing.empty()) wrapped(color::dim, measurement_->doing);
     if (info_.animated) wrapped(color::dim, "Time stands still here meanwhile, not to disturb it.");
     if (stop) measurement_.reset();
@@ -167,12 +167,12 @@ void StudySection::chooseScene() {
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
     const bool open = ImGui::BeginCombo("##scene", ("Scene: " + scenes_[scene_]).c_str());
     if (!open) {
-        notePlace(places_, "scene");
+        notePlace("scene");
         return;
     }
     for (std::size_t i = 0; i < scenes_.size(); ++i) {
         if (ImGui::Selectable(scenes_[i].c_str(), i == scene_)) scene_ = i;
-        notePlace(places_, "scene " + scenes_[i]);
+        notePlace("scene " + scenes_[i]);
     }
     if (gui_.wantsPopupClosed()) ImGui::CloseCurrentPopup();
     ImGui::EndCombo();
@@ -203,7 +203,7 @@ bool StudySection::show(Demo& demo) {
         if (!sceneFound_) findScene(demo);
         if (scenes_.size() > 1) chooseScene();
         const auto here = rowHere(demo);
-        const auto clicked = showStudyPlot(*shown_, scenes_[scene_], here, gui_.scale(), places_);
+        const auto clicked = showStudyPlot(*shown_, scenes_[scene_], here, gui_.scale());
         if (clicked && settings_[*clicked]) {
             applyKnobs(demo, *settings_[*clicked]);
             moved = true;

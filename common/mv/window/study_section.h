@@ -9,13 +9,12 @@
 #include "mv/run/study_data.h"
 #include "mv/window/child.h"
 #include "mv/window/gui.h"
-#include "mv/window/places.h"
 
 namespace mv {
 
 class StudySection {
   public:
-    StudySection(const DemoInfo& info, Gui& gui, Places& places);
+    StudySection(const DemoInfo& info, Gui& gui);
 
     // Whether the demo has a study at all.
     bool any() const { return info_.study.has_value() || shown_.has_value(); }
@@ -50,7 +49,6 @@ class StudySection {
 
     const DemoInfo& info_;
     Gui& gui_;
-    Places& places_;
     std::optional<StudyRun> shown_;
     bool measuredHere_ = false;
     std::vector<std::string> scenes_;

@@ -276,7 +276,7 @@ std::string rowName(const StudyRow& row) {
 }
 
 std::optional<std::size_t> showStudyPlot(const StudyRun& run, const std::string& scene, std::optional<std::size_t> here,
-                                         float scale, Places& places) {
+                                         float scale) {
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x;
     const std::optional<Plot> plot = layOut(run, scene, corner, width, scale);
@@ -316,7 +316,7 @@ std::optional<std::size_t> showStudyPlot(const StudyRun& run, const std::string&
         const ImVec2 at = placeOf(row);
         drawMarker(list, at, methodOf(row), 4 * scale);
         if (row.best) list.AddCircle(at, 7 * scale, ImGui::GetColorU32(ImGuiCol_Text), 0, 1.5F * scale);
-        places["point " + rowName(row)] = {at.x - 4, at.y - 4, at.x + 4, at.y + 4};
+        notePlace("point " + rowName(row), {at.x - 4, at.y - 4, at.x + 4, at.y + 4});
         const float away = std::hypot(mouse.x - at.x, mouse.y - at.y);
         if (!over || away > reach) continue;
         reach = away;

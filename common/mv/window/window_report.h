@@ -3,7 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "mv/window/places.h"
+#include "mv/window/gui.h"
 #include "mv/window/screen.h"
 
 namespace mv {
