@@ -85,7 +85,7 @@ void Comparison::check(const Demo& demo) {
     withOther([&] { demo.check(); });
 }
 
-void Comparison::draw(Stage& stage, int index, bool readouts) {
+Drawing::Cost Comparison::draw(Stage& stage, int index, bool readouts) {
     Side b;
     withOther([&] { b = drawSide(stage, index, readouts); });
     a_ = drawSide(stage, index, readouts);
@@ -94,6 +94,7 @@ void Comparison::draw(Stage& stage, int index, bool readouts) {
     drawnB_ = labelB();
     difference_.clear();
     stale_ = true;
+    return {2, a_.milliseconds};
 }
 
 std::vector<std::string> Comparison::messages() const {

@@ -7,12 +7,12 @@
 
 #include "mv/gl/target.h"
 #include "mv/run/command_line.h"
-#include "mv/run/stage.h"
+#include "mv/run/session.h"
 
 namespace mv {
 
 // The knob itself holds A, the present value, so that all that moves a knob moves A; B is the other value.
-class Comparison {
+class Comparison final : public Drawing {
   public:
     enum class View { divider, a, b, difference };
     // What one of the two settings left.
@@ -37,10 +37,10 @@ class Comparison {
     std::string labelB() const { return knob_->name() + " = " + other_; }
 
     // Error: as Demo::check; where only B makes no picture the message says so.
-    void check(const Demo& demo);
+    void check(const Demo& demo) override;
     // Draws the frame with both values. The stage ends with A's picture and notes. Error: as Stage::draw; both sides then
     // stay what they were.
-    void draw(Stage& stage, int index, bool readouts);
+    Cost draw(Stage& stage, int index, bool readouts) override;
     bool drawn() const { return on() && !a_.picture.rgba.empty(); }
     const Side& sideA() const { return a_; }
     const Side& sideB() const { return b_; }

@@ -4,7 +4,6 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
@@ -26,8 +25,15 @@ constexpr double reloadSeconds = 0.25;
 constexpr ImGuiWindowFlags fixedWindow = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
 
-double milliseconds(std::chrono::steady_clock::duration duration) {
-    return std::chrono::duration<double, std::milli>(duration).count();
+// The picture is as large as the command asks for, else as the original's canvas. A frame asked for by number stands still,
+// so that a copied command shows the very picture it was copied from.
+SessionStart startOf(const Command& command) {
+    const bool sizeGiven = command.width > 0;
+    return {.width = sizeGiven ? command.width : command.demo->width,
+            .height = sizeGiven ? command.height : command.demo->height,
+            .knobs = command.knobs,
+            .frame = command.firstFrame,
+            .paused = command.frameGiven};
 }
 
 }  // namespace
@@ -37,20 +43,16 @@ DemoScreen::DemoScreen(Window& window, Gui& gui, Stage& stage, const Command& co
       gui_(gui),
       stage_(stage),
       info_(*command.demo),
+      session_(stage, *command.demo, startOf(command)),
       report_(command.report),
       program_(command.program),
       menu_(menu),
-      knobs_(gui),
-      study_(*command.demo, gui),
-      // A frame asked for by number stands still, so that a copied command shows the very picture it was copied from.
-      playback_(info_.animated, command.firstFrame, command.frameGiven),
-      drawnFrame_(command.firstFrame) {
+      knobs_(gui, session_),
+      study_(*command.demo, gui) {
     const bool sizeGiven = command.width > 0;
-    const int width = sizeGiven ? command.width : info_.width, height = sizeGiven ? command.height : info_.height;
-    stage_.open(info_, width, height);
-    applyKnobs(stage_.demo(), command.knobs);
+    const int width = stage_.front().width(), height = stage_.front().height();
     if (!command.compareKnob.empty()) {
-        Knob& knob = stage_.demo().knob(command.compareKnob);
+        Knob& knob = session_.demo().knob(command.compareKnob);
         knob.parse(command.compareValues[0]);
         comparison_.start(knob, command.compareValues[1]);
     }
@@ -95,22 +97,19 @@ void DemoScreen::handle(const Event& event) {
         case Event::Kind::press:
             if (event.key != GLFW_MOUSE_BUTTON_LEFT) break;
             draggingDivider_ = overDivider(event.x);
-            dragging_ = overPicture(event.x) && !draggingDivider_;
-            dragX_ = event.x;
-            dragY_ = event.y;
+            overPicture(event.x) && !draggingDivider_ ? session_.pointerDown(event.x, event.y) : session_.pointerUp();
             break;
         case Event::Kind::release:
-            if (event.key == GLFW_MOUSE_BUTTON_LEFT) dragging_ = draggingDivider_ = false;
+            if (event.key != GLFW_MOUSE_BUTTON_LEFT) break;
+            draggingDivider_ = false;
+            session_.pointerUp();
             break;
         case Event::Kind::move:
             if (draggingDivider_) moveDivider(event.x);
-            if (!dragging_) break;
-            stale_ |= stage_.demo().drag(event.x - dragX_, event.y - dragY_);
-            dragX_ = event.x;
-            dragY_ = event.y;
+            session_.pointerMove(event.x, event.y);
             break;
         case Event::Kind::wheel:
-            if (overPicture(event.x)) stale_ |= stage_.demo().wheel(event.notches);
+            if (overPicture(event.x)) session_.wheel(event.notches);
             break;
         case Event::Kind::character:  // not a key: where they are differs from keyboard to keyboard
             if (gui_.typing() || !dividerX()) break;
@@ -121,12 +120,6 @@ void DemoScreen::handle(const Event& event) {
         case Event::Kind::other:
             break;
     }
-}
-
-bool DemoScreen::binds(Key key) const {
-    const auto& bindings = stage_.demo().bindings();
-    return std::any_of(bindings.begin(), bindings.end(),
-                       [&](const Binding& binding) { return binding.gesture == Gesture::key && binding.key == key; });
 }
 
 void DemoScreen::onKey(const Event& event) {
@@ -141,14 +134,11 @@ void DemoScreen::onKey(const Event& event) {
     const std::optional<Key> pressed = demoKey(event.key, event.scancode);
     const bool control = (event.modifiers & GLFW_MOD_CONTROL) != 0;
     if ((event.modifiers & (GLFW_MOD_ALT | GLFW_MOD_SUPER)) != 0) return;
-    if (pressed && !control && binds(*pressed)) {
-        stale_ |= stage_.demo().press(*pressed);
-        return;
-    }
+    if (pressed && !control && session_.press(*pressed)) return;
     if (event.repeat) return;
     if (pressed == key('H')) panelShown_ = !panelShown_;
     if (pressed == key('S')) save();
-    if (event.key == GLFW_KEY_SPACE) playback_.toggle();
+    if (event.key == GLFW_KEY_SPACE) session_.playback().toggle();
     if (event.key == GLFW_KEY_BACKSPACE && menu_) wish_ = {Wish::Kind::menu};
 }
 
@@ -164,7 +154,7 @@ bool DemoScreen::advance(double seconds) {
         changed = before != shaderErrors_;
     }
     changed |= study_.advance();
-    if (!study_.measuring()) stale_ |= playback_.advance(seconds);  // two that draw would spoil what one measures
+    if (!study_.measuring()) session_.advance(seconds);  // two that draw would spoil what one measures
     return changed || pending();
 }
 
@@ -172,7 +162,7 @@ void DemoScreen::reloadShaders() {
     std::vector<std::string> errors;
     try {
         Reloaded reloaded = reloadChangedPrograms();
-        if (reloaded.programs > 0) stale_ = true;
+        if (reloaded.programs > 0) session_.touch();
         errors = std::move(reloaded.standing);
     } catch (const std::exception& error) {
         errors = {sentenceOf(error, "shaders")};
@@ -187,48 +177,15 @@ void DemoScreen::reloadShaders() {
 // ---- The picture
 
 void DemoScreen::redraw() {
-    stale_ = false;
-    triedWidth_ = pictureWidth();
-    triedHeight_ = window_.size().pixelHeight();
     // What another part of the window did wrong is not the demo's.
     for (const std::string& problem : takeErrors()) std::cerr << "window: OpenGL: " << problem << "\n";
-    try {
-        // before the last picture's buffers go for ones of another size
-        comparison_.on() ? comparison_.check(stage_.demo()) : stage_.demo().check();
-        if (stage_.front().width() != triedWidth_ || stage_.front().height() != triedHeight_) {
-            hasPicture_ = false;
-            stage_.resize(triedWidth_, triedHeight_);
-        }
-        drawDemo();
-        drawnFrame_ = playback_.frame();
-        hasPicture_ = true;
-        error_.clear();
-    } catch (const std::exception& error) {
-        error_ = sentenceOf(error, info_.name);
-        takeErrors();
-    }
-}
-
-void DemoScreen::drawDemo() {
-    const bool readouts = panelShown_ || report_ != ReportForm::none;
-    const bool first = demoFrames_ == 0;
-    if (comparison_.on()) {
-        comparison_.draw(stage_, playback_.frame(), readouts);
-        lastMs_ = comparison_.sideA().milliseconds;
-        demoFrames_ += 2;
-    } else {
-        const auto start = std::chrono::steady_clock::now();
-        stage_.draw(playback_.frame(), readouts);
-        glFinish();
-        lastMs_ = milliseconds(std::chrono::steady_clock::now() - start);
-        ++demoFrames_;
-    }
-    if (first) firstMs_ = lastMs_;
+    session_.draw(pictureWidth(), window_.size().pixelHeight(), panelShown_ || report_ != ReportForm::none,
+                  comparison_.on() ? &comparison_ : nullptr);
 }
 
 const Target* DemoScreen::shownTarget() {
     if (comparison_.drawn()) return &comparison_.sheet();
-    return hasPicture_ ? &stage_.front() : nullptr;
+    return session_.hasPicture() ? &stage_.front() : nullptr;
 }
 
 void DemoScreen::showPicture() {
@@ -242,8 +199,7 @@ void DemoScreen::showPicture() {
 }
 
 void DemoScreen::draw() {
-    const bool sizeChanged = pictureWidth() != triedWidth_ || window_.size().pixelHeight() != triedHeight_;
-    if ((stale_ || sizeChanged) && pictureWidth() > 0) redraw();
+    if (pictureWidth() > 0 && session_.due(pictureWidth(), window_.size().pixelHeight())) redraw();
     showPicture();
     gui_.begin();
     if (panelShown_) {
@@ -260,9 +216,9 @@ void DemoScreen::draw() {
 std::vector<Message> DemoScreen::messages() const {
     std::vector<Message> all;
     for (const std::string& error : shaderErrors_) all.push_back({error, true});
-    if (!error_.empty()) all.push_back({error_, true});
-    if (error_.empty()) {
-        const auto notes = comparison_.on() ? comparison_.messages() : stage_.notes().messages;
+    if (!session_.error().empty()) all.push_back({session_.error(), true});
+    if (session_.error().empty()) {
+        const auto notes = comparison_.on() ? comparison_.messages() : session_.notes().messages;
         for (const std::string& note : notes) all.push_back({note, false});
     }
     return all;
@@ -327,26 +283,31 @@ void DemoScreen::showPanelContent() {
     wrapped(info_.sentence);
     if (!info_.lookFor.empty()) wrapped(color::dim, "Look for: " + info_.lookFor);
 
-    Demo& demo = stage_.demo();
-    if (!demo.knobs().empty() && section("Settings")) stale_ |= knobs_.show(demo, comparison_);
-    if (!demo.knobs().empty() && section("Compare")) stale_ |= showComparison(demo, comparison_, gui_);
-    if (playback_.animated() && section("Time")) stale_ |= showTime(playback_, gui_.scale());
+    Demo& demo = session_.demo();
+    Playback& playback = session_.playback();
+    bool moved = false;
+    if (!demo.knobs().empty() && section("Settings")) moved |= knobs_.show(comparison_);
+    if (!demo.knobs().empty() && section("Compare")) moved |= showComparison(demo, comparison_, gui_);
+    if (playback.animated() && section("Time")) moved |= showTime(playback, gui_.scale());
     if (!demo.readouts().empty() && section("Readouts")) showReadouts(demo, comparison_);
-    if (study_.any() && section("Error and time")) stale_ |= study_.show(demo);
-    if (!stage_.notes().matrices.empty() && section("Matrices")) {
+    if (study_.any() && section("Error and time")) moved |= study_.show(demo);
+    if (moved) session_.touch();
+    if (!session_.notes().matrices.empty() && section("Matrices")) {
         if (comparison_.on()) wrapped(color::dim, "of A: " + comparison_.labelA());
-        showMatrices(stage_.notes());
+        showMatrices(session_.notes());
     }
     if (section("Picture")) showFile();
     if (section("Keys and mouse")) showControls(demo, info_.animated, menu_, comparison_.on());
 }
 
-std::string DemoScreen::defaultName() const { return info_.name + "-" + std::to_string(drawnFrame_) + ".png"; }
+std::string DemoScreen::defaultName() const {
+    return info_.name + "-" + std::to_string(session_.drawnFrame()) + ".png";
+}
 
 std::string DemoScreen::commandLine() const {
     const Target& target = stage_.front();
-    return copyableCommand(startOf(program_, info_), info_, stage_.demo(), drawnFrame_, target.width(), target.height(),
-                           comparison_.on() ? comparison_.compared() : ComparedKnob{});
+    return copyableCommand(startOf(program_, info_), info_, session_.demo(), session_.drawnFrame(), target.width(),
+                           target.height(), comparison_.on() ? comparison_.compared() : ComparedKnob{});
 }
 
 void DemoScreen::showFile() {
@@ -356,7 +317,7 @@ void DemoScreen::showFile() {
         std::snprintf(text, sizeof text, "%d x %d pixels\na frame: %.2f ms with A, %.2f ms with B", width, height,
                       comparison_.sideA().milliseconds, comparison_.sideB().milliseconds);
     } else {
-        std::snprintf(text, sizeof text, "%d x %d pixels, %.2f ms a frame", width, height, lastMs_);
+        std::snprintf(text, sizeof text, "%d x %d pixels, %.2f ms a frame", width, height, session_.lastMilliseconds());
     }
     ImGui::TextUnformatted(text);
     tooltip("the last drawn frame until the driver was done with it, with what its readouts took to measure");
@@ -378,9 +339,10 @@ void DemoScreen::showFile() {
 
 void DemoScreen::save() {
     try {
-        if (stale_) redraw();  // of the settings as they are now, not as they were in the last frame
+        if (session_.stale()) redraw();  // of the settings as they are now, not as they were in the last frame
         const Target* shown = shownTarget();
-        if (!error_.empty() || !shown) throw Error("picture", "must be one of the present settings", error_);
+        if (!session_.error().empty() || !shown)
+            throw Error("picture", "must be one of the present settings", session_.error());
         const auto path = freePicturePath(fileName_[0] != '\0' ? fileName_.data() : defaultName());
         writePng(path, shown->read());
         saved_ = "Saved " + path.string();

@@ -6,13 +6,11 @@
 #include <vector>
 
 #include "mv/run/command_line.h"
-#include "mv/run/report.h"
-#include "mv/run/stage.h"
+#include "mv/run/session.h"
 #include "mv/window/comparison.h"
 #include "mv/window/gui.h"
 #include "mv/window/knob_panel.h"
 #include "mv/window/panel_parts.h"
-#include "mv/window/playback.h"
 #include "mv/window/screen.h"
 #include "mv/window/study_section.h"
 
@@ -26,8 +24,8 @@ class DemoScreen final : public Screen {
 
     void handle(const Event& event) override;
     bool advance(double seconds) override;
-    bool moving() const override { return playback_.playing() && !study_.measuring(); }
-    bool pending() const override { return stale_ && pictureWidth() > 0; }
+    bool moving() const override { return session_.playback().playing() && !study_.measuring(); }
+    bool pending() const override { return session_.stale() && pictureWidth() > 0; }
     void draw() override;
     void report(const WindowState& state) override;
 
@@ -40,10 +38,8 @@ class DemoScreen final : public Screen {
     bool overDivider(double x) const;
     void moveDivider(double x);
     void onKey(const Event& event);
-    bool binds(Key key) const;
     void reloadShaders();
     void redraw();
-    void drawDemo();
     const Target* shownTarget();  // none: no setting has made a picture yet
     void showPicture();
     void showDividerHandle();
@@ -54,7 +50,6 @@ class DemoScreen final : public Screen {
     void save();
     void copyCommand();
     std::string commandLine() const;
-    FrameTimes timesForReport(bool closing);
     std::string defaultName() const;
     std::vector<Message> messages() const;
 
@@ -62,27 +57,18 @@ class DemoScreen final : public Screen {
     Gui& gui_;
     Stage& stage_;
     const DemoInfo& info_;
+    Session session_;
     ReportForm report_;
     std::string program_;  // how it was started
     bool menu_;
     KnobPanel knobs_;
     Comparison comparison_;
     StudySection study_;
-    Playback playback_;
 
     bool panelShown_ = true;
-    bool dragging_ = false, draggingDivider_ = false;
-    double dragX_ = 0, dragY_ = 0;
-
-    bool stale_ = true;        // the picture is not that of the present settings
-    bool hasPicture_ = false;  // the stage has one of its present size
-    int triedWidth_ = 0, triedHeight_ = 0;
-    int drawnFrame_;
-    long demoFrames_ = 0;
-    double firstMs_ = 0, lastMs_ = 0;
+    bool draggingDivider_ = false;
     double untilReload_ = 0;  // seconds
 
-    std::string error_;  // why the present settings make no picture
     std::vector<std::string> shaderErrors_;
     std::array<char, 256> fileName_{};
     std::string saved_;  // what became of the last saving, and of the last copying

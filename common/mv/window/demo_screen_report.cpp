@@ -8,40 +8,29 @@
 
 namespace mv {
 
-// At the end the frame is drawn some times more for it; while the window lives the last time it took has to do.
-FrameTimes DemoScreen::timesForReport(bool closing) {
-    if (closing && error_.empty() && hasPicture_) {
-        try {
-            return timeFrames(stage_, drawnFrame_, 9, firstMs_);
-        } catch (const std::exception& error) {
-            error_ = sentenceOf(error, info_.name);
-        }
-    }
-    return {firstMs_, lastMs_, 0, hasPicture_ ? 1 : 0};
-}
-
 void DemoScreen::report(const WindowState& state) {
     if (report_ == ReportForm::none) return;
-    const FrameTimes times = timesForReport(state.closing);
+    // At the end the frame is drawn some times more for it; while the window lives the last time it took has to do.
+    const FrameTimes times = session_.times(state.closing ? 9 : 0);
     std::string problem;
     for (const Message& message : messages()) {
         if (message.error) problem += (problem.empty() ? "" : "\n") + message.text;
     }
     if (report_ == ReportForm::text) {
-        std::string text = reportText(stage_, drawnFrame_, times) + "command   " + commandLine() + "\n";
+        std::string text = reportText(stage_, session_.drawnFrame(), times) + "command   " + commandLine() + "\n";
         if (!problem.empty()) text += "error     " + problem + "\n";
-        return printReport(text + windowText(state) + "demo      " + std::to_string(demoFrames_) + " frames drawn" +
-                           (playback_.playing() ? ", playing\n" : "\n"));
+        return printReport(text + windowText(state) + "demo      " + std::to_string(session_.picturesDrawn()) +
+                           " frames drawn" + (session_.playback().playing() ? ", playing\n" : "\n"));
     }
-    auto json = nlohmann::ordered_json::parse(reportJson(stage_, drawnFrame_, times));
+    auto json = nlohmann::ordered_json::parse(session_.report(times));
     json["command"] = commandLine();
     if (!problem.empty()) json["error"] = problem;
     auto& window = json["window"] = windowJson(state);
-    window["demo_frames"] = demoFrames_;
-    window["playing"] = playback_.playing();
+    window["demo_frames"] = session_.picturesDrawn();
+    window["playing"] = session_.playback().playing();
     if (study_.any()) {
         window["study"] = study_.origin();
-        window["here"] = study_.here(stage_.demo());
+        window["here"] = study_.here(session_.demo());
         window["measuring"] = study_.measuring();
     }
     if (comparison_.drawn()) {

@@ -47,7 +47,8 @@ std::string knobTip(const Knob& knob) {
     return tip;
 }
 
-bool KnobPanel::show(Demo& demo, Comparison& comparison) {
+bool KnobPanel::show(Comparison& comparison) {
+    const Demo& demo = session_.demo();
     float labelWidth = 0;
     for (const Knob* knob : demo.knobs()) {
         const std::string label = knob->name() + (knob == comparison.knob() ? sideA : "");
@@ -178,11 +179,10 @@ bool KnobPanel::field(Knob& knob) {
         return false;
     }
     const std::string before = knob.text();
-    try {
-        knob.parse(trimmed(text_.data()));
+    refusal_ = session_.set(knob.name(), trimmed(text_.data()));
+    if (refusal_.empty()) {
         typed_.clear();
-    } catch (const Error& error) {
-        refusal_ = error.what();
+    } else {
         focusField_ = true;
     }
     return knob.text() != before;

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "mv/demo/demo.h"
+#include "mv/run/session.h"
 #include "mv/window/comparison.h"
 #include "mv/window/gui.h"
 
@@ -11,11 +12,11 @@ namespace mv {
 
 class KnobPanel final : public Panel {
   public:
-    explicit KnobPanel(Gui& gui) : gui_(gui) {}
+    KnobPanel(Gui& gui, Session& session) : gui_(gui), session_(session) {}
 
     // A row for each knob: name, widget, unit, and a button that sets it back; a second row for the other value of the
     // one that is compared. True when one was moved.
-    bool show(Demo& demo, Comparison& comparison);
+    bool show(Comparison& comparison);
 
     bool slider(const Knob& knob, double& value, double low, double high) override;
     bool slider(const Knob& knob, int& value, int low, int high) override;
@@ -36,6 +37,7 @@ class KnobPanel final : public Panel {
     // Of the row that is being made: the knob's name, with " B" for the other value of the one that is compared.
     std::string rowName_;
     Gui& gui_;
+    Session& session_;
     // The row whose value is being typed; "" for none.
     std::string typed_;
     std::array<char, 128> text_{};

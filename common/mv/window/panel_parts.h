@@ -3,9 +3,9 @@
 #include <string>
 
 #include "mv/demo/demo.h"
+#include "mv/run/playback.h"
 #include "mv/window/comparison.h"
 #include "mv/window/gui.h"
-#include "mv/window/playback.h"
 
 namespace mv {
 

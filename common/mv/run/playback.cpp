@@ -1,4 +1,4 @@
-#include "mv/window/playback.h"
+#include "mv/run/playback.h"
 
 #include <cmath>
 #include <limits>
