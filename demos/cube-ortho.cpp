@@ -22,9 +22,10 @@ using namespace mv;
 namespace {
 
 struct CubeOrtho final : Demo {
-    Real depth{this, "depth", 2, {0.05, 3}, "how deep the box of view is, with the cube in its middle"};
-    Real width{this, "width", 2, {0.05, 10}, "how wide the box of view is"};
-    Real height{this, "height", 2, {0.05, 10}, "how high the box of view is"};
+    Real depth{
+        this, "depth", 2, {0.05, 3, Scale::logarithmic}, "how deep the box of view is, with the cube in its middle"};
+    Real width{this, "width", 2, {0.05, 10, Scale::logarithmic}, "how wide the box of view is"};
+    Real height{this, "height", 2, {0.05, 10, Scale::logarithmic}, "how high the box of view is"};
     Real distance{this, "distance", 0, {0, 5}, "how far in front of the eye the cube and the box are"};
     Toggle mirrorDepth{this, "mirror-depth", false, "exchange near and far"};
     Angle spinX{this, "spin-x", 0, "turn about the x axis"};

@@ -21,7 +21,8 @@ using namespace mv;
 namespace {
 
 struct CubePersp final : Demo {
-    Real near{this, "near", 0.3, {0.01, 2.4}, "where the pyramid of view begins, in front of the eye"};
+    Real near{
+        this, "near", 0.3, {0.01, 2.4, Scale::logarithmic}, "where the pyramid of view begins, in front of the eye"};
     Real far{this, "far", 3, {1.6, 5}, "where it ends"};
     Real fov{this, "fov", 65, {10, 120}, "the field of view upwards, fovy: the whole angle", "deg"};
     Real aspect{this, "aspect", 1, {0.5, 2}, "how many times as wide as high the pyramid is"};

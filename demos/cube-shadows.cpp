@@ -86,7 +86,11 @@ struct CubeShadows final : Demo {
                              {"axis-aligned", "the slide's special case, for a plane across an axis"},
                              {"transposed", "the general one as the slide prints it: wrong for columns"}},
                             "which matrix flattens"};
-    Real planeDistance{this, "plane-distance", floorBelow, {0, 1e8}, "distance of the floor below the world's origin"};
+    Real planeDistance{this,
+                       "plane-distance",
+                       floorBelow,
+                       {0.01, 1e8, Scale::logarithmic, true},
+                       "distance of the floor below the world's origin"};
     Choice<Space> space{this,
                         "space",
                         Space::planeLocal,

@@ -52,7 +52,11 @@ struct Pipeline final : Demo {
     Angle spinY{this, "spin-y", -15, "turn it about the y axis"};
     Real near{this, "near", 0.5, {0.1, 2}, "where the view begins"};
     Real far{this, "far", 10, {5, 100}, "where it ends"};
-    Real offset{this, "offset", 0, {0, 1e8}, "how far along x cube and eye are from the origin of the world"};
+    Real offset{this,
+                "offset",
+                0,
+                {1, 1e8, Scale::logarithmic, true},
+                "how far along x cube and eye are from the origin of the world"};
     Choice<Products> products{this,
                               "products",
                               Products::shader,

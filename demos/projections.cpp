@@ -105,7 +105,8 @@ struct Projections final : Demo {
                       "which four views"};
     Angle turn{this, "turn", 30, "yours: how far the eye goes round, to the right"};
     Real tilt{this, "tilt", 20, {-90, 90}, "yours: how far the eye goes up from there", "deg"};
-    Real distance{this, "distance", 14, {9, 1000}, "yours, a perspective: from the eye to the house", "m"};
+    Real distance{
+        this, "distance", 14, {9, 1000, Scale::logarithmic}, "yours, a perspective: from the eye to the house", "m"};
     Real angle{this, "angle", 30, {-180, 180}, "yours, oblique: where depth is drawn to, from the horizontal", "deg"};
     Real length{this, "length", 0.75, {0, 2}, "yours, oblique: how long a metre of depth is drawn", "m"};
 

@@ -131,8 +131,7 @@ struct ShadowLights final : Demo {
     Choice<Which> which{this, "scene", Which::lamps, {{"lamps"}, {"circle"}}, "what is shown"};
     Whole lights{this, "lights", 3, {1, 8}, "lights on the circle; the lamps always have three"};
     Choice<Method> method{this, "method", Method::volumes, {{"maps"}, {"volumes"}}, "how shadows are found"};
-    Choice<int> resolution{
-        this, "resolution", 2, {{"256"}, {"512"}, {"1024"}, {"2048"}}, "texels along a side of each map"};
+    NumberChoice resolution{this, "resolution", 1024, {256, 512, 1024, 2048}, "texels along a side of each map"};
     Real reach{this, "reach", 20, {0.5, 20}, "distance at which a light ends"};
     Toggle keep{this, "keep", true, "keep maps and volumes while light and casters rest"};
     Turntable turntable{this, {-3, 10}};
@@ -251,7 +250,7 @@ struct ShadowLights final : Demo {
         for (const auto& caster : shadow.volumes.casters()) {
             wanted.push_back(lit.scene.objects[caster.object].worldFromObject);
         }
-        const int size = 256 << resolution;
+        const int size = resolution;
         if (keep && shadow.map.size() == size && shadow.mapOf == wanted) return false;
         if (shadow.map.size() != size) shadow.map = DepthMap(size, "map of light " + std::to_string(i));
         shadow.mapOf = wanted;

@@ -52,11 +52,8 @@ Scene build(Which which, double aspect) {
 struct ShadowMap final : Demo {
     Choice<Which> which{
         this, "scene", Which::spot, {{"sphere-and-cube"}, {"cube-on-plane"}, {"still-life"}}, "what is shown"};
-    Choice<int> resolution{this,
-                           "resolution",
-                           3,
-                           {{"64"}, {"128"}, {"256"}, {"512"}, {"1024"}, {"2048"}, {"4096"}},
-                           "texels along a side of the map"};
+    NumberChoice resolution{
+        this, "resolution", 512, {64, 128, 256, 512, 1024, 2048, 4096}, "texels along a side of the map"};
     Choice<Filter> filter{this,
                           "filter",
                           Filter::none,
@@ -66,7 +63,11 @@ struct ShadowMap final : Demo {
                            {"pcf5", "5 x 5"},
                            {"pcf7", "7 x 7"}},
                           "how the map is looked up"};
-    Real bias{this, "bias", 0.006, {0, 0.2}, "how much deeper than the map (0..1) is not yet shadow"};
+    Real bias{this,
+              "bias",
+              0.006,
+              {1e-4, 0.2, Scale::logarithmic, true},
+              "how much deeper than the map (0..1) is not yet shadow"};
     Real slopeBias{this, "slope-bias", 0, {0, 16}, "push the map back by its slope over this many texels"};
     Choice<Faces> faces{
         this, "map-faces", Faces::front, {{"front"}, {"back"}, {"both"}}, "faces in the map, as the light sees them"};
@@ -89,8 +90,9 @@ struct ShadowMap final : Demo {
     Real targetY{this, "target-y", 1, {0, 20}, "y of the point that the light looks at"};
     Real targetZ{this, "target-z", 3.5, {-10, 20}, "z of the point that the light looks at"};
     Real fov{this, "fov", 120, {1, 179}, "height of the spot's cone", "deg"};
-    Real windowWidth{this, "window-width", 3, {0.1, 30}, "of parallel light; by the height, the spot's aspect"};
-    Real windowHeight{this, "window-height", 2.4, {0.1, 30}, "of parallel light"};
+    Real windowWidth{
+        this, "window-width", 3, {0.1, 30, Scale::logarithmic}, "of parallel light; by the height, the spot's aspect"};
+    Real windowHeight{this, "window-height", 2.4, {0.1, 30, Scale::logarithmic}, "of parallel light"};
     Toggle showMap{this, "show-map", true, "show the map in a corner, near is dark"};
     Toggle showFrustum{this, "show-frustum", true, "show the edges of what the map holds"};
     Turntable turntable{this, {-4, 40}};
@@ -188,7 +190,7 @@ struct ShadowMap final : Demo {
         glEnable(GL_CULL_FACE);
 
         // First pass: the map. It shows the scene from the light, and does not change while that rests.
-        const int size = 64 << resolution;
+        const int size = resolution;
         const Content content(view.clipFromWorld(), which, size, faces, receiver, slopeBias);
         if (!keep || drawn != content) {
             if (map.size() != size) map = DepthMap(size, "shadow map");

@@ -70,8 +70,7 @@ struct ShadowMethods final : Demo {
                       Show::picture,
                       {{"picture"}, {"difference", "red: too dark; blue: too light"}},
                       "the picture, or what the lit fractions differ by"};
-    Choice<int> resolution{
-        this, "resolution", 2, {{"256"}, {"512"}, {"1024"}, {"2048"}, {"4096"}}, "texels along a side of the map"};
+    NumberChoice resolution{this, "resolution", 1024, {256, 512, 1024, 2048, 4096}, "texels along a side of the map"};
     Toggle receiver{this, "receiver", false,
                     "fronts and floor in the map, which need a bias; off: the backs of what casts"};
     Real slopeBias{this, "slope-bias", 0, {0, 16}, "push the map back by its slope over this many texels"};
@@ -175,7 +174,7 @@ struct ShadowMethods final : Demo {
     // ---- What some methods prepare, and keep while the light and what casts rest
 
     void makeMap(const Frame& frame) {
-        const int size = 256 << resolution;
+        const int size = resolution;
         const std::tuple wanted(Which(which), size, bool(receiver), double(slopeBias));
         if (keep && mapped == wanted) return;
         if (map.size() != size) map = DepthMap(size, "shadow map");

@@ -75,7 +75,11 @@ struct ShadowVolumes final : Demo {
                           "on: only the silhouette's edges are drawn out; off: the edges of every triangle"};
     Toggle groups{this, "groups", true, "count 127 casters at a time where more than 255 would wrap round"};
     Choice<Place> eye{this, "eye", Place::outside, {{"outside"}, {"in-volume"}}, "where the eye is"};
-    Real far{this, "far", 0, {0, 100}, "end the view this far away, and the volumes with it; 0: nowhere"};
+    Real far{this,
+             "far",
+             0,
+             {0.1, 100, Scale::logarithmic, true},
+             "end the view this far away, and the volumes with it; 0: nowhere"};
     Angle lightTurn{this, "light-turn", 0, "turn the light about the vertical"};
     Real lightHeight{this, "light-height", 1, {0.1, 3}, "height of the light, in its first height"};
     Toggle atInfinity{this, "at-infinity", false, "a light at infinity, in the direction of this one"};

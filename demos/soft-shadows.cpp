@@ -53,11 +53,11 @@ struct SoftShadows final : Demo {
                            {"pcf", "one map, its answers averaged over a square of fixed size"},
                            {"pcss", "one map, averaged over a square as large as the casters found there ask for"}},
                           "how the shadow is made soft"};
-    Choice<int> lights{this, "lights", 3, {{"1"}, {"4"}, {"16"}, {"64"}, {"256"}, {"1024"}}, "points of the lamp"};
+    NumberChoice lights{this, "lights", 64, {1, 4, 16, 64, 256, 1024}, "points of the lamp"};
     Choice<Sum> sum{
         this, "accumulate", Sum::floats, {{"float"}, {"8-bit"}}, "what the points' shadows are added up in"};
     Whole taps{this, "taps", 9, {1, 31}, "pcf and pcss look at taps x taps places of the map"};
-    Choice<int> resolution{this, "resolution", 2, {{"256"}, {"512"}, {"1024"}, {"2048"}}, "texels a side of a map"};
+    NumberChoice resolution{this, "resolution", 1024, {256, 512, 1024, 2048}, "texels a side of a map"};
     Real lampSize{this, "lamp-size", 1, {0.05, 2}, "side of the square lamp"};
     Angle lampTurn{this, "lamp-turn", 0, "turn of the lamp about the vertical, from along the caster's sides"};
     Real casterHeight{this, "caster-height", 0, {0, 1}, "how far what casts is lifted from the floor"};
@@ -124,7 +124,7 @@ struct SoftShadows final : Demo {
 
         const SceneLight& lamp = scene.lights.front();
         const vec3 middle(lamp.position);
-        const std::vector<vec3> points = lampPoints(lamp, 1 << lights, 15);
+        const std::vector<vec3> points = lampPoints(lamp, int(std::lround(std::sqrt(double(lights)))), 15);
         const double share = 1.0 / double(points.size());
         glEnable(GL_CULL_FACE);
         glEnable(GL_DEPTH_TEST);
@@ -186,7 +186,7 @@ struct SoftShadows final : Demo {
                                       .texture = true};
         if (picture.fit(frame.width(), frame.height(), buffers, "darkness")) frame.bindTarget();
         if (frame.readouts() && line.fit(1024, 1, buffers, "darkness along a line")) frame.bindTarget();
-        if (method != Method::matrix && map.size() != 256 << resolution) map = DepthMap(256 << resolution, "map");
+        if (method != Method::matrix && map.size() != resolution) map = DepthMap(resolution, "map");
     }
 
     // Nothing is dark yet; and what is seen has its depth, so that only that is darkened.

@@ -75,13 +75,13 @@ SixPlanes planesInFloat(const mat4& clipFromWorld) {
 struct ViewVolume final : Demo {
     Choice<Projection> projection{
         this, "projection", Projection::perspective, {{"perspective"}, {"orthographic"}}, "of the camera"};
-    Real near{this, "near", 8, {0.5, 25}, "where it begins, in front of the camera", "m"};
+    Real near{this, "near", 8, {0.5, 25, Scale::logarithmic}, "where it begins, in front of the camera", "m"};
     Real far{this, "far", 30, {2, 60}, "where it ends", "m"};
-    Choice<int> closer{this,
-                       "closer",
-                       0,
-                       {{"1"}, {"10"}, {"100"}, {"1e3"}, {"1e4"}, {"1e5"}, {"1e6"}, {"1e7"}, {"1e8"}},
-                       "by what near is divided"};
+    NumberChoice closer{this,
+                        "closer",
+                        1,
+                        {1, 10, 100, 1000, 10'000, 100'000, 1'000'000, 10'000'000, 100'000'000},
+                        "by what near is divided"};
     Real pan{this, "pan", 0, {-90, 90}, "how far the camera looks to the left", "deg"};
     Toggle cull{this, "cull", true, "leave out each object that is whole outside one plane"};
     Choice<Planes> planes{this,
@@ -108,7 +108,7 @@ struct ViewVolume final : Demo {
     ViewVolume() {
         bindDrag(turn, -0.5, tilt, 0.5);
         bindWheel(far, 1);
-        bindKeys(Key::down, Key::up, near, 0.5);
+        bindKeys(Key::down, Key::up, near, 0.1);
         bindKeys(Key::right, Key::left, pan, 5);
     }
 
@@ -135,7 +135,7 @@ struct ViewVolume final : Demo {
         }
     }
 
-    double nearUsed() const { return near / std::pow(10.0, int(closer)); }
+    double nearUsed() const { return near / closer; }
     // The box of the parallel projection is as wide as the pyramid at 16 m
     double boxHalf() const { return 16 * std::tan(radians(fovy / 2)); }
     mat4 clipFromCamera() const {
@@ -264,7 +264,7 @@ struct ViewVolume final : Demo {
         using real = long double;
         using real3 = glm::vec<3, real>;
         const real tangent = std::tan(real(fovy) / 360 * std::acos(real(-1)));
-        const real n = real(double(near)) / std::pow(real(10), real(int(closer))), f = real(double(far));
+        const real n = real(double(near)) / real(int(closer)), f = real(double(far));
         // Bits 0, 1, 2 of i: right, top, far
         const auto corner = [&](unsigned i) {
             const real depth = (i & 4U) != 0 ? f : n;

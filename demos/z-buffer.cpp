@@ -69,9 +69,13 @@ struct ZBuffer final : Demo {
                              {"flipped", "1 at near, 0 at far, as OpenGL has it without glClipControl"},
                              {"logarithmic", "written by the fragment shader"}},
                             "from distance to depth"};
-    Real near{this, "near", 0.1, {0.01, 2.5}, "where the view begins"};
-    Real far{this, "far", 10000, {10, 1e6}, "where it ends"};
-    Real separation{this, "separation", 1e-5, {0, 0.1}, "from a road or pane to the next, as a part of the distance"};
+    Real near{this, "near", 0.1, {0.01, 2.5, Scale::logarithmic}, "where the view begins"};
+    Real far{this, "far", 10000, {10, 1e6, Scale::logarithmic}, "where it ends"};
+    Real separation{this,
+                    "separation",
+                    1e-5,
+                    {1e-7, 0.1, Scale::logarithmic, true},
+                    "from a road or pane to the next, as a part of the distance"};
     Real opacity{this, "opacity", 1, {0.2, 1}, "below 1 colours are blended"};
     Angle spinX{this, "spin-x", 0, "turn bars or panes about the x axis"};
     Angle spinY{this, "spin-y", 0, "turn bars or panes about the y axis"};

@@ -72,8 +72,7 @@ void readCompare(const std::string& text, const Demo& demo, Command& command) {
 }
 
 std::string knobHelp(const Knob& knob) {
-    std::string text = knob.help() + "; " + knob.range() + (knob.unit().empty() ? "" : " " + knob.unit()) +
-                       ", initially " + knob.initialText();
+    std::string text = knob.help() + "; " + knob.rangeInFull() + ", initially " + knob.initialText();
     for (const Option& option : knob.options()) {
         if (!option.meaning.empty()) text += "\n" + option.word + ": " + option.meaning;
     }

@@ -16,10 +16,8 @@
 namespace mv {
 namespace {
 
-std::string signedText(double value) { return (value > 0 ? "+" : "") + numberText(value); }
-
 std::string controlText(const Binding& binding) {
-    std::string effect = "`" + binding.knob->name() + "` " + signedText(binding.amount);
+    std::string effect = "`" + binding.knob->name() + "` " + binding.knob->stepText(binding.amount, "");
     switch (binding.gesture) {
         case Gesture::key:
             if (!binding.text.empty()) effect = "`" + binding.knob->name() + "` = " + binding.text;
@@ -42,8 +40,7 @@ std::string tables(const DemoInfo& info) {
         for (const Option& option : knob->options()) {
             if (!option.meaning.empty()) help += "<br>`" + option.word + "`: " + option.meaning;
         }
-        text += "| `--" + knob->name() + "` | " + tableCell(knob->range()) +
-                (knob->unit().empty() ? "" : " " + knob->unit()) + " | " + knob->initialText() + " | " +
+        text += "| `--" + knob->name() + "` | " + tableCell(knob->rangeInFull()) + " | " + knob->initialText() + " | " +
                 tableCell(help) + " |\n";
     }
     if (!demo->readouts().empty()) {

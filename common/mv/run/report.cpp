@@ -116,8 +116,7 @@ std::string reportJson(Stage& stage, int index, const FrameTimes& times) {
 std::string knobsText(const Demo& demo) {
     std::vector<std::vector<std::string>> rows;
     for (const Knob* knob : demo.knobs()) {
-        rows.push_back({"--" + knob->name(), knob->text(),
-                        knob->range() + (knob->unit().empty() ? "" : " " + knob->unit()), "(" + knob->help() + ")"});
+        rows.push_back({"--" + knob->name(), knob->text(), knob->rangeInFull(), "(" + knob->help() + ")"});
     }
     return aligned(rows, 4);
 }
@@ -125,9 +124,13 @@ std::string knobsText(const Demo& demo) {
 std::string knobsJson(const Demo& demo) {
     auto json = nlohmann::ordered_json::array();
     for (const Knob* knob : demo.knobs()) {
-        nlohmann::ordered_json entry = {{"name", knob->name()},           {"value", knob->text()},
-                                        {"initial", knob->initialText()}, {"range", knob->range()},
-                                        {"unit", knob->unit()},           {"help", knob->help()}};
+        nlohmann::ordered_json entry = {{"name", knob->name()},
+                                        {"value", knob->text()},
+                                        {"initial", knob->initialText()},
+                                        {"range", knob->range()},
+                                        {"scale", knob->scale() == Scale::logarithmic ? "logarithmic" : "linear"},
+                                        {"unit", knob->unit()},
+                                        {"help", knob->help()}};
         json.push_back(std::move(entry));
     }
     return json.dump(2) + "\n";

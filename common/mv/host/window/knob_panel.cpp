@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "mv/run/words.h"
+
 namespace mv {
 namespace {
 
@@ -36,11 +38,13 @@ double rounded(double value, int digits) {
     return number == 0 ? 0 : number;  // never -0
 }
 
+// The decimal number of three digits nearest to the value, which is as fine as a hand can choose on a logarithmic bar.
+double threeDigits(double value) { return std::strtod(formatted("%.2e", value).c_str(), nullptr); }
+
 }  // namespace
 
 std::string knobTip(const Knob& knob) {
-    std::string tip = knob.help() + "\n" + knob.range() + (knob.unit().empty() ? "" : " " + knob.unit()) +
-                      "; initially " + knob.initialText();
+    std::string tip = knob.help() + "\n" + knob.rangeInFull() + "; initially " + knob.initialText();
     for (const Option& option : knob.options()) {
         if (!option.meaning.empty()) tip += "\n" + option.word + ": " + option.meaning;
     }
@@ -125,7 +129,9 @@ bool KnobPanel::row(Knob& knob, float labelWidth, const std::string& side) {
     return moved;
 }
 
-bool KnobPanel::slider(const Knob& knob, double& value, double low, double high) {
+bool KnobPanel::slider(const Knob& knob, double& value, const NumberRange& range) {
+    if (range.scale == Scale::logarithmic) return logarithmicBar(knob, value, range);
+    const double low = range.low, high = range.high;
     // As fine as a hand can choose on a bar of some 200 pixels; finer values are typed.
     const double digits = high > low ? -std::floor(std::log10((high - low) / 500)) : 0;
     return bar(knob, value, low, high, digits);
@@ -136,6 +142,16 @@ bool KnobPanel::slider(const Knob& knob, int& value, int low, int high) {
     const bool moved = bar(knob, number, low, high, 0);
     value = static_cast<int>(number);
     return moved;
+}
+
+// The bar goes by the logarithm, and over its first twentieth it is 0 where that is allowed.
+bool KnobPanel::logarithmicBar(const Knob& knob, double& value, const NumberRange& range) {
+    const double gap = range.orZero ? 0.05 : 0, decades = std::log10(range.high / range.low);
+    double place = value == 0 ? 0 : gap + (1 - gap) * std::log10(value / range.low) / decades;
+    if (!bar(knob, place, 0, 1, 4)) return false;
+    const double before = value, exponent = (place - gap) / (1 - gap) * decades;
+    value = exponent < 0 ? 0 : std::clamp(threeDigits(range.low * std::pow(10.0, exponent)), range.low, range.high);
+    return value != before;
 }
 
 bool KnobPanel::bar(const Knob& knob, double& value, double low, double high, double digits) {

@@ -18,7 +18,7 @@ class KnobPanel final : public Panel {
     // one that is compared. True when one was moved.
     bool show(Demo& demo, Comparison& comparison);
 
-    bool slider(const Knob& knob, double& value, double low, double high) override;
+    bool slider(const Knob& knob, double& value, const NumberRange& range) override;
     bool slider(const Knob& knob, int& value, int low, int high) override;
     bool checkbox(const Knob& knob, bool& value) override;
     bool choose(const Knob& knob, int& index, const std::vector<Option>& options) override;
@@ -31,6 +31,7 @@ class KnobPanel final : public Panel {
     bool row(Knob& knob, float labelWidth, const std::string& side);
     bool otherRow(Knob& knob, float labelWidth, Comparison& comparison);
     bool bar(const Knob& knob, double& value, double low, double high, double digits);
+    bool logarithmicBar(const Knob& knob, double& value, const NumberRange& range);
     bool field(Knob& knob);
     void openField(const Knob& knob);
 

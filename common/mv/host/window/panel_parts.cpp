@@ -85,14 +85,8 @@ void showMatrix(const mat4& matrix) {
     ImGui::Dummy({0, style.ItemSpacing.y / 2});
 }
 
-std::string withUnit(const std::string& value, const std::string& unit) {
-    return unit.empty() ? value : value + " " + unit;
-}
-
-std::string signedText(double value) { return (value > 0 ? "+" : "") + numberText(value); }
-
 std::pair<std::string, std::string> controlText(const Binding& binding) {
-    const std::string amount = withUnit(signedText(binding.amount), binding.knob->unit());
+    const std::string amount = binding.knob->stepText(binding.amount, binding.knob->unit());
     switch (binding.gesture) {
         case Gesture::dragAcross:
             return {"Drag right", binding.knob->name() + " " + amount + " a pixel"};
