@@ -28,8 +28,8 @@ struct CubeCull final : Demo {
                             "which way round the corners of a front face run"};
     Toggle depth{this, "depth", true, "let near faces hide far ones (depth test)"};
     Real zDist{this, "z-dist", -4, {-10, 10}, "where the eye stands on the z axis, looking at the middle"};
-    Angle spinX{this, "spin-x", 0, "turn about the x axis"};
-    Angle spinY{this, "spin-y", 0, "turn about the y axis"};
+    Angle spinX{this, "spin-x", 20, "turn about the x axis"};
+    Angle spinY{this, "spin-y", 30, "turn about the y axis"};
 
     Readout facing{this, "facing", "faces of the cube turned towards the eye, of 6"};
     Readout culled{this, "culled", "triangles discarded by culling, of 12"};
@@ -102,7 +102,23 @@ const bool added = addDemo<CubeCull>({
     .height = 600,
     .background = vec4(0.9, 1.0, 1.0, 1.0),
     .needs = {.depth = true},
-    .pose = {{"spin-x", "20"}, {"spin-y", "30"}},
+    .presets =
+        {
+            {"turned", "Back faces are gone, and nothing is missing."},
+            {"original",
+             "The page's first picture: straight on one sees the blue face alone.",
+             {{"spin-x", "0"}, {"spin-y", "0"}}},
+            {"front-culled", "Without front faces one looks into the far half of the box.", {{"cull", "front"}}},
+            {"no-depth-test",
+             "Nothing culled and no depth test: the order in which the faces were written decides, and here hides the "
+             "near ones.",
+             {{"cull", "none"}, {"depth", "off"}, {"spin-y", "210"}}},
+            {"eye-inside",
+             "From inside no face shows its front: of twelve triangles 2 are culled, 10 are outside of the view, and 0 "
+             "survive.",
+             {{"z-dist", "0.3"}, {"spin-x", "0"}, {"spin-y", "0"}},
+             {{"culled", 2, 2}, {"outside", 10, 10}, {"surviving", 0, 0}}},
+        },
 });
 
 }  // namespace

@@ -28,8 +28,8 @@ struct CubeOrtho final : Demo {
     Real height{this, "height", 2, {0.05, 10, Scale::logarithmic}, "how high the box of view is"};
     Real distance{this, "distance", 0, {0, 5}, "how far in front of the eye the cube and the box are"};
     Toggle mirrorDepth{this, "mirror-depth", false, "exchange near and far"};
-    Angle spinX{this, "spin-x", 0, "turn about the x axis"};
-    Angle spinY{this, "spin-y", 0, "turn about the y axis"};
+    Angle spinX{this, "spin-x", 30, "turn about the x axis"};
+    Angle spinY{this, "spin-y", 40, "turn about the y axis"};
 
     Readout nearPlane{this, "near", "near, as ortho is told; negative is behind the eye"};
     Readout farPlane{this, "far", "far, as ortho is told"};
@@ -96,7 +96,22 @@ const bool added = addDemo<CubeOrtho>({
     .height = 512,
     .background = vec4(1),
     .needs = {.depth = true},
-    .pose = {{"spin-x", "30"}, {"spin-y", "40"}},
+    .presets =
+        {
+            {"turned",
+             "Edges that are parallel on the cube are parallel in the picture, and none is shorter for being farther "
+             "away."},
+            {"original",
+             "The page's first picture: straight on one sees the red face alone.",
+             {{"spin-x", "0"}, {"spin-y", "0"}}},
+            {"hexagon",
+             "A thin box cuts the cube open along its diagonal: a regular hexagon, one side from each face.",
+             {{"depth", "0.05"}, {"spin-x", "35.264"}, {"spin-y", "45"}}},
+            {"wide-box", "A box twice as wide fills the same window, so the cube is half as wide.", {{"width", "4"}}},
+            {"mirrored",
+             "Near and far exchanged make the identity of the canonical box, and the far faces hide the near ones.",
+             {{"mirror-depth", "on"}}},
+        },
 });
 
 }  // namespace

@@ -2,7 +2,7 @@
 //
 // Claims (each is a test in tests/claims/cube-shadows.cpp; the extreme ones are X11 to X16 in docs/stability.md):
 // - [cast-by-rays] The picture is what rays show, on floor, wall and leaning wall, from lamps and lights at infinity.
-// - [no-shadow-seen-from-the-light] An eye at the light, as in the first picture, sees no shadow.
+// - [no-shadow-seen-from-the-light] An eye at the light, as in the original's first picture, sees no shadow.
 // - [special-case] On planes across an axis the slide's special case and the general matrix give the same picture.
 // - [transposed-is-wrong] The matrix as the slide prints it, for columns transposed, draws another picture.
 // - [darkened-once] However many triangles and casters overlap in a shadow, each of its pixels is darkened once.
@@ -58,19 +58,19 @@ struct Plane {
 struct CubeShadows final : Demo {
     Choice<Place> place{this,
                         "scene",
-                        Place::plane,
+                        Place::room,
                         {{"plane", "a cube over the original's plane, which is not drawn"},
                          {"room", "the cube before a floor and a wall"},
                          {"still-life", "a pawn, a ring, a sphere and a box before a floor and a wall"}},
                         "what casts, and on what"};
-    Angle lightTheta{this, "light-theta", 20, "where the light stands: its turn about the upright axis, 0 along x"};
-    Real lightPhi{this, "light-phi", 80, {0, 180}, "where the light stands: its angle from straight above", "deg"};
-    Real lightDistance{this, "light-distance", 8.5, {1.75, 20}, "distance of the light from the middle of the scene"};
+    Angle lightTheta{this, "light-theta", 50, "where the light stands: its turn about the upright axis, 0 along x"};
+    Real lightPhi{this, "light-phi", 64, {0, 180}, "where the light stands: its angle from straight above", "deg"};
+    Real lightDistance{this, "light-distance", 9, {1.75, 20}, "distance of the light from the middle of the scene"};
     Toggle atInfinity{this, "at-infinity", false, "a light in that direction, infinitely far away: w = 0"};
     Real lift{this, "lift", 0, {-3, 12}, "how far what casts is lifted"};
     Real tilt{this, "tilt", 0, {-30, 60}, "how far the wall leans back; in scene plane, how far the plane rises",
               "deg"};
-    Real darkness{this, "darkness", 0.25, {0, 1}, "how much of the light a shadow takes away; 0: no shadow"};
+    Real darkness{this, "darkness", 0.6, {0, 1}, "how much of the light a shadow takes away; 0: no shadow"};
     Toggle once{this, "once", true, "darken each pixel once, by the stencil buffer"};
     Choice<Cut> cut{this,
                     "cut",
@@ -98,9 +98,9 @@ struct CubeShadows final : Demo {
                          {"world", "world coordinates in double"},
                          {"world-float", "world coordinates in float"}},
                         "where the matrix is computed; each is rounded to float when it is uploaded"};
-    Angle theta{this, "theta", 20, "where the eye stands: its turn about the upright axis"};
-    Real phi{this, "phi", 80, {1, 179}, "where the eye stands: its angle from straight above", "deg"};
-    Real distance{this, "distance", 8.5, {2, 30}, "distance of the eye from the middle of the scene"};
+    Angle theta{this, "theta", 15, "where the eye stands: its turn about the upright axis"};
+    Real phi{this, "phi", 70, {1, 179}, "where the eye stands: its angle from straight above", "deg"};
+    Real distance{this, "distance", 13, {2, 30}, "distance of the eye from the middle of the scene"};
     Real fov{this, "fov", 40, {10, 120}, "the view's angle, upwards", "deg"};
 
     Readout lightHeight{this, "light-height", "height of the light above the floor; at infinity the sine of its angle"};
@@ -383,6 +383,15 @@ StudyLine lineOf(const std::string& method, const std::string& space) {
             .values = {std::begin(distances), std::end(distances)}};
 }
 
+// The settings of the study's scenes: the original's plane, with the light higher than there.
+const std::vector<KnobSetting> overThePlane{
+    {"scene", "plane"}, {"light-theta", "20"}, {"light-phi", "40"}, {"light-distance", "8.5"}};
+
+std::vector<KnobSetting> risen(std::vector<KnobSetting> settings) {
+    settings.push_back({"tilt", "-20"});
+    return settings;
+}
+
 const bool added = addDemo<CubeShadows>({
     .name = "cube-shadows",
     .sentence = "Planar shadows on any plane, from a lamp or a light at infinity, by one matrix.",
@@ -395,21 +404,41 @@ const bool added = addDemo<CubeShadows>({
     .needs = {.depth = true,
               .stencil = true,
               .beyondEs = {{"clip distances", "the fragment shader discards by the same two distances"}}},
-    .pose = {{"scene", "room"},
-             {"light-theta", "50"},
-             {"light-phi", "64"},
-             {"light-distance", "9"},
-             {"darkness", "0.6"},
-             {"theta", "15"},
-             {"phi", "70"},
-             {"distance", "13"}},
-    .waste = {{"no-sample", "draw of 'cube'",
-               "in the first picture the eye is at the light: the cube hides its shadow"}},
+    .presets =
+        {
+            {"room", "The shadow runs over the floor and bends up the wall, by a matrix for each."},
+            {"original",
+             "The page's first picture: the eye stands where the light is, and sees no shadow.",
+             {{"scene", "plane"},
+              {"light-theta", "20"},
+              {"light-phi", "80"},
+              {"light-distance", "8.5"},
+              {"darkness", "0.25"},
+              {"theta", "20"},
+              {"phi", "80"},
+              {"distance", "8.5"}}},
+            {"sun",
+             "A light at infinity and a wall that leans back: the shadow's edges stay parallel.",
+             {{"light-phi", "70"}, {"at-infinity", "on"}, {"tilt", "40"}}},
+            {"twice",
+             "Without the stencil buffer a pixel is darkened as often as something flattened falls on it.",
+             {{"scene", "still-life"},
+              {"light-theta", "48"},
+              {"light-phi", "66"},
+              {"light-distance", "14"},
+              {"once", "off"},
+              {"theta", "12"}}},
+            {"uncut",
+             "A cube half under the floor: what is below it casts a false shadow, towards the light.",
+             {{"lift", "-1"}, {"cut", "none"}}},
+            {"transposed",
+             "The matrix as a slide prints it, for row vectors: two patches that belong to nothing.",
+             {{"formula", "transposed"}}},
+        },
     .study =
         Study{.quantity = "place of the shadows of a cube's eight corners, relative to a point on the plane",
               .reference = "the ray from the light through the corner meets the plane, in double, without a matrix",
-              .scenes = {{"level plane", {{"light-phi", "40"}}},
-                         {"rising plane", {{"light-phi", "40"}, {"tilt", "-20"}}}},
+              .scenes = {{"level plane", overThePlane}, {"rising plane", risen(overThePlane)}},
               .lines = {lineOf("world space, float", "world-float"), lineOf("world space, double", "world"),
                         lineOf("plane-local, double", "plane-local")},
               .wrongBeyond = 2e-5,

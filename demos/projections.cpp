@@ -280,6 +280,28 @@ const bool added = addDemo<Projections>({
     .height = 720,
     .background = vec4(0.5, 0.5, 0.5, 1),
     .needs = {.depth = true},
+    .presets =
+        {
+            {"cad",
+             "Top stands over front and side beside it, each to be measured with a ruler; only the perspective looks "
+             "like a house."},
+            {"axonometric",
+             "All three axes are seen, each shortened: all alike in the isometric view, two alike in the dimetric one.",
+             {{"show", "axonometric"}}},
+            {"oblique",
+             "All three keep a side as it is. Cavalier keeps the depth, too, and looks too deep; cabinet halves it.",
+             {{"show", "oblique"}}},
+            {"vanishing",
+             "Parallel edges that are not parallel to the picture meet, in one, two or three points.",
+             {{"show", "vanishing"}}},
+            {"level",
+             "Your perspective, looking level, has 2 vanishing points: the walls stay upright.",
+             {{"show", "vanishing"}, {"tilt", "0"}},
+             {{"vanishing-points", 2, 2}}},
+            {"from-afar",
+             "From 1000 m the perspective is nearly the parallel view of the same turn.",
+             {{"show", "vanishing"}, {"distance", "1000"}}},
+        },
 });
 
 }  // namespace

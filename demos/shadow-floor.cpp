@@ -137,6 +137,21 @@ const bool added = addDemo<ShadowFloor>({
     .animated = true,
     .background = vec4(0.95, 1, 1, 1),
     .needs = {.depth = true},
+    .presets =
+        {
+            {"original", "Light, corner and the corner's shadow stay on one line while the light goes round."},
+            {"over-the-edge",
+             "The shadow ends where the floor ends.",
+             {{"spin-y", "60"}, {"light-x", "-1"}, {"light-height", "1"}, {"circle", "off"}}},
+            {"hanging",
+             "The matrix knows a plane, which has no end: the shadow goes on in the air.",
+             {{"spin-y", "60"}, {"light-x", "-1"}, {"light-height", "1"}, {"circle", "off"}, {"crop", "off"}}},
+            {"from-above", "From above the whole shadow is seen.", {{"spin-x", "-40"}}},
+            {"from-below", "From below there is none: the floor hides it.", {{"spin-x", "40"}}},
+            {"low-light",
+             "Just above the square the light throws a shadow larger than the floor.",
+             {{"spin-x", "-20"}, {"light-height", "0.55"}, {"circle", "off"}}},
+        },
 });
 
 }  // namespace

@@ -46,10 +46,10 @@ bool usesMap(Method method) { return method >= Method::map; }
 int looksAlong(Method method) { return method == Method::pcf5 ? 5 : method == Method::pcf3 ? 3 : 1; }
 
 struct ShadowMethods final : Demo {
-    Choice<Which> which{this, "scene", Which::cube, {{"cube-on-plane"}, {"still-life"}}, "what is shown"};
+    Choice<Which> which{this, "scene", Which::stillLife, {{"cube-on-plane"}, {"still-life"}}, "what is shown"};
     Choice<Method> method{this,
                           "method",
-                          Method::matrix,
+                          Method::map,
                           {{"none", "no shadow"},
                            {"matrix", "what casts, flattened onto floor and wall"},
                            {"volume", "shadow volumes, counted by z-fail"},
@@ -61,7 +61,7 @@ struct ShadowMethods final : Demo {
     Choice<int> against{
         this,
         "against",
-        0,
+        3,
         {{"off"}, {"none"}, {"matrix"}, {"volume"}, {"map"}, {"map-hardware"}, {"pcf3"}, {"pcf5"}},
         "a second method, right of the split or subtracted; off: none, and subtracted is what rays show"};
     Real split{this, "split", 0.5, {0, 1}, "where the second method begins, in widths of the picture"};
@@ -70,7 +70,7 @@ struct ShadowMethods final : Demo {
                       Show::picture,
                       {{"picture"}, {"difference", "red: too dark; blue: too light"}},
                       "the picture, or what the lit fractions differ by"};
-    NumberChoice resolution{this, "resolution", 1024, {256, 512, 1024, 2048, 4096}, "texels along a side of the map"};
+    NumberChoice resolution{this, "resolution", 256, {256, 512, 1024, 2048, 4096}, "texels along a side of the map"};
     Toggle receiver{this, "receiver", false,
                     "fronts and floor in the map, which need a bias; off: the backs of what casts"};
     Real slopeBias{this, "slope-bias", 0, {0, 16}, "push the map back by its slope over this many texels"};
@@ -164,8 +164,10 @@ struct ShadowMethods final : Demo {
             glClear(GL_COLOR_BUFFER_BIT);
         }
         if (other) glDisable(GL_SCISSOR_TEST);
-        if (other && middle > 0) drawText(frame, middle - 8 - textWidth(method.text()), 8, method.text());
-        if (other && middle < frame.width()) drawText(frame, middle + 8, 8, against.text());
+        std::vector<TextLine> names;
+        if (other && middle > 0) names.push_back({middle - 8 - textWidth(method.text()), 8, method.text()});
+        if (other && middle < frame.width()) names.push_back({middle + 8, 8, against.text()});
+        if (other) drawText(frame, names);
         if (!frame.readouts()) return;
         if (const auto found = shadowCheck.compare(scene, frame, [&] { drawScene(method, true); }))
             wrong = found->dark + found->lit;
@@ -183,7 +185,7 @@ struct ShadowMethods final : Demo {
         // Backs are as good an end of the shadow as fronts, and what is lit is not there to shade itself
         if (!receiver) glCullFace(GL_FRONT);
         glEnable(GL_POLYGON_OFFSET_FILL);
-        glPolygonOffset(float(slopeBias), float(2 * slopeBias));
+        if (slopeBias > 0) glPolygonOffset(float(slopeBias), float(2 * slopeBias));
         const Program& program = use("flat");
         for (std::size_t i = 0; i < meshes.size(); ++i) {
             if (!receiver && !scene.objects[i].casts) continue;
@@ -291,6 +293,8 @@ StudyLine mapLine(const std::string& name, const std::string& method, const std:
             {"256", "512", "1024", "2048", "4096"}};
 }
 
+const char* const otherHalf = "each side of the line draws the whole scene, and some of it is on the other side";
+
 const bool added = addDemo<ShadowMethods>({
     .name = "shadow-methods",
     .sentence = "All methods on one scene: matrix, volumes and maps, side by side and against time.",
@@ -304,12 +308,31 @@ const bool added = addDemo<ShadowMethods>({
     .needs = {.depth = true,
               .stencil = true,
               .beyondEs = {{"float targets", "--show difference is refused, and wrong is not measured"}}},
-    .pose = {{"scene", "still-life"}, {"method", "map"}, {"against", "volume"}, {"resolution", "256"}},
+    .presets =
+        {
+            {"map-and-volumes", "Left of the line a coarse map, right of it volumes: follow a shadow's edge across."},
+            {"matrix",
+             "One flat floor and one matrix: for this scene there is nothing better.",
+             {{"scene", "cube-on-plane"}, {"method", "matrix"}, {"against", "off"}, {"resolution", "1024"}}},
+            {"matrix-is-wrong",
+             "What the matrix lacks, in blue: the shadows of bodies on bodies.",
+             {{"method", "matrix"}, {"against", "off"}, {"show", "difference"}, {"resolution", "1024"}}},
+            {"map-is-wrong",
+             "What a coarse map gets wrong, along every edge.",
+             {{"against", "off"}, {"show", "difference"}}},
+            {"acne",
+             "The floor in the map, without a bias: it shades itself in stripes, and a filter does not help.",
+             {{"scene", "cube-on-plane"}, {"against", "pcf3"}, {"resolution", "1024"}, {"receiver", "on"}}},
+        },
+    .waste = {{"no-sample", "draw of 'box'", otherHalf},
+              {"no-sample", "draw of 'pawn'", otherHalf},
+              {"state-again", "glStencilFunc", "counting volumes sets all that it needs, whatever was there before"}},
     .study =
         Study{
             .quantity = "lit fraction of the pixels whose surface faces the light",
             .reference = "a ray in double precision from each pixel to the light; 64 for the root mean square",
-            .scenes = {{"cube on plane", {{"scene", "cube-on-plane"}}}, {"still life", {{"scene", "still-life"}}}},
+            .scenes = {{"cube on plane", {{"scene", "cube-on-plane"}, {"against", "off"}}},
+                       {"still life", {{"scene", "still-life"}, {"against", "off"}}}},
             .lines = {{"no shadow", {{"method", "none"}}},
                       {"matrix", {{"method", "matrix"}}},
                       {"volumes", {{"method", "volume"}}},

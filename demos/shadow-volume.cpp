@@ -78,7 +78,7 @@ struct ShadowVolumes final : Demo {
     Real far{this,
              "far",
              0,
-             {0.1, 100, Scale::logarithmic, true},
+             {5, 100, Scale::logarithmic, true},
              "end the view this far away, and the volumes with it; 0: nowhere"};
     Angle lightTurn{this, "light-turn", 0, "turn the light about the vertical"};
     Real lightHeight{this, "light-height", 1, {0.1, 3}, "height of the light, in its first height"};
@@ -110,10 +110,6 @@ struct ShadowVolumes final : Demo {
         program = Program("shadow-volume");
         volumeProgram = Program("shadow-volume", "volume");
         built.reset();
-    }
-
-    void check() const override {
-        if (far != 0 && far <= near) throw Error("--far", "must be 0 or greater than near, 0.1", far.text());
     }
 
     // The scene as the knobs have it: without a far plane, unless one is to cut the volumes off.
@@ -392,6 +388,27 @@ const bool added = addDemo<ShadowVolumes>({
               .beyondEs = {{"depth read-back", "shadow-pixels and stencil-max are not measured"},
                            {"stencil read-back", "shadow-pixels and stencil-max are not measured"},
                            {"float targets", "wrong is not measured"}}},
+    .presets =
+        {
+            {"volumes",
+             "A way from the eye goes into a volume through yellow and out through blue; more often in than out is "
+             "shadow."},
+            {"counts",
+             "Boxes in boxes: each colour is how many volumes the point is in.",
+             {{"scene", "nested"}, {"show", "count"}}},
+            {"eye-in-volume",
+             "The eye is in the shadow itself, and counting from the far end is right all the same.",
+             {{"scene", "cube"}, {"show", "shadow"}, {"eye", "in-volume"}}},
+            {"z-pass",
+             "Counted from the eye, which is in a volume: light and shadow have changed places.",
+             {{"scene", "cube"}, {"method", "z-pass"}, {"show", "shadow"}, {"eye", "in-volume"}}},
+            {"wrapped",
+             "256 boxes in boxes count as 0 in eight bits: a lit hole in the shadow.",
+             {{"scene", "nested"}, {"shells", "256"}, {"show", "shadow"}, {"groups", "off"}}},
+            {"every-triangle",
+             "Each triangle drawn out, instead of the silhouette: far more to fill, and no better.",
+             {{"silhouette", "off"}}},
+        },
     .study =
         Study{
             .quantity = "lit or in shadow, of the pixels that face the light",

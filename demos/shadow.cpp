@@ -129,6 +129,18 @@ const bool added = addDemo<Shadow>({
     .animated = true,
     .background = vec4(1),
     .needs = {.depth = true},
+    .presets =
+        {
+            {"original", "The square once in red, and once more, flattened onto y = 0 and black."},
+            {"low-light",
+             "The light comes down, and the shadow grows to 5.06 times the square.",
+             {{"light-height", "0.9"}},
+             {{"shadow-area", 5.055, 5.065}}},
+            {"through-the-plane", "Only the part above the plane casts.", {{"square-height", "0.2"}, {"tilt", "60"}}},
+            {"light-between",
+             "The light stands between lower and upper side: what is below it casts a shadow without end.",
+             {{"light-height", "0.6"}, {"tilt", "50"}}},
+        },
 });
 
 }  // namespace

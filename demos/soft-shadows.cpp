@@ -53,14 +53,14 @@ struct SoftShadows final : Demo {
                            {"pcf", "one map, its answers averaged over a square of fixed size"},
                            {"pcss", "one map, averaged over a square as large as the casters found there ask for"}},
                           "how the shadow is made soft"};
-    NumberChoice lights{this, "lights", 64, {1, 4, 16, 64, 256, 1024}, "points of the lamp"};
+    NumberChoice lights{this, "lights", 256, {1, 4, 16, 64, 256, 1024}, "points of the lamp"};
     Choice<Sum> sum{
         this, "accumulate", Sum::floats, {{"float"}, {"8-bit"}}, "what the points' shadows are added up in"};
     Whole taps{this, "taps", 9, {1, 31}, "pcf and pcss look at taps x taps places of the map"};
     NumberChoice resolution{this, "resolution", 1024, {256, 512, 1024, 2048}, "texels a side of a map"};
     Real lampSize{this, "lamp-size", 1, {0.05, 2}, "side of the square lamp"};
     Angle lampTurn{this, "lamp-turn", 0, "turn of the lamp about the vertical, from along the caster's sides"};
-    Real casterHeight{this, "caster-height", 0, {0, 1}, "how far what casts is lifted from the floor"};
+    Real casterHeight{this, "caster-height", 0.2, {0, 1}, "how far what casts is lifted from the floor"};
     Angle spinX{this, "spin-x", 0, "turn about the x axis"};
     Angle spinY{this, "spin-y", 0, "turn about the y axis"};
 
@@ -362,7 +362,26 @@ const bool added = addDemo<SoftShadows>({
     .needs = {.depth = true,
               .beyondEs = {{"float targets", "--accumulate float is refused; 8-bit does, up to 256 points"},
                            {"float blending", "--accumulate float is refused; 8-bit does, up to 256 points"}}},
-    .pose = {{"lights", "256"}, {"caster-height", "0.2"}},
+    .presets =
+        {
+            {"lifted",
+             "The shadow is sharpest where the cube is nearest to the floor, and grows softer with the distance."},
+            {"touching",
+             "Where cube and floor touch the edge is sharp; 64 points of the lamp are nearly enough.",
+             {{"lights", "64"}, {"caster-height", "0"}}},
+            {"few-points",
+             "Four points of the lamp: four hard shadows, one over the other.",
+             {{"lights", "4"}, {"caster-height", "0.5"}}},
+            {"eight-bits",
+             "1024 shares of the light are each rounded to nothing: there is no shadow.",
+             {{"lights", "1024"}, {"accumulate", "8-bit"}}},
+            {"blurred",
+             "A blur of fixed size is as soft at the foot of a leg as at the far edge of the shadow.",
+             {{"scene", "table"}, {"method", "pcf"}, {"lamp-size", "0.5"}, {"caster-height", "0"}}},
+            {"blurred-as-wide-as-needed",
+             "A blur that asks how wide: sharp at the feet of the legs, soft at the far edge.",
+             {{"scene", "table"}, {"method", "pcss"}, {"taps", "15"}, {"lamp-size", "0.5"}, {"caster-height", "0"}}},
+        },
     .waste = {{"repeated-pass", "pass into 'darkness'", "what a soft shadow costs in every frame is the lesson"},
               {"state-again", "glViewport", "the darkness is as large as the picture, and a target sets its own"}},
     .study =
@@ -370,8 +389,9 @@ const bool added = addDemo<SoftShadows>({
             .quantity = "part of the lamp that is seen from each pixel's surface, 0..1",
             .reference = "1024 rays a pixel, in double precision",
             // Turned, so that no row of the reference's points runs along an edge of the caster.
-            .scenes = {{"cube", {{"lamp-turn", "30"}}},
-                       {"table", {{"scene", "table"}, {"lamp-size", "0.5"}, {"lamp-turn", "30"}}}},
+            .scenes = {{"cube", {{"lamp-turn", "30"}, {"caster-height", "0"}}},
+                       {"table",
+                        {{"scene", "table"}, {"lamp-size", "0.5"}, {"lamp-turn", "30"}, {"caster-height", "0"}}}},
             .lines = {{"matrix, float", {{"method", "matrix"}}, "lights", {"1", "4", "16", "64", "256", "1024"}},
                       {"matrix, 8-bit",
                        {{"method", "matrix"}, {"accumulate", "8-bit"}},

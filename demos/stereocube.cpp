@@ -36,8 +36,8 @@ struct StereoCube final : Demo {
     Real eyeSep{this, "eye-sep", 0.2, {0, 1}, "distance between the eyes"};
     Real zDist{this, "z-dist", -3, {-10, 2}, "z of the eyes, which look along +z"};
     Real convergence{this, "convergence", 2, {0.25, 10}, "how far ahead of the eyes the screen is"};
-    Angle spinX{this, "spin-x", 0, "turn about the x axis"};
-    Angle spinY{this, "spin-y", 0, "turn about the y axis"};
+    Angle spinX{this, "spin-x", 20, "turn about the x axis"};
+    Angle spinY{this, "spin-y", 30, "turn about the y axis"};
     Choice<Stereo> stereo{this,
                           "stereo",
                           Stereo::toeIn,
@@ -158,7 +158,29 @@ const bool added = addDemo<StereoCube>({
     .width = 600,
     .height = 600,
     .needs = {.depth = true},
-    .pose = {{"spin-x", "20"}, {"spin-y", "30"}},
+    .presets =
+        {
+            {"turned",
+             "With red glass left and cyan glass right it stands behind the screen; its horizontal edges are not "
+             "level."},
+            {"original",
+             "The page's first picture: the cube straight on, a small square in a large one, each twice.",
+             {{"spin-x", "0"}, {"spin-y", "0"}}},
+            {"off-axis",
+             "Both eyes look straight ahead, so that no corner moves up or down: vertical-parallax is 0. Each channel "
+             "is one picture.",
+             {{"stereo", "off-axis"}, {"colors", "masks"}},
+             {{"vertical-parallax", 0, 1e-9}}},
+            {"on-black",
+             "On black each glass passes its own colour, so the two have changed places.",
+             {{"stereo", "off-axis"}, {"background", "black"}}},
+            {"before-the-screen",
+             "The screen is behind the cube, which comes out of it.",
+             {{"z-dist", "-2"}, {"convergence", "6"}, {"stereo", "off-axis"}}},
+            {"squint",
+             "Eyes far apart that meet near: the heights of the two pictures differ by many pixels.",
+             {{"eye-sep", "0.5"}, {"convergence", "1"}}},
+        },
 });
 
 }  // namespace

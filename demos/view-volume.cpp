@@ -300,6 +300,25 @@ const bool added = addDemo<ViewVolume>({
     .height = 480,
     .background = vec4(0.5, 0.5, 0.5, 1),
     .needs = {.depth = true},
+    .presets =
+        {
+            {"garden", "What lies between the blue and the red plane becomes the cube on the right, bent with it."},
+            {"near-plane",
+             "With near at 0.5 the house is a thin slice at the far side of the cube: near is where depth is lost.",
+             {{"near", "0.5"}}},
+            {"pan",
+             "The camera looks past the house: what is cut off is orange, and what is whole outside was not drawn.",
+             {{"pan", "25"}}},
+            {"box",
+             "The box of a parallel projection becomes the cube without bending.",
+             {{"projection", "orthographic"}}},
+            {"float-planes",
+             "Planes from a float matrix with near a million times closer: plane-error is 0.12, and trees beyond far "
+             "come back.",
+             {{"closer", "1e6"}, {"planes", "float-matrix"}},
+             {{"plane-error", 0.115, 0.125}}},
+            {"from-the-front", "Seen from the front the cube is the camera's picture.", {{"turn", "0"}, {"tilt", "0"}}},
+        },
     .study =
         Study{.quantity = "the six planes of the view volume: normals, and distances over far",
               .reference = "planes through three corners of the volume each, in long double",

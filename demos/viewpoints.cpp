@@ -175,6 +175,22 @@ const bool added = addDemo<Viewpoints>({
     .animated = true,
     .background = vec4(0.7, 1.0, 0.7, 1.0),
     .needs = {.depth = true},
+    .presets =
+        {
+            {"original", "The car goes round clockwise; track and houses stand still."},
+            {"driver", "Now the car stands still, and the world turns around it.", {{"view", "4"}}},
+            {"beside", "The same from beside it: the road runs away underneath.", {{"view", "8"}}},
+            {"house-by-slide",
+             "Looking at one house from the moving car, by the slide's formula: houses and track lean over.",
+             {{"view", "5"}, {"height", "40"}}},
+            {"house-exact",
+             "The same view with eye and house in one space: they stand upright; roll and miss are 0.",
+             {{"view", "5"}, {"height", "40"}, {"exact", "on"}},
+             {{"roll", 0, 1e-9}, {"miss", 0, 1e-9}}},
+            {"above",
+             "Straight down. Up along the gaze says nothing, so +y is up here.",
+             {{"view", "9"}, {"height", "40"}}},
+        },
 });
 
 }  // namespace

@@ -45,7 +45,6 @@ TEST_P(Sweep, knobs) {
     const std::vector<Knob*>& knobs = run.demo().knobs();
     expectPicture("initial");
     int cases = 1, refused = 0;
-    strikePose(run.demo(), stage().info());
     for (Knob* knob : knobs) {
         const std::string before = knob->text();
         for (const std::string& value : knob->sweep()) {
@@ -70,6 +69,40 @@ TEST_P(Sweep, knobs) {
     EXPECT_EQ(stopWatchingBeyondEs(), declared) << ".needs = {.beyondEs = ...} is not what the demo uses";
     std::printf("%s on %s: %d settings, %d refused\n", GetParam().c_str(), stage().driver().host.c_str(), cases,
                 refused);
+}
+
+// Each preset is a picture, and no two are alike; it is written as the knobs write their values, and the readouts that its
+// sentence tells are as it tells them.
+TEST_P(Sweep, presets) {
+    DemoRun run(GetParam());
+    const std::vector<Preset>& presets = stage().info().presets;
+    EXPECT_GE(presets.size(), 2U);
+    EXPECT_LE(presets.size(), 6U);
+    std::vector<Picture> pictures;
+    for (const Preset& preset : presets) {
+        applyPreset(run.demo(), preset);
+        EXPECT_TRUE(isAtPreset(run.demo(), preset)) << preset.name << " is not written as the knobs write it";
+        EXPECT_EQ(run.refusal(), "") << preset.name;
+        expectPicture("preset " + preset.name);
+        for (const ExpectedReadout& expected : preset.expect) {
+            const double value = run.readout(expected.readout);
+            EXPECT_TRUE(expected.low <= value && value <= expected.high)
+                << preset.name << " says otherwise: " << expected.readout << " is " << value;
+        }
+        pictures.push_back(stage().picture());
+    }
+    for (std::size_t a = 0; a < pictures.size(); ++a) {
+        for (std::size_t b = a + 1; b < pictures.size(); ++b) {
+            // What is less is not seen at a glance.
+            EXPECT_GT(double(differentPixels(pictures[a], pictures[b])), 0.01 * pictures[a].width * pictures[a].height)
+                << presets[a].name << " and " << presets[b].name << " are too much alike";
+        }
+    }
+    // What a preset leaves unsaid is initial, whatever was set before.
+    if (presets.empty()) return;
+    for (Knob* knob : run.demo().knobs()) knob->parse(knob->sweep().back());
+    applyPreset(run.demo(), presets.front());
+    for (const Knob* knob : run.demo().knobs()) EXPECT_TRUE(knob->isInitial()) << knob->name();
 }
 
 // What stands in the declaration is what the picture depends on.

@@ -102,6 +102,35 @@ slider() {
     clickOn "Reset all"
     awaitReport command "$cubeCull"
     quit
+    # A bar of many decades: its middle is the middle of them, its upper end the last one, and its lower end is 0.
+    start 'mvgl: pipeline' "$(dirname "$cubeCull")/pipeline" --size 400x900
+    read -r x y <<<"$(place offset)"
+    at "$x" "$y" && click
+    atLeast "offset in the middle of 1 .. 1e8" "$(reported offset)" 2e3
+    atMost "offset in the middle of 1 .. 1e8" "$(reported offset)" 2e4
+    at $((x + 40)) "$y" && buttonDown && at $((x + 120)) "$y" && buttonUp
+    awaitReport offset 1e+08
+    at $((x - 40)) "$y" && buttonDown && at $((x - 150)) "$y" && buttonUp
+    awaitReport offset 0
+    quit
+}
+
+preset() { # its button sets every knob, and the copied line makes the same picture
+    start 'mvgl: cube-cull' "$cubeCull" --z-dist -6
+    clickOn "preset front-culled"
+    awaitReport cull front z-dist -4
+    press s
+    quit
+    equal "command" "$cubeCull --cull front" "$(reported command)"
+    sameAsHeadless cube-cull-1.png
+    "$cubeCull" --preset front-culled --shot preset.png
+    cmp cube-cull-1.png preset.png || fail "--preset is not what its button is"
+    # Other flags move from a preset, and the button goes back to it.
+    start 'mvgl: cube-cull' "$cubeCull" --preset original --cull none
+    equal "spin-y and cull of the preset and the flag" "0 none" "$(reported spin-y) $(reported cull)"
+    clickOn "preset original"
+    awaitReport cull back spin-y 0
+    quit
 }
 
 typed() {
@@ -158,14 +187,14 @@ drag() {
     buttonUp
     at 100 100 # no button: nothing turns
     quit
-    equal "spin-y after 40 pixels to the right" -40 "$(reported spin-y)"
-    equal "spin-x after 30 pixels down" 30 "$(reported spin-x)"
+    equal "spin-y after 40 pixels to the right" -10 "$(reported spin-y)"
+    equal "spin-x after 30 pixels down" 50 "$(reported spin-x)"
     # A drag that begins on the panel is the panel's, wherever it goes.
     start 'mvgl: cube-cull' "$cubeCull"
     at 700 20 && buttonDown
     at 300 300 && at 320 300 && buttonUp
     quit
-    equal "spin-y after a drag from the panel" 0 "$(reported spin-y)"
+    equal "spin-y after a drag from the panel" 30 "$(reported spin-y)"
 }
 
 replay() { # as fast as xdotool is: nothing is waited for between two moves
@@ -180,7 +209,7 @@ replay() { # as fast as xdotool is: nothing is waited for between two moves
     turn 4 2
     press s
     quit
-    [ "$(reported spin-y)" != 0 ] || fail "the drags moved nothing"
+    [ "$(reported spin-y)" != 30 ] || fail "the drags moved nothing"
     sameAsHeadless cube-cull-1.png
 }
 
@@ -203,13 +232,14 @@ save() {
 
 clipboard() { # a copied line works where the window was opened from, pasted as it is
     pasted() {
-        start 'mvgl: cube-cull' "$@" --cull front --size 500x1000
+        start 'mvgl: cube-cull' "$@" --cull both --size 500x1000
+        at 700 500 && turn 5 5 # the panel is longer than the window is high
         clickOn "Copy command line"
         local line
         line=$("$(dirname "$launcher")/clipboard")
         quit
         equal "what is pasted is what is reported" "$(reported command)" "$line"
-        equal "what --copyable says" "$line" "$("$@" --cull front --size 500x1000 --copyable)"
+        equal "what --copyable says" "$line" "$("$@" --cull both --size 500x1000 --copyable)"
         sh -c "$line --shot pasted.png" || fail "pasted, '$line' does not run"
         [ -s pasted.png ] || fail "pasted, '$line' makes no picture"
         rm -f pasted.png
@@ -339,7 +369,7 @@ looksTwiceAsLarge() {
     awaitReport mouse "$((600 / perUnit)),$((600 / perUnit))"
     buttonDown
     xdotool mousemove --window "$window" 640 600
-    awaitReport spin-y "-$((40 / perUnit))"
+    awaitReport spin-y "$((30 - 40 / perUnit))"
     buttonUp
     turn 4 1
     awaitReport z-dist -4.2
@@ -539,7 +569,7 @@ idle() {
 }
 
 compare_() {
-    local settings="--spin-x 20 --spin-y 30"
+    local settings="--spin-x 25 --spin-y 35"
     # shellcheck disable=SC2086
     {
         "$cubeCull" $settings --cull back --shot back.png
@@ -567,7 +597,7 @@ compare_() {
     mv cube-cull-1.png keys.png && sides keys.png 197 200
     quit
     equal "the divider" 0.33 "$(printf %.2f "$(reported divider)")"
-    equal "settings after the line was dragged" "20 30" "$(reported spin-x) $(reported spin-y)"
+    equal "settings after the line was dragged" "25 35" "$(reported spin-x) $(reported spin-y)"
     # Dragging and pushing the line draws neither of the two again.
     equal "demo frames" 2 "$(reported demo_frames)"
     equal "command" "$cubeCull $settings --compare cull=back,front" "$(reported command)"
@@ -580,9 +610,9 @@ compare_() {
     at 100 300 && buttonDown && at 110 300 && buttonUp
     press s
     quit
-    equal "spin-y after a drag far from the line" 20 "$(reported spin-y)"
-    "$cubeCull" --spin-x 20 --spin-y 20 --cull back --shot back.png
-    "$cubeCull" --spin-x 20 --spin-y 20 --cull front --shot front.png
+    equal "spin-y after a drag far from the line" 25 "$(reported spin-y)"
+    "$cubeCull" --spin-x 25 --spin-y 25 --cull back --shot back.png
+    "$cubeCull" --spin-x 25 --spin-y 25 --cull front --shot front.png
     sides cube-cull-1.png 299 302
 }
 
@@ -745,7 +775,7 @@ case $case in
     resize) resizing ;;
     storm) stormOfProbe ;;
     storm.*) stormOf "${case#storm.}" ;;
-    opens | keys | held | slider | typed | choice | wheel | drag | replay | save | clipboard | error | torn | twice | density | paused | reload | idle | study | measure | vanish)
+    opens | keys | held | slider | preset | typed | choice | wheel | drag | replay | save | clipboard | error | torn | twice | density | paused | reload | idle | study | measure | vanish)
         "$case"
         ;;
     *) fail "there is no case '$case'" ;;

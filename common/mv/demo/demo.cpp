@@ -35,6 +35,21 @@ Knob& Demo::knob(std::string_view name) const {
     throw Error("--" + std::string(name), "is no knob of this demo" + suggestion(name, names));
 }
 
+std::string Demo::idleReason(const Knob& knob) const {
+    std::vector<const Knob*> unread;
+    for (const Knob* each : knobs_) {
+        if (!each->wasRead()) unread.push_back(each);
+    }
+    std::string reason;
+    for (const Knob::Condition& condition : knob.conditions_) {
+        if (condition.holds()) continue;
+        reason = condition.reason;
+        break;
+    }
+    for (const Knob* each : unread) each->forgetRead();
+    return reason;
+}
+
 bool Demo::press(Key key) {
     bool moved = false;
     for (const Binding& binding : bindings_) {
@@ -123,6 +138,7 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
 const std::vector<DemoInfo>& catalogue() { return demos(); }
 
 bool addDemo(DemoInfo info) {
+    checkPresets(info);
     auto& all = demos();
     for (const DemoInfo& other : all) {
         if (other.name == info.name) throw Error("demo " + info.name, "must be added once");
@@ -140,10 +156,6 @@ const DemoInfo& findDemo(std::string_view name) {
     }
     throw Error("'" + std::string(name) + "'",
                 "is no demo of this program (--list shows them)" + suggestion(name, names));
-}
-
-void strikePose(Demo& demo, const DemoInfo& info) {
-    for (const auto& [name, text] : info.pose) demo.knob(name).parse(text);
 }
 
 void applyKnobs(Demo& demo, const std::vector<KnobSetting>& settings) {

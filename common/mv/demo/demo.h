@@ -7,12 +7,12 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "mv/demo/binding.h"
 #include "mv/demo/frame.h"
 #include "mv/demo/knob.h"
+#include "mv/demo/preset.h"
 #include "mv/demo/readout.h"
 #include "mv/demo/study.h"
 #include "mv/error.h"
@@ -49,6 +49,9 @@ class Demo {
 
     // The knob of that name, or Error naming the nearest one.
     Knob& knob(std::string_view name) const;
+    // Why the knob changes nothing in the present settings, by its onlyWhen(); "" where it does something. No knob counts as
+    // read for it.
+    std::string idleReason(const Knob& knob) const;
 
     // Gestures, in the order of their bindings; true when a knob moved.
     bool press(Key key);
@@ -110,9 +113,9 @@ struct DemoInfo {
     // demo clears. A measured quantity is cleared to -1, which is nothing to compare, by either.
     std::optional<vec4> background = {};
     Needs needs = {};
-    // Knobs and values that show the demo better than its first picture does (a cube seen straight on): its small pictures
-    // are drawn in this pose, and the sweep test moves one knob at a time from it.
-    std::vector<std::pair<std::string, std::string>> pose = {};
+    // Two to six settings worth a look. The first has none of its own: it is the knobs' initial values, which are to teach
+    // at first sight. Where there is an original, `original` is its first picture.
+    std::vector<Preset> presets = {};
     std::vector<DeclaredWaste> waste = {};
     // What is to be measured, error against run time (--study).
     std::optional<Study> study = {};
@@ -123,7 +126,8 @@ struct DemoInfo {
 const std::vector<DemoInfo>& catalogue();
 // The demo of that name, or Error naming the nearest one.
 const DemoInfo& findDemo(std::string_view name);
-// Adds a demo; called at file scope by the last line of its file. Two of one name: Error.
+// Adds a demo; called at file scope by the last line of its file. Error: two of one name, or presets that checkPresets()
+// refuses.
 bool addDemo(DemoInfo info);
 template <class T>
 bool addDemo(DemoInfo info) {
@@ -133,8 +137,6 @@ bool addDemo(DemoInfo info) {
 
 // Sets knobs by name. Error: no such knob, or a value that it refuses.
 void applyKnobs(Demo& demo, const std::vector<KnobSetting>& settings);
-// Sets the knobs of the demo's pose.
-void strikePose(Demo& demo, const DemoInfo& info);
 
 // The candidate nearest to `word` by edit distance, or "" where none is near enough to be a slip of the hand.
 std::string nearestName(std::string_view word, const std::vector<std::string>& candidates);

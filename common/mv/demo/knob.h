@@ -2,8 +2,10 @@
 // a widget in the window, a row in the documentation and a case in the sweep test.
 #pragma once
 #include <atomic>
+#include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "mv/demo/panel.h"
@@ -52,12 +54,18 @@ class Knob {
     // What each option means, for a Choice; empty for the rest.
     virtual std::vector<Option> options() const { return {}; }
 
+    // Said in the demo's constructor: the knob changes nothing in the picture where `holds` is false, because of `reason`, a
+    // clause: "the method keeps no map". The window greys it then, and whoever sets it is told.
+    void onlyWhen(std::function<bool()> holds, std::string reason) {
+        conditions_.push_back({std::move(holds), std::move(reason)});
+    }
+
     bool isInitial() const { return text() == initialText(); }
     void reset() { parse(initialText()); }
 
     // Whether somebody has asked for the value, as text too, since forgetRead(). A thread may ask.
     bool wasRead() const { return read_.load(std::memory_order_relaxed); }
-    void forgetRead() { read_.store(false, std::memory_order_relaxed); }
+    void forgetRead() const { read_.store(false, std::memory_order_relaxed); }
 
   protected:
     // A copy belongs to no demo; it exists so that vec3(0, 0, knob) works, which takes its arguments by value. So it is
@@ -68,7 +76,13 @@ class Knob {
     Error refused(std::string_view text) const;
 
   private:
+    friend class Demo;
+    struct Condition {
+        std::function<bool()> holds;
+        std::string reason;
+    };
     std::string name_, help_, unit_;
+    std::vector<Condition> conditions_;
     mutable std::atomic<bool> read_{false};
 };
 

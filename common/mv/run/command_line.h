@@ -23,7 +23,8 @@ enum class ReportForm { none, text, json };
 struct Command {
     Action action = Action::window;
     const DemoInfo* demo = nullptr;  // none: the launcher's menu
-    std::vector<KnobSetting> knobs;
+    std::vector<KnobSetting> knobs;  // those of the preset, then those that were given
+    std::string preset;              // "" for none
     int firstFrame = 1, lastFrame = 1;
     bool frameGiven = false;
     int width = 0, height = 0;  // 0: the original's canvas

@@ -43,6 +43,14 @@ std::string tables(const DemoInfo& info) {
         text += "| `--" + knob->name() + "` | " + tableCell(knob->rangeInFull()) + " | " + knob->initialText() + " | " +
                 tableCell(help) + " |\n";
     }
+    if (!info.presets.empty()) {
+        text += "\n| preset | what to look for | settings |\n|---|---|---|\n";
+        for (const Preset& preset : info.presets) {
+            const std::string settings = settingsText(preset);
+            text += "| `--preset " + preset.name + "` | " + tableCell(preset.lookFor) + " | " +
+                    (settings.empty() ? "as it opens" : "`" + settings + "`") + " |\n";
+        }
+    }
     if (!demo->readouts().empty()) {
         text += "\n| readout | unit | what it says |\n|---|---|---|\n";
         for (const Readout* readout : demo->readouts()) {
@@ -120,7 +128,6 @@ Picture pictureStrip() {
     int index = 0;
     for (const DemoInfo& info : catalogue()) {
         headless.stage.open(info, info.width, info.height);
-        strikePose(headless.stage.demo(), info);
         headless.stage.draw(1);
         const int left = index % columns * (side + gap), top = index / columns * (side + gap);
         ++index;

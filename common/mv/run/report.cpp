@@ -121,17 +121,32 @@ std::string knobsText(const Demo& demo) {
     return aligned(rows, 4);
 }
 
-std::string knobsJson(const Demo& demo) {
-    auto json = nlohmann::ordered_json::array();
+std::string presetsText(const DemoInfo& info) {
+    std::vector<std::vector<std::string>> rows;
+    for (const Preset& preset : info.presets) {
+        const std::string settings = settingsText(preset);
+        rows.push_back({"--preset " + preset.name, settings.empty() ? "the initial values" : settings,
+                        "(" + preset.lookFor + ")"});
+    }
+    return aligned(rows, 3);
+}
+
+std::string knobsJson(const DemoInfo& info, const Demo& demo) {
+    nlohmann::ordered_json json = {{"knobs", nlohmann::ordered_json::array()},
+                                   {"presets", nlohmann::ordered_json::array()}};
     for (const Knob* knob : demo.knobs()) {
-        nlohmann::ordered_json entry = {{"name", knob->name()},
-                                        {"value", knob->text()},
-                                        {"initial", knob->initialText()},
-                                        {"range", knob->range()},
-                                        {"scale", knob->scale() == Scale::logarithmic ? "logarithmic" : "linear"},
-                                        {"unit", knob->unit()},
-                                        {"help", knob->help()}};
-        json.push_back(std::move(entry));
+        json["knobs"].push_back({{"name", knob->name()},
+                                 {"value", knob->text()},
+                                 {"initial", knob->initialText()},
+                                 {"range", knob->range()},
+                                 {"scale", knob->scale() == Scale::logarithmic ? "logarithmic" : "linear"},
+                                 {"unit", knob->unit()},
+                                 {"help", knob->help()}});
+    }
+    for (const Preset& preset : info.presets) {
+        auto settings = nlohmann::ordered_json::object();
+        for (const auto& [name, value] : preset.settings) settings[name] = value;
+        json["presets"].push_back({{"name", preset.name}, {"lookFor", preset.lookFor}, {"settings", settings}});
     }
     return json.dump(2) + "\n";
 }

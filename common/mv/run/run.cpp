@@ -50,7 +50,8 @@ void act(const Command& command) {
             return print(list());
         case Action::knobs: {
             const auto demo = demoWithKnobs(command);
-            return print(command.json ? knobsJson(*demo) : knobsText(*demo));
+            const DemoInfo& info = *command.demo;
+            return print(command.json ? knobsJson(info, *demo) : knobsText(*demo) + presetsText(info));
         }
         case Action::copyable: {
             const auto demo = demoWithKnobs(command);

@@ -329,6 +329,10 @@ void DemoScreen::showPanelContent() {
     if (!info_.lookFor.empty()) wrapped(color::dim, "Look for: " + info_.lookFor);
 
     Demo& demo = stage_.demo();
+    if (!info_.presets.empty() && section("Presets") && showPresets(info_, demo, places_)) {
+        knobs_.closeField();
+        stale_ = true;
+    }
     if (!demo.knobs().empty() && section("Settings")) stale_ |= knobs_.show(demo, comparison_);
     if (!demo.knobs().empty() && section("Compare")) stale_ |= showComparison(demo, comparison_, gui_, places_);
     if (playback_.animated() && section("Time")) stale_ |= showTime(playback_, places_, gui_.scale());

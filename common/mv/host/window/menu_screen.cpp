@@ -89,7 +89,6 @@ void MenuScreen::makeNextPicture() {
         Cards::Card& card = cards_.made[info.name];
         try {
             stage_.open(info, info.width, info.height);
-            strikePose(stage_.demo(), info);
             stage_.draw(1);
             const int side = static_cast<int>(std::lround(pictureSide * window_.contentScale()));
             card.picture = Thumbnail(window_, shrink(stage_.picture(), side, side));

@@ -100,6 +100,19 @@ std::pair<std::string, std::string> controlText(const Binding& binding) {
     return {keyName(binding.key), binding.knob->name() + (binding.text.empty() ? " " + amount : " = " + binding.text)};
 }
 
+// A button of several of which one is chosen; its place is noted under `place`.
+bool choiceButton(Places& places, const char* label, const std::string& place, bool chosen) {
+    if (chosen) {
+        ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_SliderGrab));
+        ImGui::PushStyleColor(ImGuiCol_ButtonHovered, ImGui::GetStyleColorVec4(ImGuiCol_SliderGrab));
+        ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_WindowBg));
+    }
+    const bool pressed = ImGui::Button(label);
+    notePlace(places, place);
+    if (chosen) ImGui::PopStyleColor(3);
+    return pressed;
+}
+
 // A list of the knobs: which one to compare.
 bool chooseComparison(Demo& demo, Comparison& comparison, Gui& gui, Places& places) {
     bool started = false;
@@ -132,14 +145,7 @@ bool showCompared(Comparison& comparison, Places& places) {
         {{"divider", View::divider}, {"A", View::a}, {"B", View::b}, {"difference", View::difference}}};
     for (const auto& [name, view] : views) {
         if (view != View::divider) ImGui::SameLine(0, ImGui::GetStyle().ItemSpacing.x / 2);
-        const bool chosen = view == comparison.view();
-        if (chosen) {
-            ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_SliderGrab));
-            ImGui::PushStyleColor(ImGuiCol_ButtonHovered, ImGui::GetStyleColorVec4(ImGuiCol_SliderGrab));
-            ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_WindowBg));
-        }
-        if (button(places, name)) comparison.setView(view);
-        if (chosen) ImGui::PopStyleColor(3);
+        if (choiceButton(places, name, name, view == comparison.view())) comparison.setView(view);
     }
     if (comparison.view() == View::divider) wrapped(color::dim, "Drag the line in the picture, or press [ and ].");
     if (comparison.view() == View::difference && comparison.drawn()) {
@@ -159,6 +165,44 @@ bool section(const char* title) {
     const bool open = ImGui::CollapsingHeader(title, ImGuiTreeNodeFlags_DefaultOpen);
     ImGui::PopStyleColor();
     return open;
+}
+
+bool showPresets(const DemoInfo& info, Demo& demo, Places& places) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float gap = style.ItemSpacing.x / 2, right = ImGui::GetWindowContentRegionMax().x;
+    float x = ImGui::GetCursorPosX();
+    const Preset* present = nullptr;
+    bool pressed = false;
+    for (const Preset& preset : info.presets) {
+        const float width = ImGui::CalcTextSize(preset.name.c_str()).x + 2 * style.FramePadding.x;
+        // The next one in the line, while there is room for it
+        if (&preset != info.presets.data()) {
+            if (x + gap + width <= right) {
+                ImGui::SameLine(0, gap);
+                x += gap;
+            } else {
+                x = ImGui::GetCursorPosX();
+            }
+        }
+        x += width;
+        const bool chosen = !present && isAtPreset(demo, preset);
+        if (chosen) present = &preset;
+        if (choiceButton(places, preset.name.c_str(), "preset " + preset.name, chosen)) {
+            applyPreset(demo, preset);
+            pressed = true;
+        }
+        tooltip(preset.lookFor);
+    }
+    // As high as the longest of the sentences, so that nothing below moves away under the mouse
+    const ImVec2 top = ImGui::GetCursorPos();
+    float height = 0;
+    for (const Preset& preset : info.presets) {
+        height = std::max(height, ImGui::CalcTextSize(preset.lookFor.c_str(), nullptr, false, right - top.x).y);
+    }
+    wrapped(color::dim, present ? present->lookFor : "Settings of your own.");
+    ImGui::SetCursorPos(top);
+    ImGui::Dummy({0, height});
+    return pressed;
 }
 
 void showReadouts(const Demo& demo, const Comparison& comparison) {

@@ -13,6 +13,9 @@ namespace mv {
 // A heading that folds what stands under it; open at first.
 bool section(const char* title);
 
+// A button for each preset, and what to look for in the one whose settings are the present ones. True when one was pressed.
+bool showPresets(const DemoInfo& info, Demo& demo, Places& places);
+
 // What the demo measured of this picture; while two settings are compared, of both.
 void showReadouts(const Demo& demo, const Comparison& comparison);
 
