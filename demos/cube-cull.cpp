@@ -43,6 +43,8 @@ struct CubeCull final : Demo {
         bindDrag(spinY, -1, spinX, 1);
         bindKeys(Key::down, Key::up, zDist, 0.2);
         bindWheel(zDist, -0.2);
+        winding.onlyWhen([this] { return cull == Cull::back || cull == Cull::front; },
+                         "front and back faces are treated alike");
     }
 
     void init() override {

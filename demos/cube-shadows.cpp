@@ -119,6 +119,10 @@ struct CubeShadows final : Demo {
         bindWheel(distance, -0.5);
         bindKeys(Key::left, Key::right, lightTheta, 5);
         bindKeys(Key::up, Key::down, lightPhi, 5);
+        lightDistance.onlyWhen([this] { return !atInfinity; }, "a light at infinity has no distance");
+        for (Knob* knob : std::initializer_list<Knob*>{&once, &cut, &formula, &space}) {
+            knob->onlyWhen([this] { return darkness > 0; }, "at darkness 0 there is no shadow");
+        }
     }
 
     void init() override {

@@ -122,7 +122,17 @@ struct Projections final : Demo {
     Mesh house, edges, axes, rays, horizon;
     std::vector<TextLine> words;  // of this frame
 
-    Projections() { bindDrag(turn, -0.5, tilt, 0.5); }
+    Projections() {
+        bindDrag(turn, -0.5, tilt, 0.5);
+        const auto oblique = [this] { return show == Show::oblique; };
+        const auto turns = [this] { return show != Show::oblique; };
+        turn.onlyWhen(turns, "an oblique view has its front to the picture");
+        tilt.onlyWhen(turns, "an oblique view has its front to the picture");
+        distance.onlyWhen([this] { return show == Show::cad || show == Show::vanishing; },
+                          "there is no perspective among these views");
+        angle.onlyWhen(oblique, "there is no oblique view among these");
+        length.onlyWhen(oblique, "there is no oblique view among these");
+    }
 
     void init() override {
         faces = Program("projections");

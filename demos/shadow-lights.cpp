@@ -155,7 +155,11 @@ struct ShadowLights final : Demo {
     std::vector<Shadow> shadows;  // one a light
     int made = 0;
 
-    ShadowLights() { bindKeys(Key::left, Key::right, lights, 1); }
+    ShadowLights() {
+        bindKeys(Key::left, Key::right, lights, 1);
+        lights.onlyWhen([this] { return which == Which::circle; }, "the lamps always have three");
+        resolution.onlyWhen([this] { return method == Method::maps; }, "volumes have no texels");
+    }
 
     void init() override {
         program = Program("shadow-lights");

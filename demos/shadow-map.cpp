@@ -117,6 +117,14 @@ struct ShadowMap final : Demo {
     ShadowMap() {
         bindKeys(Key::left, Key::right, lightX, 0.1);
         bindKeys(Key::up, Key::down, lightZ, 0.1);
+        const auto cone = [this] { return rays == Rays::spot && fit == Fit::set; };
+        fov.onlyWhen(cone, "only a spot's cone that is set has an angle");
+        windowWidth.onlyWhen([this] { return fit == Fit::set; }, "a fitted frustum has its own window");
+        windowHeight.onlyWhen([this] { return fit == Fit::set; }, "a fitted frustum has its own window");
+        for (Knob* knob : {&targetX, &targetY, &targetZ}) {
+            knob->onlyWhen([this] { return rays != Rays::spot || fit == Fit::set; },
+                           "a fitted frustum looks at what casts");
+        }
     }
 
     void init() override {

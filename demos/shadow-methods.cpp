@@ -95,7 +95,13 @@ struct ShadowMethods final : Demo {
     ShadowCheck shadowCheck;
     LitDifference litDifference;
 
-    ShadowMethods() { bindKeys(Key::left, Key::right, split, 0.02); }
+    ShadowMethods() {
+        bindKeys(Key::left, Key::right, split, 0.02);
+        split.onlyWhen([this] { return second() && show == Show::picture; }, "there is no line between two methods");
+        for (Knob* knob : std::initializer_list<Knob*>{&resolution, &receiver, &slopeBias}) {
+            knob->onlyWhen([this] { return usesMap(method) || usesMap(second().value_or(method)); }, "no map is used");
+        }
+    }
 
     void init() override {}
 

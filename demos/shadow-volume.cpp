@@ -104,6 +104,10 @@ struct ShadowVolumes final : Demo {
     ShadowVolumes() {
         bindKeys(Key::left, Key::right, lightTurn, 5);
         bindKeys(Key::down, Key::up, lightHeight, 0.1);
+        shells.onlyWhen([this] { return which == Which::nested; }, "only the nested scene has shells");
+        groups.onlyWhen([this] { return which == Which::nested && shells > 255; },
+                        "there are no more casters than eight bits count");
+        groups.onlyWhen([this] { return show != Show::count; }, "what is shown is the stencil buffer, in one count");
     }
 
     void init() override {

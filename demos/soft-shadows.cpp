@@ -80,6 +80,10 @@ struct SoftShadows final : Demo {
         bindDrag(spinY, 1, spinX, 1);
         bindWheel(casterHeight, 0.05);
         bindKeys(Key::left, Key::right, lampSize, 0.05);
+        const auto byPoints = [this] { return method == Method::matrix || method == Method::maps; };
+        lights.onlyWhen(byPoints, "this method has one map, from the lamp's middle");
+        taps.onlyWhen([byPoints] { return !byPoints(); }, "only pcf and pcss average looks at a map");
+        resolution.onlyWhen([this] { return method != Method::matrix; }, "a shadow matrix has no texels");
     }
 
     void init() override {

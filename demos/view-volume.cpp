@@ -110,6 +110,7 @@ struct ViewVolume final : Demo {
         bindWheel(far, 1);
         bindKeys(Key::down, Key::up, near, 0.1);
         bindKeys(Key::right, Key::left, pan, 5);
+        planes.onlyWhen([this] { return cull; }, "nothing is culled by them");
     }
 
     void init() override {

@@ -60,6 +60,9 @@ struct Viewpoints final : Demo {
     Viewpoints() {
         for (char digit = '1'; digit <= '9'; ++digit) bindKey(key(digit), view, std::string(1, digit));
         bindKeys(Key::down, Key::up, height, 2);
+        for (Knob* knob : std::initializer_list<Knob*>{&exact, &aim}) {
+            knob->onlyWhen([this] { return view == View::house; }, "only view 5 looks at a house");
+        }
     }
 
     void init() override {

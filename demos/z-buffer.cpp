@@ -95,6 +95,12 @@ struct ZBuffer final : Demo {
         bindDrag(spinY, 1, spinX, 1);
         bindKeys(Key::left, Key::right, order, 1);
         bindKeys(Key::down, Key::up, depthTest, 1);
+        const auto turns = [this] { return place != Place::road; };
+        pieces.onlyWhen(turns, "the road has its own cells");
+        spinX.onlyWhen(turns, "only bars and panes are turned");
+        spinY.onlyWhen(turns, "only bars and panes are turned");
+        separation.onlyWhen([this] { return place != Place::cycle; }, "the bars have their own places");
+        format.onlyWhen([this] { return depthTest; }, "without depth test no depth is kept");
     }
 
     void init() override {

@@ -123,6 +123,24 @@ TEST(Program, exit_statuses_and_messages) {
 }
 
 // A copied line works where the student is: in a source tree by ./run, which gives the program its own name.
+// A knob that was given and changes nothing is named with its reason, where a picture is made; a preset's is not.
+TEST(Program, notes_a_knob_that_does_nothing) {
+    TemporaryFolder folder;
+    const auto notes = [&](std::vector<std::string> words) {
+        words.insert(words.begin(), program("cube-cull"));
+        const ProcessResult result = runProcess(words, {.folder = folder.path().string()});
+        EXPECT_EQ(result.status, 0) << result.err;
+        return result.err;
+    };
+    const std::string idle = "note: --winding does nothing in these settings: front and back faces are treated alike\n";
+    EXPECT_EQ(notes({"--cull", "none", "--winding", "cw", "--shot", "a.png"}), idle);
+    EXPECT_EQ(notes({"--winding", "cw", "--cull", "both", "--headless"}), idle);
+    EXPECT_EQ(notes({"--winding", "cw", "--shot", "a.png"}), "");
+    EXPECT_EQ(notes({"--winding", "cw", "--compare", "cull=none,front", "--shot", "a.png"}), "");
+    EXPECT_EQ(notes({"--winding", "cw", "--compare", "cull=none,both", "--shot", "a.png"}), idle);
+    EXPECT_EQ(notes({"--cull", "none", "--winding", "cw", "--knobs"}), "") << "the list tells it by itself";
+}
+
 TEST(Program, run_is_what_a_copied_line_begins_with) {
     TemporaryFolder folder;
     fs::copy_file(MVGL_SOURCE_DIR "/run", folder.path() / "run");

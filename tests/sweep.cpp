@@ -1,6 +1,7 @@
 // Every demo, every knob at its ends, its initial value and each of its choices.
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <set>
 
 #include "mv/gl/beyond_es.h"
@@ -103,6 +104,73 @@ TEST_P(Sweep, presets) {
     for (Knob* knob : run.demo().knobs()) knob->parse(knob->sweep().back());
     applyPreset(run.demo(), presets.front());
     for (const Knob* knob : run.demo().knobs()) EXPECT_TRUE(knob->isInitial()) << knob->name();
+}
+
+// Knobs that change no picture on purpose.
+const std::set<std::string> unseen{
+    "cube-ortho distance",  // which is the lesson: a parallel view does not depend on it
+    "shadow-map keep",      // what is kept is what would be drawn again
+    "shadow-lights keep",   // the same
+    "shadow-methods keep",  // the same
+};
+
+// In a setting that a knob calls idle it changes no byte of the picture; and a knob that changes none in any of the
+// settings below says so there, or is one of the above. The settings: each preset, and beside the first one each choice and switch.
+TEST_P(Sweep, idle_knobs) {
+    DemoRun run(GetParam(), 160, 120);
+    const std::vector<Knob*>& knobs = run.demo().knobs();
+    std::set<std::string> seen, saidIdle;
+    int cases = 0;
+    const auto drawn = [&]() -> std::optional<Picture> {
+        if (!run.refusal().empty()) return {};
+        stage().draw(1);
+        return stage().picture();
+    };
+    const auto tryAll = [&](const std::string& context) {
+        const auto before = drawn();
+        if (!before) return;
+        for (Knob* knob : knobs) {
+            const std::string reason = run.demo().idleReason(*knob), present = knob->text();
+            if (!reason.empty()) saidIdle.insert(knob->name());
+            if (reason.empty() && seen.count(knob->name()) > 0) continue;
+            for (const std::string& value : knob->sweep()) {
+                if (value == present) continue;
+                knob->parse(value);
+                const auto after = drawn();
+                ++cases;
+                if (!reason.empty()) {
+                    EXPECT_EQ(after, before)
+                        << context << ": --" << knob->name() << " " << value
+                        << " changes the picture, or is refused, and is said to be idle: " << reason;
+                } else if (after && after != before) {
+                    seen.insert(knob->name());
+                }
+                if (reason.empty() && seen.count(knob->name()) > 0) break;
+            }
+            knob->parse(present);
+        }
+    };
+    for (const Preset& preset : stage().info().presets) {
+        applyPreset(run.demo(), preset);
+        tryAll(preset.name);
+        if (&preset != stage().info().presets.data()) continue;
+        for (Knob* knob : knobs) {
+            const std::string present = knob->text();
+            const bool few = !knob->options().empty() || knob->range() == "on | off";
+            for (const std::string& value : few ? knob->sweep() : std::vector<std::string>{}) {
+                if (value == present) continue;
+                knob->parse(value);
+                tryAll(preset.name + " --" + knob->name() + " " + value);
+            }
+            knob->parse(present);
+        }
+    }
+    for (const Knob* knob : knobs) {
+        const std::string name = GetParam() + " " + knob->name();
+        EXPECT_EQ(seen.count(knob->name()), 1 - unseen.count(name))
+            << name << (seen.count(knob->name()) ? " is listed as unseen, and is seen" : " changes no picture");
+    }
+    std::printf("%s: %d cases, %zu knobs idle somewhere\n", GetParam().c_str(), cases, saidIdle.size());
 }
 
 // What stands in the declaration is what the picture depends on.

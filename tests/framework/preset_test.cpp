@@ -139,3 +139,22 @@ TEST(Presets, originals_are_kept) {
         EXPECT_NO_THROW((void)findPreset(findDemo(demo), "original")) << demo;
     }
 }
+
+// Why a knob does nothing, in the order in which the reasons were given; and nobody has read a knob for it.
+TEST(IdleKnobs, say_why) {
+    Kettle demo;
+    for (const Knob* knob : demo.knobs()) knob->forgetRead();
+    (void)demo.lid.text();
+    EXPECT_EQ(demo.idleReason(demo.water), "");
+    EXPECT_EQ(demo.idleReason(demo.heat), "");
+    EXPECT_FALSE(demo.water.wasRead()) << "a study would take it for what its reference depends on";
+    EXPECT_TRUE(demo.lid.wasRead()) << "somebody else has";
+    demo.lid.parse("off");
+    EXPECT_EQ(demo.idleReason(demo.heat), "it is not heated without its lid");
+    demo.water.parse("0");
+    EXPECT_EQ(demo.idleReason(demo.heat), "an empty kettle is not put on the fire");
+    const std::string text = knobsText(demo), json = knobsJson(kettle({}), demo);
+    EXPECT_NE(text.find("(of the fire) idle: an empty kettle is not put on the fire"), std::string::npos) << text;
+    EXPECT_NE(json.find("\"idle\": \"an empty kettle is not put on the fire\""), std::string::npos) << json;
+    EXPECT_NE(json.find("\"idle\": \"\""), std::string::npos) << json;
+}

@@ -123,6 +123,8 @@ class Real : public Knob {
 class Angle : public Real {
   public:
     Angle(Demo* owner, std::string name, double initial, std::string help);
+    // Between the ends, which are the same turn as 0, one that is seen.
+    std::vector<std::string> sweep() const override { return {"-360", initialText(), "40", "360"}; }
     bool step(double amount) override;
 };
 

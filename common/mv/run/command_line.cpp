@@ -182,6 +182,7 @@ UsageError unknown(const CLI::App& app, const std::string& word) {
 // The preset's settings go before those that were given, in whatever order the flags stand.
 void startFrom(const Preset& preset, Command& command) {
     command.preset = preset.name;
+    command.presetKnobs = preset.settings.size();
     command.knobs.insert(command.knobs.begin(), preset.settings.begin(), preset.settings.end());
 }
 

@@ -25,6 +25,7 @@ struct Command {
     const DemoInfo* demo = nullptr;  // none: the launcher's menu
     std::vector<KnobSetting> knobs;  // those of the preset, then those that were given
     std::string preset;              // "" for none
+    std::size_t presetKnobs = 0;     // how many of `knobs` are the preset's
     int firstFrame = 1, lastFrame = 1;
     bool frameGiven = false;
     int width = 0, height = 0;  // 0: the original's canvas

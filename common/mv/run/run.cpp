@@ -40,7 +40,31 @@ std::unique_ptr<Demo> demoWithKnobs(const Command& command) {
     return demo;
 }
 
+// A knob that was given and changes nothing in the settings that are drawn is named, with its reason.
+void noteIdleKnobs(const Command& command) {
+    const bool draws =
+        command.action == Action::render || command.action == Action::window || command.action == Action::audit;
+    if (!draws || !command.demo) return;
+    const auto demo = demoWithKnobs(command);
+    for (std::size_t i = command.presetKnobs; i < command.knobs.size(); ++i) {
+        const Knob& knob = demo->knob(command.knobs[i].name);
+        if (knob.name() == command.compareKnob) continue;
+        std::string reason;
+        // Beside each other two settings are drawn: it is idle in both, or it does something.
+        for (const std::string& value :
+             command.compareKnob.empty() ? std::vector<std::string>{""} : command.compareValues) {
+            if (!value.empty()) demo->knob(command.compareKnob).parse(value);
+            reason = demo->idleReason(knob);
+            if (reason.empty()) break;
+        }
+        if (!reason.empty()) {
+            std::cerr << "note: --" << knob.name() << " does nothing in these settings: " << reason << "\n";
+        }
+    }
+}
+
 void act(const Command& command) {
+    noteIdleKnobs(command);
     switch (command.action) {
         case Action::help:
             return print(command.text);

@@ -63,8 +63,8 @@ bool KnobPanel::show(Demo& demo, Comparison& comparison) {
     for (Knob* knob : demo.knobs()) {
         const bool compared = knob == comparison.knob();
         ImGui::PushID(knob->name().c_str());
-        moved |= row(*knob, labelWidth, compared ? sideA : "");
-        if (compared) moved |= otherRow(*knob, labelWidth, comparison);
+        moved |= row(demo, *knob, labelWidth, compared ? sideA : "");
+        if (compared) moved |= otherRow(demo, *knob, labelWidth, comparison);
         ImGui::PopID();
     }
     const bool initial = std::all_of(demo.knobs().begin(), demo.knobs().end(), [](Knob* k) { return k->isInitial(); });
@@ -79,35 +79,39 @@ bool KnobPanel::show(Demo& demo, Comparison& comparison) {
 }
 
 // The widgets are the knob's own, so for the moment it holds the other value.
-bool KnobPanel::otherRow(Knob& knob, float labelWidth, Comparison& comparison) {
+bool KnobPanel::otherRow(const Demo& demo, Knob& knob, float labelWidth, Comparison& comparison) {
     const std::string present = knob.text();
     knob.parse(comparison.other());
     ImGui::PushID(sideB);
-    const bool moved = row(knob, labelWidth, sideB);
+    const bool moved = row(demo, knob, labelWidth, sideB);
     ImGui::PopID();
     comparison.setOther(knob.text());
     knob.parse(present);
     return moved;
 }
 
-bool KnobPanel::row(Knob& knob, float labelWidth, const std::string& side) {
+bool KnobPanel::row(const Demo& demo, Knob& knob, float labelWidth, const std::string& side) {
     const ImGuiStyle& style = ImGui::GetStyle();
+    const std::string idle = demo.idleReason(knob);
+    const std::string tip = knobTip(knob) + (idle.empty() ? "" : "\nIt does nothing now: " + idle + ".");
     rowName_ = knob.name() + (side == sideB ? sideB : "");
     const float left = ImGui::GetCursorPosX();
     ImGui::AlignTextToFramePadding();
+    ImGui::BeginDisabled(!idle.empty());
     if (side.empty()) {
         ImGui::TextUnformatted(knob.name().c_str());
     } else {
         ImGui::TextColored(color::heading, "%s%s", knob.name().c_str(), side.c_str());
     }
-    tooltip(knobTip(knob));
+    tooltip(tip);
     if (ImGui::GetItemRectSize().x <= labelWidth) ImGui::SameLine(left + labelWidth);
 
     const float resetWidth = ImGui::CalcTextSize(resetSign).x + 2 * style.FramePadding.x;
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - resetWidth - style.ItemSpacing.x);
     const bool typing = typed_ == rowName_;
     bool moved = typing ? field(knob) : knob.widget(*this);
-    if (!typing) tooltip(knobTip(knob));
+    if (!typing) tooltip(tip);
+    ImGui::EndDisabled();
 
     ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - resetWidth);
     if (knob.isInitial()) {

@@ -28,8 +28,8 @@ class KnobPanel final : public Panel {
     void closeField() { typed_.clear(); }
 
   private:
-    bool row(Knob& knob, float labelWidth, const std::string& side);
-    bool otherRow(Knob& knob, float labelWidth, Comparison& comparison);
+    bool row(const Demo& demo, Knob& knob, float labelWidth, const std::string& side);
+    bool otherRow(const Demo& demo, Knob& knob, float labelWidth, Comparison& comparison);
     bool bar(const Knob& knob, double& value, double low, double high, double digits);
     bool logarithmicBar(const Knob& knob, double& value, const NumberRange& range);
     bool field(Knob& knob);
