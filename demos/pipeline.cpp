@@ -11,8 +11,10 @@
 // - [slide-of-projection] A slide's projection has w < 0 for all that the camera sees, and nothing is left to draw.
 // - [one-product-far-out] Far from the origin one product, multiplied in double and rounded once, keeps the picture.
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
+#include <glm/common.hpp>
 #include <string>
 #include <vector>
 
@@ -80,6 +82,7 @@ struct Pipeline final : Demo {
 
     Program byThree, byOne;
     Mesh cube, corners;
+    Drawing drawing;
 
     Pipeline() {
         bindDrag(spinY, 1, spinX, 1);
@@ -156,7 +159,10 @@ struct Pipeline final : Demo {
         corners.draw(std::size_t(vertex), 1);
 
         glViewport(0, 0, frame.width(), frame.height());
+        drawing.begin(frame);
+        drawing.in(pane);
         write(frame, pane, way);
+        drawing.draw(frame);
     }
 
     // Each product from what the GPU had before it, by transform feedback.
@@ -237,10 +243,26 @@ struct Pipeline final : Demo {
             text.lines.push_back({x - 7, y - 11, "× divided by w < 0", {.color = red}});
         if (clip.w < 0) frame.say("The vertex has w < 0, and is clipped.");
         if (!inside) return;
+        magnify(pane, vec2(pixel), vec2(exactPixel));
         pixelX = pixel.x;
         pixelY = pixel.y;
         depth = pixel.z;
         floatError = std::hypot(pixel.x - exactPixel.x, pixel.y - exactPixel.y);
+    }
+
+    // The pixels about the one that is marked, magnified: a dot where float puts the vertex, a cross where double does.
+    void magnify(const Pane& pane, const vec2& pixel, const vec2& exact) {
+        const vec2 low = glm::floor(pixel), size(std::min(pane.width, pane.height) / 5);
+        const vec2 corner(8, pane.height - size.y - 8);
+        const Plot magnified{{corner, corner + size}, {low.x - 3, low.x + 4}, {low.y - 3, low.y + 4}};
+        const vec4 grey(0.6, 0.6, 0.6, 1), green(0, 0.45, 0.1, 1);
+        drawing.fill(magnified.box, vec4(1));
+        drawing.fill({magnified.pixel(low), magnified.pixel(low + 1.0)}, vec4(1, 0.85, 0.5, 1));
+        drawing.pixelGrid(magnified, {.color = grey, .width = 1});
+        for (const vec2& arm : {vec2(1, 0), vec2(0, 1)})
+            drawing.curve(magnified, std::array{exact - arm, exact + arm}, {.color = green});
+        drawing.curve(magnified, std::array{pixel, exact}, {.color = green});
+        drawing.point(magnified.pixel(pixel), 7, vec4(0.1, 0.1, 0.1, 1));
     }
 
     static void heading(TextColumn& text, const std::string& formula) {

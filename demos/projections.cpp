@@ -82,18 +82,6 @@ vec3 wallCorner(int i) {
     return corner;
 }
 
-// From a point, `length` along x, along y and along z.
-MeshData axisLines(const vec3& from, double length) {
-    MeshData axes;
-    axes.primitive = Primitive::lines;
-    for (int axis = 0; axis < 3; ++axis) {
-        vec3 to = from;
-        to[axis] += length;
-        axes.positions.insert(axes.positions.end(), {fvec3(from), fvec3(to)});
-    }
-    return axes;
-}
-
 struct Projections final : Demo {
     Choice<Show> show{this,
                       "show",
@@ -118,8 +106,8 @@ struct Projections final : Demo {
                  "px"};
 
     Program faces, lines;
-    Mesh house, edges, axes, rays, horizon;
-    std::vector<TextLine> words;  // of this frame
+    Mesh house, edges, rays, horizon;
+    Drawing drawing;
 
     Projections() { bindDrag(turn, -0.5, tilt, 0.5); }
 
@@ -133,7 +121,6 @@ struct Projections final : Demo {
         for (int i = 0; i < 8; ++i) corners[std::size_t(i)] = wallCorner(i);
         rays = Mesh(linesToInfinity(corners), "rays");
         horizon = Mesh(horizonLines(), "horizon");
-        axes = Mesh(axisLines(wallCorner(4), 2), "axes");
     }
 
     std::array<View, 4> views() const {
@@ -173,7 +160,7 @@ struct Projections final : Demo {
 
         const std::vector<Pane> panes = frame.panes(4);
         const std::array<View, 4> four = views();
-        words.clear();
+        drawing.begin(frame);
         off.clear();
         miss.clear();
         for (std::size_t i = 0; i < 4; ++i) {
@@ -190,39 +177,43 @@ struct Projections final : Demo {
             house.draw();
             lines.use();
             lines.set("clipFromWorld", clipFromWorld);
-            lines.set("color", vec4(0.1, 0.1, 0.1, 1));
+            const bool colored = i > 0 && four[i - 1].distance == 0;  // and no line to infinity has changed it
+            if (!colored) lines.set("color", vec4(0.1, 0.1, 0.1, 1));
             edges.draw();
 
-            write(frame, pane, {6, pane.height - 6}, four[i].name);
+            drawing.in(pane);
+            drawing.text({6, pane.height - 6}, four[i].name);
             if (four[i].distance == 0)
-                measureAxes(four[i], clipFromWorld, pane, frame);
+                measureAxes(four[i], clipFromWorld, pane);
             else
-                drawToInfinity(four[i], clipFromWorld, pane, frame);
+                drawToInfinity(four[i], clipFromWorld, pane);
         }
         glDisable(GL_SCISSOR_TEST);
         glViewport(0, 0, frame.width(), frame.height());
-        drawText(frame, words);
+        drawing.draw(frame);
     }
 
     // Columns 0 to 2 of the matrix are where it takes the directions of the axes, (1, 0, 0, 0) and so on. In a parallel
     // view their w is 0, and x and y say which way and how far one metre goes in the picture.
-    void measureAxes(const View& view, const mat4& clipFromWorld, const Pane& pane, const Frame& frame) {
-        glDisable(GL_DEPTH_TEST);                            // the axes are seen through the house
+    void measureAxes(const View& view, const mat4& clipFromWorld, const Pane& pane) {
         const double metre = pane.height / (2 * view.half);  // px
+        const vec2 corner = pixelFromNdc(ndcFromClip(clipFromWorld * vec4(wallCorner(4), 1)), pane.width, pane.height);
         vec3 measured;
         int x = 6;
         for (int axis = 0; axis < 3; ++axis) {
             const vec4 image = clipFromWorld[axis];
-            measured[axis] = std::hypot(image.x * pane.width / 2, image.y * pane.height / 2) / metre;
+            const vec2 drawn = vec2(image) * vec2(pane.width, pane.height) / 2.0;  // px
+            measured[axis] = std::hypot(drawn.x, drawn.y) / metre;
             raise(off, std::abs(measured[axis] - view.shortening[axis]));
             const std::string text = axisNames[axis] + rounded(" %.3f", measured[axis]);
-            write(frame, pane, {x, 28}, text, axisColors[axis]);
+            drawing.text({x, 28}, text, {.color = axisColors[axis]});
             x += textWidth(text) + 4;
             if (measured[axis] < 1e-9) continue;  // seen end on
-            lines.set("color", axisColors[axis]);
-            axes.draw(2 * std::size_t(axis), 2);
+            drawing.arrow(corner, corner + 2.0 * drawn, {.color = axisColors[axis], .width = 2});
+            const vec2 beside = vec2(-drawn.y, drawn.x) * (11 / std::hypot(drawn.x, drawn.y));
+            drawing.textAround(corner + 2.0 * drawn + beside, axisNames[axis],
+                               {.height = 13, .color = axisColors[axis]});
         }
-        glEnable(GL_DEPTH_TEST);
         if (view.name != "yours") return;
         shortX = measured.x;
         shortY = measured.y;
@@ -231,7 +222,7 @@ struct Projections final : Demo {
 
     // In a perspective w is not 0, unless the axis is parallel to the picture: then the column is a point of the
     // picture, the vanishing point of all lines along the axis.
-    void drawToInfinity(const View& view, const mat4& clipFromWorld, const Pane& pane, const Frame& frame) {
+    void drawToInfinity(const View& view, const mat4& clipFromWorld, const Pane& pane) {
         vec3 side(1);  // (-1, 0, 0, 0) has the same image, and is in front of the eye where (1, 0, 0, 0) is not
         for (int axis = 0; axis < 3; ++axis) side[axis] = clipFromWorld[axis].w < 0 ? -1 : 1;
         lines.set("side", side);
@@ -251,21 +242,16 @@ struct Projections final : Demo {
             }
             lines.set("color", axisColors[axis]);
             rays.draw(16 * std::size_t(axis), 16);
+            drawing.point(*point, 7, axisColors[axis]);
             if (std::min(point->x, point->y) >= 0 && point->x < pane.width - 18 && point->y < pane.height - 28)
-                write(frame, pane, *point + vec2(6, 26), axisNames[axis], axisColors[axis]);
+                drawing.text(*point + vec2(6, 26), axisNames[axis], {.color = axisColors[axis]});
         }
         raise(miss, most);
-        write(frame, pane, {6, 28},
-              std::to_string(count) + (count == 1 ? " vanishing point" : " vanishing points") +
-                  rounded(", met within %.0e px", most));
+        drawing.text({6, 28}, std::to_string(count) + (count == 1 ? " vanishing point" : " vanishing points") +
+                                  rounded(", met within %.0e px", most));
         if (view.name == "yours" || view.name == "perspective") points = count;
     }
 
-    // Words with their upper left corner at `at`, in pixels from the lower left corner of the pane.
-    void write(const Frame& frame, const Pane& pane, const vec2& at, const std::string& text,
-               const vec4& color = vec4(0.1, 0.1, 0.1, 1)) {
-        words.push_back({pane.x + int(at.x), frame.height() - pane.y - int(at.y), text, {.color = color}});
-    }
     static void raise(Readout& readout, double value) { readout = std::max(readout.value().value_or(0), value); }
 };
 

@@ -19,7 +19,6 @@
 #include "mv/demo/demo.h"
 #include "mv/geometry/bounds.h"
 #include "mv/geometry/scenes.h"
-#include "mv/geometry/shapes.h"
 #include "mv/gl/gl.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
@@ -47,15 +46,6 @@ MeshData groundLines() {
     for (int x = -16; x <= 16; x += 4) add({x, 0, 0}, {x, 0, -40});
     mesh.normals.assign(mesh.positions.size(), fvec3(0, 1, 0));
     mesh.colors.assign(mesh.positions.size(), fvec4(0.60F, 0.66F, 0.56F, 1));
-    return mesh;
-}
-
-// From the eye to the corners of the near plane, as seen through a window from -1 to 1 at z = -1.
-MeshData linesOfSight() {
-    MeshData mesh;
-    mesh.primitive = Primitive::lines;
-    for (const fvec2& corner : {fvec2(-1, -1), fvec2(1, -1), fvec2(1, 1), fvec2(-1, 1)})
-        mesh.positions.insert(mesh.positions.end(), {fvec3(0), fvec3(corner, -1)});
     return mesh;
 }
 
@@ -100,10 +90,11 @@ struct ViewVolume final : Demo {
     Readout ratio{this, "far-over-near", "far/near, by which the planes of a matrix lose digits"};
     Readout planeError{this, "plane-error", "largest error of a plane: of its normal, and of its distance over far"};
 
-    Program faces, lines;
+    Program faces;
     const Scene scene = garden();
     std::vector<std::array<vec3, 8>> boxes;  // the corners of one around each object, in world space
-    Mesh house, tree, ground, wire, sight;
+    Mesh house, tree, ground;
+    Drawing drawing;
 
     ViewVolume() {
         bindDrag(turn, -0.5, tilt, 0.5);
@@ -114,12 +105,9 @@ struct ViewVolume final : Demo {
 
     void init() override {
         faces = Program("view-volume");
-        lines = Program("view-volume", "lines");
         house = Mesh(scene.objects[0].mesh, "house");
         tree = Mesh(scene.objects[1].mesh, "tree");
         ground = Mesh(groundLines(), "ground");
-        wire = Mesh(wireCube(), "view volume");
-        sight = Mesh(linesOfSight(), "lines of sight");
         for (const SceneObject& object : scene.objects) {
             boxes.push_back(boundsOf(object.mesh).corners());
             for (vec3& corner : boxes.back()) corner = vec3(object.worldFromObject * vec4(corner, 1));
@@ -193,25 +181,25 @@ struct ViewVolume final : Demo {
         frame.show("cubeFromClip", cubeFromClip);
         faces.use();
         faces.set("clipFromWorld", clipFromWorld);
-        drawPane(panes[0], kept, outsideFromWorld, outsideFromWorld * glm::inverse(clipFromWorld), false);
-        if (projection == Projection::perspective) {
-            const double top = nearUsed() * std::tan(radians(fovy / 2));
-            lines.set("color", vec4(0.6, 0.6, 0.6, 1));
-            lines.set("paneFromModel",
-                      outsideFromWorld * glm::inverse(cameraFromWorld()) * scale(top * aspect, top, nearUsed()));
-            sight.draw();
-        }
-        faces.use();
-        drawPane(panes[1], kept, cubeFromClip * clipFromWorld, cubeFromClip, true);
+        drawPane(panes[0], kept, outsideFromWorld, false);
+        drawPane(panes[1], kept, cubeFromClip * clipFromWorld, true);
         glDisable(GL_SCISSOR_TEST);
 
         glViewport(0, 0, frame.width(), frame.height());
-        const std::string counts =
-            std::to_string(kept.size()) + " drawn, " + std::to_string(boxes.size() - kept.size()) + " culled";
-        drawText(frame, std::array{TextLine{6, 6, "world", {.height = 18}}, TextLine{6, frame.height() - 30, counts},
-                                   TextLine{panes[1].x + 6, 6, "after projection and division", {.height = 18}},
-                                   TextLine{panes[1].x + 6, frame.height() - 30, "near: z = -1", {.color = nearColor}},
-                                   TextLine{panes[1].x + 110, frame.height() - 30, "far: z = 1", {.color = farColor}}});
+        drawing.begin(frame);
+        drawing.in(panes[0]);
+        drawFrame(outsideFromWorld * glm::inverse(clipFromWorld));
+        if (projection == Projection::perspective) drawSight(panes[0], outsideFromWorld);
+        drawing.text({6, panes[0].height - 6}, "world", {.height = 18});
+        drawing.text({6, 30},
+                     std::to_string(kept.size()) + " drawn, " + std::to_string(boxes.size() - kept.size()) + " culled");
+        drawing.in(panes[1]);
+        drawFrame(cubeFromClip);
+        drawing.text({6, panes[1].height - 6}, "after projection and division", {.height = 18});
+        drawing.text({6, 30}, "near: z = -1", {.color = nearColor});
+        drawing.text({110, 30}, "far: z = 1", {.color = farColor});
+        drawing.draw(frame);
+
         drawn = double(kept.size());
         culled = double(boxes.size() - kept.size());
         clipped = cut;
@@ -225,8 +213,7 @@ struct ViewVolume final : Demo {
         }
     }
 
-    void drawPane(const Pane& pane, const std::vector<std::size_t>& kept, const mat4& paneFromWorld,
-                  const mat4& paneFromClip, bool cutOpen) {
+    void drawPane(const Pane& pane, const std::vector<std::size_t>& kept, const mat4& paneFromWorld, bool cutOpen) {
         glViewport(pane.x, pane.y, pane.width, pane.height);
         glScissor(pane.x, pane.y, pane.width, pane.height);
         glClear(GL_COLOR_BUFFER_BIT);
@@ -238,15 +225,30 @@ struct ViewVolume final : Demo {
         }
         faces.set("worldFromObject", mat4(1));
         ground.draw();
-        // The canonical cube's own edges, or where they come from: far's, near's, and those between
-        lines.use();
-        lines.set("paneFromModel", paneFromClip * scale(2));
-        int first = 0;
-        for (const vec4& color : {farColor, nearColor, vec4(0.2, 0.2, 0.2, 1)}) {
-            lines.set("color", color);
-            wire.draw(std::size_t(first), 8);
-            first += 8;
+    }
+
+    // The canonical cube's own edges, or where they come from. Corner i is at 1 where bits 0, 1, 2 of i say so of x, y, z.
+    void drawFrame(const mat4& paneFromClip) {
+        for (const unsigned bit : {4U, 1U, 2U}) {
+            for (unsigned i = 0; i < 8; ++i) {
+                if ((i & bit) != 0) continue;
+                const vec4 color = bit == 4 ? vec4(0.2, 0.2, 0.2, 1) : (i & 4U) != 0 ? farColor : nearColor;
+                drawing.edge(paneFromClip, cubeCorner(i), cubeCorner(i | bit), {.color = color});
+            }
         }
+    }
+    static vec3 cubeCorner(unsigned i) { return 2.0 * vec3(i & 1U, i >> 1 & 1U, i >> 2 & 1U) - 1.0; }
+
+    // From the eye to the corners of the near plane.
+    void drawSight(const Pane& pane, const mat4& outsideFromWorld) {
+        const mat4 outsideFromCamera = outsideFromWorld * glm::inverse(cameraFromWorld());
+        const double top = nearUsed() * std::tan(radians(fovy / 2));
+        for (unsigned i = 0; i < 4; ++i)
+            drawing.edge(outsideFromCamera, vec3(0), vec3(vec2(cubeCorner(i)) * vec2(top * aspect, top), -nearUsed()),
+                         {.color = vec4(0.6, 0.6, 0.6, 1), .width = 1});
+        const vec2 eyePixel = pixelFromNdc(ndcFromClip(outsideFromCamera * vec4(0, 0, 0, 1)), pane.width, pane.height);
+        drawing.point(eyePixel, 7, vec4(0.3, 0.3, 0.3, 1));
+        drawing.text(eyePixel + vec2(-6, -4), "eye", {.background = vec4(0)});
     }
 
     // Of each plane its normal, and its distance as a part of far.

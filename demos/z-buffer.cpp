@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -30,7 +31,7 @@ namespace {
 
 enum class Place { cycle, road, panes };
 enum class Mapping { standard, infinite, reversed, flipped, logarithmic };
-enum class Shown { colors, depth };
+enum class Shown { colors, depth, curve };
 
 const vec3 background(0.95, 1, 1);
 
@@ -54,7 +55,12 @@ struct ZBuffer final : Demo {
                      "the order of drawing, by the letters of the colours"};
     Whole pieces{this, "pieces", 1, {1, 8}, "parts that a bar or pane is cut into (the road has its own cells)"};
     Toggle depthTest{this, "depth-test", true, "let each pixel keep what is nearest"};
-    Choice<Shown> shown{this, "show", Shown::colors, {{"colors"}, {"depth", "0 black, 1 white"}}, "which buffer"};
+    Choice<Shown> shown{
+        this,
+        "show",
+        Shown::colors,
+        {{"colors"}, {"depth", "0 black, 1 white"}, {"curve", "what depth each distance is given, over the colors"}},
+        "which buffer"};
     Choice<DepthFormat> format{this,
                                "format",
                                DepthFormat::d24,
@@ -84,6 +90,7 @@ struct ZBuffer final : Demo {
     std::optional<Program> byLogarithm;
     Target drawn;
     Mesh plate, cover;
+    Drawing drawing;
     std::vector<double> cuts;  // of the plate that is uploaded
     bool clipControl = false;
 
@@ -132,6 +139,29 @@ struct ZBuffer final : Demo {
         else
             drawn.bindColor(0);
         cover.draw();
+        if (shown == Shown::curve) drawCurve(frame, plates, fmat4(clip));
+    }
+
+    // The depth of each distance between near and far, and of the three things where the eye looks.
+    void drawCurve(const Frame& frame, const std::array<Plate, 3>& plates, const fmat4& clip) {
+        const vec2 size(frame.width(), frame.height());
+        const Plot plot{{size * vec2(0.12, 0.14), size * 0.9}, {near, far, "distance", true}, {0, 1, "depth"}};
+        std::vector<vec2> values;
+        for (int i = 0; i <= 300; ++i) {
+            const double distance = plot.value(glm::mix(plot.box.low, plot.box.high, i / 300.0)).x;
+            values.emplace_back(distance, keptDepth(format, depthOf(clip, float(distance), zeroToOne())));
+        }
+        drawing.begin(frame);
+        drawing.fill({vec2(0), size}, vec4(1, 1, 1, 0.85));
+        drawing.axes(plot);
+        drawing.curve(plot, values, {.width = 2});
+        for (const Plate& thing : plates) {
+            const double distance = -(thing.viewFromPlate * vec4(0.5, 0, 0, 1)).z;
+            if (!(distance >= near && distance <= far)) continue;
+            const float depth = depthOf(clip, float(distance), zeroToOne());
+            drawing.point(plot.pixel({distance, keptDepth(format, depth)}), 9, vec4(thing.color, 1));
+        }
+        drawing.draw(frame);
     }
 
     void drawPlates(const std::array<Plate, 3>& plates, const mat4& clip) {
@@ -250,10 +280,13 @@ struct ZBuffer final : Demo {
     std::vector<double> misorderedAmong(bool clipsToOne) const {
         const fmat4 clip(clipFromView(1, clipsToOne));
         return misorderedPairs(near, far, separation, pairCount, [&](float distance) {
-            const float depth = mapping == Mapping::logarithmic ? std::log2(1 + distance) / std::log2(1 + float(far))
-                                                                : windowDepth(clip, distance, clipsToOne);
-            return (nearIsOne() ? -1 : 1) * keptDepth(format, depth);
+            return (nearIsOne() ? -1 : 1) * keptDepth(format, depthOf(clip, distance, clipsToOne));
         });
+    }
+    // As the buffer is given it.
+    float depthOf(const fmat4& clip, float distance, bool clipsToOne) const {
+        if (mapping == Mapping::logarithmic) return std::log2(1 + distance) / std::log2(1 + float(far));
+        return windowDepth(clip, distance, clipsToOne);
     }
     Reference reference(const Frame&, const std::function<void(double)>&) const override {
         return {.values = std::vector<double>(pairCount, 0)};  // it is known which of a pair is nearer

@@ -111,13 +111,9 @@ void main() { fragColor = texture(picture, coordinate); }
 )";
 
 // Sets the state for what lies over a picture; the caller's comes back with its StateScope.
-void setOverlayState() {
+void begin() {
     if (!kept()) kept() = std::make_unique<Kept>();
-    switchOff(GL_DEPTH_TEST);
-    switchOff(GL_CULL_FACE);
-    glEnable(GL_BLEND);
-    // Alpha by itself, so that an opaque picture stays opaque, saved ones too.
-    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    setOverlayState();
 }
 
 bool sameWords(const std::vector<TextLine>& a, std::span<const TextLine> b) {
@@ -185,7 +181,7 @@ void drawText(const Frame& frame, std::span<const TextLine> lines) {
         if (height < 6 || height > 512) throw Error("drawText", "height must be 6 .. 512 px", std::to_string(height));
     }
     const StateScope scope;
-    setOverlayState();
+    begin();
     Program& program = kept()->words;
     if (program.id() == 0) program = Program::fromText("words", wordsVertex, wordsFragment);
     program.use();
@@ -208,7 +204,7 @@ int textHeight(const TextStyle& style) { return style.height + 2 * wordPadding; 
 
 void showImage(const Frame& frame, int x, int y, const Picture& picture) {
     const StateScope scope;
-    setOverlayState();
+    begin();
     Program& program = kept()->image;
     if (program.id() == 0) {
         program = Program::fromText("image", quadVertex, quadFragment);
