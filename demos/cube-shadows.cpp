@@ -25,6 +25,7 @@
 #include "mv/geometry/scenes.h"
 #include "mv/geometry/shapes.h"
 #include "mv/gl/gl.h"
+#include "mv/gl/light_rays.h"
 #include "mv/math/projection.h"
 #include "mv/math/shadow.h"
 #include "mv/math/shadow_caster.h"
@@ -98,6 +99,7 @@ struct CubeShadows final : Demo {
     Real phi{this, "phi", 80, {1, 179}, "where the eye stands: its angle from straight above", "deg"};
     Real distance{this, "distance", 8.5, {2, 30}, "distance of the eye from the middle of the scene"};
     Real fov{this, "fov", 40, {10, 120}, "the view's angle, upwards", "deg"};
+    Toggle rays{this, "rays", false, "show the light's rays through the corners of cube or box"};
 
     Readout lightHeight{this, "light-height", "height of the light above the floor; at infinity the sine of its angle"};
     Readout placeError{this, "place-error",
@@ -109,12 +111,18 @@ struct CubeShadows final : Demo {
     std::vector<Mesh> meshes;
     MeshData lampShape = painted(sphere(0.12, 32, 16), {1, 0.6, 0});
     Mesh edges, lamp;
+    Drawing drawing;
 
     CubeShadows() {
         bindDrag(theta, -360.0 / 700, phi, -360.0 / 700);
         bindWheel(distance, -0.5);
         bindKeys(Key::left, Key::right, lightTheta, 5);
         bindKeys(Key::up, Key::down, lightPhi, 5);
+        bindHandle("light", {&lightTheta, &lightPhi}, [this](const Frame& frame) -> std::optional<vec2> {
+            if (atInfinity) return std::nullopt;
+            const Pane picture{0, 0, frame.width(), frame.height()};
+            return pictureFromPane(picture, clipFromView(frame.aspect()) * viewFromWorld(), vec3(light()));
+        });
     }
 
     void init() override {
@@ -160,6 +168,11 @@ struct CubeShadows final : Demo {
     // ---- The scene: everything goes with its middle, wherever in the world the floor is
 
     vec3 middle() const { return {0, 0, floorBelow - planeDistance}; }
+
+    // The eye relative to it, which looks at it; its distance from the world's origin drops out of the product in double.
+    vec3 eye() const { return onSphere(distance, theta, phi); }
+    mat4 viewFromWorld() const { return lookAt(eye(), vec3(0), vec3(0, 0, 1)) * translate(-middle()); }
+    mat4 clipFromView(double aspect) const { return perspective(fov, aspect, 1, 100); }
 
     vec4 light() const {
         if (atInfinity) return {onSphere(1, lightTheta, lightPhi), 0};
@@ -213,10 +226,7 @@ struct CubeShadows final : Demo {
     void draw(const Frame& frame) override {
         makeScene();
 
-        // Look at the middle; its distance from the world's origin drops out of the product in double
-        const vec3 eye = onSphere(distance, theta, phi);
-        const mat4 viewFromWorld = lookAt(eye, vec3(0), vec3(0, 0, 1)) * translate(-middle());
-        const mat4 clipFromView = perspective(fov, frame.aspect(), 1, 100);
+        const mat4 viewFromWorld = this->viewFromWorld(), clipFromView = this->clipFromView(frame.aspect());
         frame.show("viewFromWorld", viewFromWorld);
         frame.show("clipFromView", clipFromView);
 
@@ -233,7 +243,7 @@ struct CubeShadows final : Demo {
             GLint tag = 0;
             if (!room.objects[i].casts) {
                 const Plane plane = planeOf(worldFromModel);
-                const bool fromTheFront = glm::dot(plane.normal, middle() + eye - plane.origin) > 0;
+                const bool fromTheFront = glm::dot(plane.normal, middle() + eye() - plane.origin) > 0;
                 if (fromTheFront || place == Place::plane) tag = static_cast<GLint>(i);
                 planes.push_back(i);
             }
@@ -284,7 +294,19 @@ struct CubeShadows final : Demo {
         const Plane floor = planeOf(worldFromObject(room.objects[planes[0]]));
         if (lightSide(floor.localOf(light()), floor.local()) > 0)
             frame.show("shadowFromWorld", flattened(mat4(1), floor, mat4(1)));
+        if (rays) drawRays(frame, clipFromView * viewFromWorld);
         if (frame.readouts()) measure(frame, floor);
+    }
+
+    void drawRays(const Frame& frame, const mat4& clipFromWorld) {
+        std::vector<vec4> planes;
+        for (const Plane& plane : grounds()) planes.push_back(plane.inWorld());
+        drawing.begin(frame);
+        for (const SceneObject& object : room.objects) {
+            if (object.casts)
+                drawLightRays(drawing, clipFromWorld, light(), cornersOf(object.mesh, worldFromObject(object)), planes);
+        }
+        drawing.draw(frame);
     }
 
     // The original's plane is not drawn: it is only tagged.

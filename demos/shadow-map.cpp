@@ -29,6 +29,7 @@
 #include "mv/gl/depth_map.h"
 #include "mv/gl/gl.h"
 #include "mv/gl/light_overlay.h"
+#include "mv/gl/light_rays.h"
 #include "mv/gl/scene_meshes.h"
 #include "mv/gl/shadow_check.h"
 #include "mv/math/projection.h"
@@ -92,6 +93,7 @@ struct ShadowMap final : Demo {
     Real windowWidth{this, "window-width", 3, {0.1, 30}, "of parallel light; by the height, the spot's aspect"};
     Real windowHeight{this, "window-height", 2.4, {0.1, 30}, "of parallel light"};
     Toggle showMap{this, "show-map", true, "show the map in a corner, near is dark"};
+    Toggle showRays{this, "rays", false, "show the light's rays through the corners of cube or box"};
     Toggle showFrustum{this, "show-frustum", true, "show the edges of what the map holds"};
     Turntable turntable{this, {-4, 40}};
 
@@ -102,6 +104,7 @@ struct ShadowMap final : Demo {
     Program program, depthProgram;
     DepthMap map;
     LightOverlay overlay;
+    Drawing drawing;
     ShadowCheck shadowCheck;
     Scene scene;
     mat4 viewAsBuilt{1};
@@ -115,6 +118,10 @@ struct ShadowMap final : Demo {
     ShadowMap() {
         bindKeys(Key::left, Key::right, lightX, 0.1);
         bindKeys(Key::up, Key::down, lightZ, 0.1);
+        bindHandle("light", {&lightX, &lightY, &lightZ},
+                   [this](const Frame& frame) { return placeOf(lightAt(), frame); });
+        bindHandle("light's target", {&targetX, &targetY, &targetZ},
+                   [this](const Frame& frame) { return placeOf(targetAt(), frame); });
     }
 
     void init() override {
@@ -131,6 +138,12 @@ struct ShadowMap final : Demo {
     vec3 lightAt() const { return {lightX, lightY, lightZ}; }
     vec3 targetAt() const { return {targetX, targetY, targetZ}; }
     vec4 light() const { return rays == Rays::spot ? vec4(lightAt(), 1) : vec4(lightAt() - targetAt(), 0); }
+
+    std::optional<vec2> placeOf(const vec3& point, const Frame& frame) const {
+        if (built != std::pair(Which(which), frame.aspect())) return std::nullopt;  // not drawn yet
+        const Pane picture{0, 0, frame.width(), frame.height()};
+        return pictureFromPane(picture, scene.clipFromView * turntable.seenBy(viewAsBuilt), point);
+    }
 
     // Puts the scene, as built, under this light, and turns it.
     void pose(Scene& asBuilt, const mat4& view) const {
@@ -209,7 +222,24 @@ struct ShadowMap final : Demo {
             }
         }
         if (showFrustum) overlay.drawFrustum(scene.clipFromWorld(), view);
+        if (showRays) drawRays(frame);
         if (showMap) overlay.drawMap(frame, map, view);
+    }
+
+    // Floors and walls lie across the y axis of their own space.
+    void drawRays(const Frame& frame) {
+        std::vector<vec4> planes;
+        for (const SceneObject& object : scene.objects) {
+            const vec3 normal(object.worldFromObject[1]), point(object.worldFromObject[3]);
+            if (!object.casts) planes.emplace_back(normal, -glm::dot(normal, point));
+        }
+        drawing.begin(frame);
+        for (const SceneObject& object : scene.objects) {
+            if (object.casts)
+                drawLightRays(drawing, scene.clipFromWorld(), light(), cornersOf(object.mesh, object.worldFromObject),
+                              planes);
+        }
+        drawing.draw(frame);
     }
 
     void drawMap(const mat4& mapClipFromWorld) {

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -101,6 +102,8 @@ struct ViewVolume final : Demo {
         bindWheel(far, 1);
         bindKeys(Key::down, Key::up, near, 0.5);
         bindKeys(Key::right, Key::left, pan, 5);
+        bindHandle("near plane", {&near}, [this](const Frame& frame) { return middleAt(frame, nearUsed()); });
+        bindHandle("far plane", {&far}, [this](const Frame& frame) { return middleAt(frame, far); });
     }
 
     void init() override {
@@ -131,6 +134,17 @@ struct ViewVolume final : Demo {
         return ortho(-boxHalf() * aspect, boxHalf() * aspect, -boxHalf(), boxHalf(), nearUsed(), far);
     }
     mat4 cameraFromWorld() const { return rotateY(-pan) * translate(-eye); }
+
+    // Who looks at the camera, from outside.
+    mat4 turned() const { return rotateX(tilt) * rotateY(-turn); }
+    mat4 outsideFromWorld(const Pane& pane) const {
+        return perspective(40, pane.aspect(), 1, 200) * translate(0, 0, -68) * turned() * translate(0, -2, 19);
+    }
+    // Where the left pane shows the middle of a plane across the view.
+    std::optional<vec2> middleAt(const Frame& frame, double distance) const {
+        const Pane pane = frame.panes(2)[0];
+        return pictureFromPane(pane, outsideFromWorld(pane) * glm::inverse(cameraFromWorld()), {0, 0, -distance});
+    }
 
     // In camera space, each as (unit normal inwards, distance).
     SixPlanes cameraPlanes() const {
@@ -170,26 +184,24 @@ struct ViewVolume final : Demo {
         // the camera, so it is mirrored before it is turned.
         const std::vector<Pane> panes = frame.panes(2);
         const mat4 clipFromWorld = clipFromCamera() * cameraFromWorld();
-        const mat4 turned = rotateX(tilt) * rotateY(-turn);
-        const mat4 outsideFromWorld =
-            perspective(40, panes[0].aspect(), 1, 200) * translate(0, 0, -68) * turned * translate(0, -2, 19);
+        const mat4 outside = outsideFromWorld(panes[0]);
         const double half = 1.9 / std::min(1.0, panes[1].aspect());
         const mat4 cubeFromClip =
-            ortho(-half * panes[1].aspect(), half * panes[1].aspect(), -half, half, -4, 4) * turned * scale(1, 1, -1);
+            ortho(-half * panes[1].aspect(), half * panes[1].aspect(), -half, half, -4, 4) * turned() * scale(1, 1, -1);
         frame.show("clipFromWorld", clipFromWorld);
-        frame.show("outsideFromWorld", outsideFromWorld);
+        frame.show("outsideFromWorld", outside);
         frame.show("cubeFromClip", cubeFromClip);
         faces.use();
         faces.set("clipFromWorld", clipFromWorld);
-        drawPane(panes[0], kept, outsideFromWorld, false);
+        drawPane(panes[0], kept, outside, false);
         drawPane(panes[1], kept, cubeFromClip * clipFromWorld, true);
         glDisable(GL_SCISSOR_TEST);
 
         glViewport(0, 0, frame.width(), frame.height());
         drawing.begin(frame);
         drawing.in(panes[0]);
-        drawFrame(outsideFromWorld * glm::inverse(clipFromWorld));
-        if (projection == Projection::perspective) drawSight(panes[0], outsideFromWorld);
+        drawFrame(outside * glm::inverse(clipFromWorld));
+        drawSight(outside * glm::inverse(cameraFromWorld()));
         drawing.text({6, panes[0].height - 6}, "world", {.height = 18});
         drawing.text({6, 30},
                      std::to_string(kept.size()) + " drawn, " + std::to_string(boxes.size() - kept.size()) + " culled");
@@ -239,16 +251,17 @@ struct ViewVolume final : Demo {
     }
     static vec3 cubeCorner(unsigned i) { return 2.0 * vec3(i & 1U, i >> 1 & 1U, i >> 2 & 1U) - 1.0; }
 
-    // From the eye to the corners of the near plane.
-    void drawSight(const Pane& pane, const mat4& outsideFromWorld) {
-        const mat4 outsideFromCamera = outsideFromWorld * glm::inverse(cameraFromWorld());
+    // The middles of near and far plane, which are dragged; and the lines from the eye to the corners of the near plane.
+    void drawSight(const mat4& outsideFromCamera) {
+        drawing.point(outsideFromCamera, {0, 0, -nearUsed()}, 7, nearColor);
+        drawing.point(outsideFromCamera, {0, 0, -far}, 7, farColor);
+        if (projection == Projection::orthographic) return;
         const double top = nearUsed() * std::tan(radians(fovy / 2));
         for (unsigned i = 0; i < 4; ++i)
             drawing.edge(outsideFromCamera, vec3(0), vec3(vec2(cubeCorner(i)) * vec2(top * aspect, top), -nearUsed()),
                          {.color = vec4(0.6, 0.6, 0.6, 1), .width = 1});
-        const vec2 eyePixel = pixelFromNdc(ndcFromClip(outsideFromCamera * vec4(0, 0, 0, 1)), pane.width, pane.height);
-        drawing.point(eyePixel, 7, vec4(0.3, 0.3, 0.3, 1));
-        drawing.text(eyePixel + vec2(-6, -4), "eye", {.background = vec4(0)});
+        drawing.point(outsideFromCamera, vec3(0), 7, vec4(0.3, 0.3, 0.3, 1));
+        drawing.text(outsideFromCamera, vec3(0), {-6, -4}, "eye", {.background = vec4(0)});
     }
 
     // Of each plane its normal, and its distance as a part of far.

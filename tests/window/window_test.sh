@@ -168,6 +168,54 @@ drag() {
     equal "spin-y after a drag from the panel" 0 "$(reported spin-y)"
 }
 
+hand() { # what is dragged in the picture itself
+    local folder x y farX farY knob
+    folder=$(dirname "$cubeCull")
+    start 'mvgl: view-volume' "$folder/view-volume"
+    read -r x y <<<"$(place "handle far plane")"
+    at $((x + 40)) $((y + 40)) # beside it
+    awaitReport hovered ""
+    at "$x" "$y"
+    awaitReport hovered "far plane"
+    buttonDown
+    at $((x + 30)) $((y - 10))
+    awaitReport hovered "far plane" # which follows
+    buttonUp
+    atLeast "far after it was dragged away from the camera" "$(reported far)" 33
+    equal "turn, which a drag beside a handle moves" 65 "$(reported turn)"
+    # It is under the pointer: at most two pixels from it, as near as a line comes to it
+    read -r farX farY <<<"$(place "handle far plane")"
+    atMost "distance of the handle across" $(((farX - x - 30) * (farX - x - 30))) 100
+    at $((x + 100)) $((y + 60)) && buttonDown && at $((x + 110)) $((y + 60)) && buttonUp
+    equal "turn after a drag beside the handles" 60 "$(reported turn)"
+    # By keyboard: Tab picks near, then far; the arrows move the one that is picked, and not what the demo has them for
+    press Tab
+    awaitReport hovered "near plane"
+    press Right Right shift+Right
+    atLeast "near after twelve pixels" "$(reported near)" 8.5
+    equal "pan, which the arrows move otherwise" 0 "$(reported pan)"
+    press Escape # lets it go, and only that
+    press Left
+    equal "pan" 5 "$(reported pan)"
+    press s
+    quit
+    sameAsHeadless view-volume-1.png
+    # A light in space, while its circle is paused
+    start 'mvgl: shadow-floor' "$folder/shadow-floor" --frame 30
+    read -r x y <<<"$(place "handle light")"
+    at "$x" "$y" && buttonDown
+    at $((x - 60)) $((y + 25))
+    at $((x - 80)) $((y + 35)) && buttonUp
+    read -r farX farY <<<"$(place "handle light")"
+    atMost "distance of the light from the pointer" $(((farX - x + 80) * (farX - x + 80) + (farY - y - 35) * (farY - y - 35))) 2
+    press s
+    quit
+    for knob in light-x light-z light-height; do
+        reported command | grep -q -- "--$knob " || fail "the light's $knob has not moved: $(reported command)"
+    done
+    sameAsHeadless shadow-floor-30.png
+}
+
 replay() { # as fast as xdotool is: nothing is waited for between two moves
     RANDOM=4711
     start 'mvgl: cube-cull' "$cubeCull"
@@ -745,7 +793,7 @@ case $case in
     resize) resizing ;;
     storm) stormOfProbe ;;
     storm.*) stormOf "${case#storm.}" ;;
-    opens | keys | held | slider | typed | choice | wheel | drag | replay | save | clipboard | error | torn | twice | density | paused | reload | idle | study | measure | vanish)
+    opens | keys | held | slider | typed | choice | wheel | drag | hand | replay | save | clipboard | error | torn | twice | density | paused | reload | idle | study | measure | vanish)
         "$case"
         ;;
     *) fail "there is no case '$case'" ;;

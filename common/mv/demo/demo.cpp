@@ -82,6 +82,19 @@ void Demo::bindDrag(Knob& across, double perPixelAcross, Knob& down, double perP
 
 void Demo::bindWheel(Knob& knob, double perNotch) { bindings_.push_back({Gesture::wheel, Key{}, &knob, perNotch}); }
 
+void Demo::bindHandle(std::string name, std::vector<Real*> knobs,
+                      std::function<std::optional<vec2>(const Frame&)> where) {
+    Handle handle{.name = std::move(name), .knobs = {knobs.begin(), knobs.end()}};
+    handle.count = [] { return std::size_t{1}; };
+    handle.coordinates = [knobs = std::move(knobs)](std::size_t) {
+        std::vector<Coordinate> coordinates;
+        for (Real* knob : knobs) coordinates.push_back(knob->coordinate());
+        return coordinates;
+    };
+    handle.where = [where = std::move(where)](const Frame& frame, std::size_t) { return where(frame); };
+    handles_.push_back(std::move(handle));
+}
+
 std::string keyName(Key key) {
     switch (key) {
         case Key::left:

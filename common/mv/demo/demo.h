@@ -12,6 +12,7 @@
 
 #include "mv/demo/binding.h"
 #include "mv/demo/frame.h"
+#include "mv/demo/handle.h"
 #include "mv/demo/knob.h"
 #include "mv/demo/readout.h"
 #include "mv/demo/study.h"
@@ -46,6 +47,7 @@ class Demo {
     const std::vector<Knob*>& knobs() const { return knobs_; }
     const std::vector<Readout*>& readouts() const { return readouts_; }
     const std::vector<Binding>& bindings() const { return bindings_; }
+    const std::vector<Handle>& handles() const { return handles_; }
 
     // The knob of that name, or Error naming the nearest one.
     Knob& knob(std::string_view name) const;
@@ -61,6 +63,8 @@ class Demo {
     void bindKey(Key key, Knob& knob, std::string text);
     void bindDrag(Knob& across, double perPixelAcross, Knob& down, double perPixelDown);
     void bindWheel(Knob& knob, double perNotch);
+    // Something in the picture that is dragged there; `where` as in Handle.
+    void bindHandle(std::string name, std::vector<Real*> knobs, std::function<std::optional<vec2>(const Frame&)> where);
 
   private:
     friend class Knob;
@@ -72,6 +76,7 @@ class Demo {
     std::vector<Knob*> knobs_;
     std::vector<Readout*> readouts_;
     std::vector<Binding> bindings_;
+    std::vector<Handle> handles_;
 };
 
 // Something that a demo uses and OpenGL ES 3.0, which is WebGL 2's, lacks.

@@ -66,6 +66,11 @@ bool Real::step(double amount) {
 
 bool Real::widget(Panel& panel) { return panel.slider(*this, value_, range_.low, range_.high); }
 
+Coordinate Real::coordinate() {
+    const auto set = [this](double value) { value_ = std::clamp(value, range_.low, range_.high) + 0.0; };  // no -0
+    return {[this] { return double(*this); }, set, range_.low, range_.high};
+}
+
 // ---- Angle
 
 Angle::Angle(Demo* owner, std::string name, double initial, std::string help)
@@ -76,6 +81,11 @@ bool Angle::step(double amount) {
     value_ = std::fmod(std::round((value_ + amount) * 1e9) / 1e9, 360.0);
     if (value_ == 0) value_ = 0;
     return true;
+}
+
+Coordinate Angle::coordinate() {
+    const auto set = [this](double value) { value_ = std::fmod(value, 360.0) + 0.0; };
+    return {[this] { return double(*this); }, set, range_.low, range_.high, true};
 }
 
 // ---- Whole

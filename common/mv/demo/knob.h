@@ -2,6 +2,7 @@
 // a widget in the window, a row in the documentation and a case in the sweep test.
 #pragma once
 #include <atomic>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,6 +17,15 @@ class Demo;
 // A knob and the value it is set to, as text.
 struct KnobSetting {
     std::string name, text;
+};
+
+// A number of a knob that a hand in the picture moves (mv/demo/handle.h). `set` stops at the ends, unless it turns: then it goes on
+// and drops whole turns.
+struct Coordinate {
+    std::function<double()> get;
+    std::function<void(double)> set;
+    double low, high;
+    bool turns = false;
 };
 
 // A setting. To add a kind of knob, derive from it and answer these questions; nothing else has to know the new kind.
@@ -85,6 +95,7 @@ class Real : public Knob {
     std::vector<std::string> sweep() const override;
     bool step(double amount) override;
     bool widget(Panel& panel) override;
+    virtual Coordinate coordinate();
 
   protected:
     double value_;
@@ -98,6 +109,7 @@ class Angle : public Real {
   public:
     Angle(Demo* owner, std::string name, double initial, std::string help);
     bool step(double amount) override;
+    Coordinate coordinate() override;
 };
 
 // A whole number.

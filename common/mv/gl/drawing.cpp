@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "mv/demo/handle.h"
 #include "mv/gl/state.h"
 #include "mv/math/clip.h"
 #include "mv/math/projection.h"
@@ -40,6 +41,10 @@ void Drawing::begin(const Frame& frame) {
     painted_.clear();
     words_.clear();
     tested_ = false;
+}
+
+std::optional<vec2> Drawing::pixelOf(const mat4& clipFromModel, const vec3& at) const {
+    return pictureFromPane({0, 0, pane_.width, pane_.height}, clipFromModel, at);
 }
 
 void Drawing::in(const Pane& pane) { pane_ = pane; }
@@ -89,9 +94,18 @@ void Drawing::point(const vec2& at, double size, const vec4& color) {
     place(first, whole());
 }
 
+void Drawing::point(const mat4& clipFromModel, const vec3& at, double size, const vec4& color) {
+    if (const auto pixel = pixelOf(clipFromModel, at)) point(*pixel, size, color);
+}
+
 void Drawing::text(const vec2& upperLeft, const std::string& words, const TextStyle& style) {
     words_.push_back(
         {pane_.x + int(std::floor(upperLeft.x)), height_ - pane_.y - int(std::floor(upperLeft.y)), words, style});
+}
+
+void Drawing::text(const mat4& clipFromModel, const vec3& at, const vec2& moved, const std::string& words,
+                   const TextStyle& style) {
+    if (const auto pixel = pixelOf(clipFromModel, at)) text(*pixel + moved, words, style);
 }
 
 void Drawing::textAround(const vec2& middle, const std::string& words, const TextStyle& style) {

@@ -1,6 +1,6 @@
 // Lines, shapes and words over a picture, in pixels of its panes: what a textbook's figure has beside the scene itself.
 #pragma once
-#include <initializer_list>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -39,8 +39,13 @@ class Drawing {
     void fill(const Box& box, const vec4& color);
     // A disc, `size` pixels across.
     void point(const vec2& at, double size, const vec4& color);
+    // The same where the pane's projection draws a point in space, whatever is before it; nothing at or behind the eye.
+    void point(const mat4& clipFromModel, const vec3& at, double size, const vec4& color);
     // Words whose box has its upper left corner there; the line below puts its middle there.
     void text(const vec2& upperLeft, const std::string& words, const TextStyle& style = {});
+    // The same, moved so far in pixels from where a point in space is drawn.
+    void text(const mat4& clipFromModel, const vec3& at, const vec2& moved, const std::string& words,
+              const TextStyle& style = {});
     void textAround(const vec2& middle, const std::string& words, const TextStyle& style = {});
 
     // A straight line in space, through the pane's projection: cut at near and far, and hidden by what was drawn before it and is
@@ -60,6 +65,7 @@ class Drawing {
 
   private:
     Box whole() const { return {vec2(0), vec2(pane_.width, pane_.height)}; }
+    std::optional<vec2> pixelOf(const mat4& clipFromModel, const vec3& at) const;  // of the pane
     // Moves what was appended from `first` on from the pane into the picture, cut to a box of the pane.
     void place(std::size_t first, const Box& box);
     void stroke(std::span<const vec3> points, const Stroke& stroke, const Box& box);

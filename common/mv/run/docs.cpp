@@ -34,6 +34,12 @@ std::string controlText(const Binding& binding) {
     return effect;
 }
 
+std::string controlText(const Handle& handle) {
+    std::string knobs;
+    for (const Knob* knob : handle.knobs) knobs += (knobs.empty() ? "`" : ", `") + knob->name() + "`";
+    return "drag the " + handle.name + " in the picture: " + knobs;
+}
+
 std::string tables(const DemoInfo& info) {
     const auto demo = info.make();
     std::string text = "| knob | range | initially | what it does |\n|---|---|---|---|\n";
@@ -52,15 +58,11 @@ std::string tables(const DemoInfo& info) {
             text += "| `" + readout->name() + "` | " + readout->unit() + " | " + tableCell(readout->help()) + " |\n";
         }
     }
-    if (!demo->bindings().empty()) {
-        text += "\nControls: ";
-        bool first = true;
-        for (const Binding& binding : demo->bindings()) {
-            text += (first ? "" : " · ") + controlText(binding);
-            first = false;
-        }
-        text += ".\n";
-    }
+    std::string controls;
+    const auto add = [&](const std::string& control) { controls += (controls.empty() ? "" : " · ") + control; };
+    for (const Binding& binding : demo->bindings()) add(controlText(binding));
+    for (const Handle& handle : demo->handles()) add(controlText(handle));
+    if (!controls.empty()) text += "\nControls: " + controls + ".\n";
     return text;
 }
 

@@ -44,6 +44,7 @@ DemoScreen::DemoScreen(Window& window, Gui& gui, Stage& stage, const Command& co
       study_(*command.demo, gui, places_),
       // A frame asked for by number stands still, so that a copied command shows the very picture it was copied from.
       playback_(info_.animated, command.firstFrame, command.frameGiven),
+      hand_(gui, places_),
       drawnFrame_(command.firstFrame) {
     const bool sizeGiven = command.width > 0;
     const int width = sizeGiven ? command.width : info_.width, height = sizeGiven ? command.height : info_.height;
@@ -84,6 +85,14 @@ bool DemoScreen::overDivider(double x) const {
     return divider && overPicture(x) && std::abs(x - *divider) <= dividerReach * double(gui_.scale());
 }
 
+Frame DemoScreen::shownFrame() const {
+    return {playback_.frame(), stage_.front().width(), stage_.front().height(), unread_};
+}
+
+PictureInWindow DemoScreen::pictureInWindow() const {
+    return {stage_.front().height(), window_.size().pixelsPerUnit()};
+}
+
 void DemoScreen::moveDivider(double x) {
     if (dividerX()) comparison_.moveDivider(x * window_.size().pixelsPerUnit() / comparison_.sideA().picture.width);
 }
@@ -95,15 +104,18 @@ void DemoScreen::handle(const Event& event) {
         case Event::Kind::press:
             if (event.key != GLFW_MOUSE_BUTTON_LEFT) break;
             draggingDivider_ = overDivider(event.x);
-            dragging_ = overPicture(event.x) && !draggingDivider_;
+            dragging_ = false;
+            if (overPicture(event.x) && !draggingDivider_)
+                dragging_ = !hand_.press(stage_.demo(), shownFrame(), pictureInWindow(), event.x, event.y);
             dragX_ = event.x;
             dragY_ = event.y;
             break;
         case Event::Kind::release:
-            if (event.key == GLFW_MOUSE_BUTTON_LEFT) dragging_ = draggingDivider_ = false;
+            if (event.key == GLFW_MOUSE_BUTTON_LEFT) dragging_ = draggingDivider_ = false, hand_.release();
             break;
         case Event::Kind::move:
             if (draggingDivider_) moveDivider(event.x);
+            stale_ |= hand_.move(stage_.demo(), shownFrame(), pictureInWindow(), event.x, event.y);
             if (!dragging_) break;
             stale_ |= stage_.demo().drag(event.x - dragX_, event.y - dragY_);
             dragX_ = event.x;
@@ -133,6 +145,12 @@ void DemoScreen::onKey(const Event& event) {
     // The field first: newer Dear ImGui may give it the keyboard back only frames after a refusal.
     if (event.key == GLFW_KEY_ESCAPE && knobs_.fieldOpen()) return knobs_.closeField();
     if (gui_.typing()) return;
+    bool moved = false;
+    if (!gui_.popupOpen() &&
+        hand_.key(stage_.demo(), shownFrame(), event.key, (event.modifiers & GLFW_MOD_SHIFT) != 0, moved)) {
+        stale_ |= moved;
+        return;
+    }
     if (event.key == GLFW_KEY_ESCAPE) {
         if (gui_.popupOpen()) return gui_.closePopup();
         wish_ = {Wish::Kind::quit};
@@ -252,6 +270,7 @@ void DemoScreen::draw() {
     } else {
         showOverlay();
     }
+    hand_.show(stage_.demo(), shownFrame(), pictureInWindow(), overPicture(double(ImGui::GetMousePos().x)));
     showDividerHandle();
     gui_.end();
 }

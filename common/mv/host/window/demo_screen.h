@@ -7,6 +7,7 @@
 
 #include "mv/host/window/comparison.h"
 #include "mv/host/window/gui.h"
+#include "mv/host/window/hand.h"
 #include "mv/host/window/knob_panel.h"
 #include "mv/host/window/panel_parts.h"
 #include "mv/host/window/playback.h"
@@ -39,6 +40,9 @@ class DemoScreen final : public Screen {
     std::optional<double> dividerX() const;
     bool overDivider(double x) const;
     void moveDivider(double x);
+    // The picture that is shown, for its handles.
+    Frame shownFrame() const;
+    PictureInWindow pictureInWindow() const;
     void onKey(const Event& event);
     bool binds(Key key) const;
     void reloadShaders();
@@ -70,6 +74,8 @@ class DemoScreen final : public Screen {
     Comparison comparison_;
     StudySection study_;
     Playback playback_;
+    Hand hand_;
+    mutable FrameNotes unread_;  // of frames that are not drawn
 
     bool panelShown_ = true;
     bool dragging_ = false, draggingDivider_ = false;

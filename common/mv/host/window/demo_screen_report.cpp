@@ -39,6 +39,7 @@ void DemoScreen::report(const WindowState& state) {
     auto& window = json["window"] = windowJson(state);
     window["demo_frames"] = demoFrames_;
     window["playing"] = playback_.playing();
+    window["hovered"] = hand_.hovered();
     if (study_.any()) {
         window["study"] = study_.origin();
         window["here"] = study_.here(stage_.demo());

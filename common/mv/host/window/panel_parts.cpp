@@ -257,6 +257,13 @@ void showControls(const Demo& demo, bool animated, bool menu, bool comparing) {
     for (const Binding& binding : demo.bindings()) {
         if (binding.amount != 0 || !binding.text.empty()) lines.push_back(controlText(binding));
     }
+    for (const Handle& handle : demo.handles()) {
+        std::string knobs;
+        for (const Knob* knob : handle.knobs) knobs += (knobs.empty() ? "" : ", ") + knob->name();
+        lines.emplace_back("Drag the " + handle.name, knobs);
+    }
+    if (!demo.handles().empty())
+        lines.emplace_back("Tab, arrows", "pick what can be dragged, and move it by a pixel (Shift: ten)");
     const auto bound = [&](char letter) {
         return std::any_of(demo.bindings().begin(), demo.bindings().end(), [&](const Binding& binding) {
             return binding.gesture == Gesture::key && binding.key == key(letter);
