@@ -35,7 +35,7 @@ using namespace mv;
 
 namespace {
 
-enum class Which { lamps, circle };
+enum class Which { lamps, circle, placed };
 enum class Method { maps, volumes };
 
 // A light beyond its homogeneous position, which is in Scene::lights.
@@ -98,19 +98,28 @@ LitScene lampsScene(double aspect, int index) {
     return lit;
 }
 
-// Lights of all hues on a circle over the still life. The colours of two or more add up to white.
-LitScene circleScene(double aspect, int index, int count) {
+constexpr double circleY = 3.8, placedY = 2;  // of the lights over the still life
+
+// Where light i of the circle is after `index` frames: x and z.
+vec2 onCircle(int i, int count, int index) {
+    const double turn = double(i) / count, angle = 2 * pi * turn + radians(1.0 * index) + 2.4;
+    return {0.3 + 3.4 * std::cos(angle), 2.6 + 2.6 * std::sin(angle)};
+}
+
+// Lights of all hues over the still life, at these x and z and that y. The colours of two or more add up to white.
+LitScene lightsScene(double aspect, const std::vector<vec2>& places, double y) {
     LitScene lit{stillLife(aspect), {}};
     lit.scene.lights.clear();
+    const int count = int(places.size());
     for (int i = 0; i < count; ++i) {
-        const double turn = double(i) / count, angle = 2 * pi * turn + radians(1.0 * index) + 2.4;
+        const double turn = double(i) / count;
+        const vec2& place = places[std::size_t(i)];
         vec3 color(0.9);
         for (int k = 0; k < 3 && count > 1; ++k) {
             color[k] = 2.2 / count *
                        std::clamp(1.5 - 6 * std::abs(turn - k / 3.0 - std::round(turn - k / 3.0)) + 0.5, 0.0, 1.0);
         }
-        lit.scene.lights.push_back(
-            {.position = vec4(0.3 + 3.4 * std::cos(angle), 3.8, 2.6 + 2.6 * std::sin(angle), 1), .color = color});
+        lit.scene.lights.push_back({.position = vec4(place.x, y, place.y, 1), .color = color});
         lit.lamps.push_back({});
     }
     return lit;
@@ -128,8 +137,17 @@ bool reaches(const Scene& scene, const vec3& light, double reach) {
 }
 
 struct ShadowLights final : Demo {
-    Choice<Which> which{this, "scene", Which::lamps, {{"lamps"}, {"circle"}}, "what is shown"};
+    Choice<Which> which{this,
+                        "scene",
+                        Which::lamps,
+                        {{"lamps"}, {"circle"}, {"placed", "as the circle, with the lights where --places says"}},
+                        "what is shown"};
     Whole lights{this, "lights", 3, {1, 8}, "lights on the circle; the lamps always have three"};
+    Points places{this,
+                  "places",
+                  {{-1.5, 0.8}, {0.6, -0.9}, {1.8, 0.9}},
+                  {.low = vec2(-2, -1.2), .high = vec2(2.5, 1.5), .least = 1, .most = 8, .grid = 0.05},
+                  "x and z of the lights of scene placed, dragged there"};
     Choice<Method> method{this, "method", Method::volumes, {{"maps"}, {"volumes"}}, "how shadows are found"};
     Choice<int> resolution{
         this, "resolution", 2, {{"256"}, {"512"}, {"1024"}, {"2048"}}, "texels along a side of each map"};
@@ -156,7 +174,19 @@ struct ShadowLights final : Demo {
     std::vector<Shadow> shadows;  // one a light
     int made = 0;
 
-    ShadowLights() { bindKeys(Key::left, Key::right, lights, 1); }
+    ShadowLights() {
+        bindKeys(Key::left, Key::right, lights, 1);
+        // The still life is made for its view alone: once for each shape of picture
+        bindHandle("light", places,
+                   [this, seen = Scene(), aspect = 0.0](const Frame& frame, const vec2& place) mutable {
+                       std::optional<vec2> at;
+                       if (which != Which::placed) return at;
+                       if (aspect != frame.aspect()) seen = stillLife(aspect = frame.aspect());
+                       const mat4 clip = seen.clipFromView * turntable.seenBy(seen.viewFromWorld);
+                       at = pictureFromPane({0, 0, frame.width(), frame.height()}, clip, {place.x, placedY, place.y});
+                       return at;
+                   });
+    }
 
     void init() override {
         program = Program("shadow-lights");
@@ -165,8 +195,29 @@ struct ShadowLights final : Demo {
         built.reset();
     }
 
+    // A map holds what casts only where that is in front of its light.
+    void check() const override {
+        if (which != Which::placed || method != Method::maps) return;
+        static const std::vector<vec3> casters = casterPoints(stillLife(1));
+        for (const vec2& place : places.points()) {
+            try {
+                fitLightView(vec4(place.x, placedY, place.y, 1), casters);
+            } catch (const Error&) {
+                throw Error("--places", "must keep each light beside what casts, for --method maps", places.text());
+            }
+        }
+    }
+
+    LitScene builtAt(double aspect, int index) const {
+        if (which == Which::lamps) return lampsScene(aspect, index);
+        if (which == Which::placed) return lightsScene(aspect, places.points(), placedY);
+        std::vector<vec2> circle;
+        for (int i = 0; i < lights; ++i) circle.push_back(onCircle(i, lights, index));
+        return lightsScene(aspect, circle, circleY);
+    }
+
     LitScene sceneAt(double aspect, int index) const {
-        LitScene now = which == Which::lamps ? lampsScene(aspect, index) : circleScene(aspect, index, lights);
+        LitScene now = builtAt(aspect, index);
         now.scene.viewFromWorld = turntable.seenBy(now.scene.viewFromWorld);
         return now;
     }

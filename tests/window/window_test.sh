@@ -214,6 +214,34 @@ hand() { # what is dragged in the picture itself
         reported command | grep -q -- "--$knob " || fail "the light's $knob has not moved: $(reported command)"
     done
     sameAsHeadless shadow-floor-30.png
+    # Points: dragged onto their grid, and one more, and one less
+    start 'mvgl: shadow-lights' "$folder/shadow-lights" --scene placed --frame 1 --places 0,1/1.5,0.5
+    read -r x y <<<"$(place "handle light 2")"
+    at "$x" "$y" && buttonDown
+    at $((x - 50)) "$y" && buttonUp
+    [ "$(reported places)" != 0,1/1.5,0.5 ] || fail "the second light has not moved"
+    equal "the first light" 0,1 "$(reported places | cut -d/ -f1)"
+    press Insert # under the mouse; the new one is picked
+    awaitReport hovered "light 3"
+    equal "lights after Insert" 3 "$(reported places | tr / '\n' | wc -l)"
+    press shift+Right
+    press s
+    cp shadow-lights-1.png placed.png
+    clickOn "places -"
+    equal "lights after the button -" 2 "$(reported places | tr / '\n' | wc -l)"
+    clickOn "places +"
+    press Tab Delete # the first one
+    equal "lights after Delete" 2 "$(reported places | tr / '\n' | wc -l)"
+    read -r x y <<<"$(place places)"
+    at "$x" "$y" && click # the value as words is edited when it is clicked
+    press ctrl+a
+    xdotool type --delay 20 "1,1/-1.05,0.5"
+    keysDone 13
+    press Return
+    awaitReport places 1,1/-1.05,0.5
+    press s
+    quit
+    sameAsHeadless shadow-lights-1-2.png
 }
 
 replay() { # as fast as xdotool is: nothing is waited for between two moves

@@ -95,6 +95,21 @@ void Demo::bindHandle(std::string name, std::vector<Real*> knobs,
     handles_.push_back(std::move(handle));
 }
 
+void Demo::bindHandle(std::string name, Points& points,
+                      std::function<std::optional<vec2>(const Frame&, const vec2& value)> where) {
+    Handle handle{.name = std::move(name), .knobs = {&points}};
+    handle.count = [&points] { return points.size(); };
+    handle.coordinates = [&points](std::size_t i) {
+        return std::vector<Coordinate>{points.coordinate(i, 0), points.coordinate(i, 1)};
+    };
+    handle.where = [&points, where = std::move(where)](const Frame& frame, std::size_t i) {
+        return where(frame, points[i]);
+    };
+    handle.add = [&points](std::size_t after) { return points.add(after); };
+    handle.remove = [&points](std::size_t i) { return points.remove(i); };
+    handles_.push_back(std::move(handle));
+}
+
 std::string keyName(Key key) {
     switch (key) {
         case Key::left:

@@ -14,6 +14,7 @@
 #include "mv/demo/frame.h"
 #include "mv/demo/handle.h"
 #include "mv/demo/knob.h"
+#include "mv/demo/points.h"
 #include "mv/demo/readout.h"
 #include "mv/demo/study.h"
 #include "mv/error.h"
@@ -65,6 +66,9 @@ class Demo {
     void bindWheel(Knob& knob, double perNotch);
     // Something in the picture that is dragged there; `where` as in Handle.
     void bindHandle(std::string name, std::vector<Real*> knobs, std::function<std::optional<vec2>(const Frame&)> where);
+    // One for each of the points; `where` says where the value of one is.
+    void bindHandle(std::string name, Points& points,
+                    std::function<std::optional<vec2>(const Frame&, const vec2& value)> where);
 
   private:
     friend class Knob;

@@ -28,7 +28,7 @@ std::vector<vec2> slopes(const std::vector<Coordinate>& coordinates,
     const std::optional<vec2> here = place();
     for (const Coordinate& coordinate : coordinates) {
         const double value = coordinate.get(), step = 1e-6 * (coordinate.high - coordinate.low);
-        const double moved = coordinate.turns || value + step <= coordinate.high ? step : -step;
+        const double moved = value + step <= coordinate.high ? step : -step;
         coordinate.set(value + moved);
         const std::optional<vec2> there = place();
         coordinate.set(value);
@@ -64,7 +64,7 @@ std::vector<double> changeInRange(const std::vector<Coordinate>& coordinates, st
         bool blocked = false;
         for (std::size_t i = 0; i < change.size(); ++i) {
             const Coordinate& c = coordinates[i];
-            if (c.turns || slopes[i] == vec2(0)) continue;
+            if (slopes[i] == vec2(0)) continue;
             if ((change[i] > 0 && c.get() >= c.high) || (change[i] < 0 && c.get() <= c.low)) {
                 slopes[i] = vec2(0);
                 blocked = true;
@@ -74,10 +74,11 @@ std::vector<double> changeInRange(const std::vector<Coordinate>& coordinates, st
     }
 }
 
-// To a ten thousandth of the range, by a power of ten.
-double rounded(double value, double range) {
-    const double scale = std::pow(10.0, std::ceil(4 - std::log10(range)));
-    return std::round(value * scale) / scale;
+// To the grid, or to a ten thousandth of the range, by a power of ten.
+double rounded(const Coordinate& coordinate) {
+    const double range = coordinate.high - coordinate.low;
+    const double scale = coordinate.grid > 0 ? 1 / coordinate.grid : std::pow(10.0, std::ceil(4 - std::log10(range)));
+    return std::round(coordinate.get() * scale) / scale;
 }
 
 }  // namespace
@@ -119,7 +120,7 @@ bool Handle::drag(const Frame& frame, std::size_t which, const vec2& pixel) cons
     }
     for (std::size_t k = 0; k < moving.size(); ++k) {
         if (moving[k].get() == before[k]) continue;
-        moving[k].set(rounded(moving[k].get(), moving[k].high - moving[k].low));
+        moving[k].set(rounded(moving[k]));
     }
     return valuesOf(moving) != before;
 }

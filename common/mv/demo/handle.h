@@ -26,9 +26,11 @@ struct Handle {
     std::function<std::size_t()> count = {};
     std::function<std::vector<Coordinate>(std::size_t)> coordinates = {};
     std::function<std::optional<vec2>(const Frame&, std::size_t)> where = {};
+    // Makes one more after that one, at the same place, or takes it away; false where it cannot. None where there is one alone.
+    std::function<bool(std::size_t)> add = {}, remove = {};
 
     // Moves one so that it is as near to that pixel of the picture as its coordinates let it come, which stop at the ends of their
-    // ranges, and are rounded to as few digits as leave it within about a pixel. Of several ways the shortest is taken, all
+    // ranges, and are rounded to their grid, or to as few digits as leave it within about a pixel. Of several ways the shortest is taken, all
     // coordinates measured alike: three in space move it across the line of sight. True when a knob has moved.
     bool drag(const Frame& frame, std::size_t which, const vec2& pixel) const;
 };

@@ -1,27 +1,13 @@
 #include "mv/demo/knob.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <utility>
 
 #include "mv/demo/demo.h"
+#include "mv/demo/number.h"
 
 namespace mv {
-namespace {
-
-// Reads the whole of `text` as a number; nan, inf and hexadecimal are no settings.
-template <class Number>
-bool readNumber(std::string_view text, Number& number) {
-    if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);  // which from_chars does not take
-    const auto end = text.data() + text.size();
-    const auto result = std::from_chars(text.data(), end, number);
-    if (result.ec != std::errc() || result.ptr != end) return false;
-    return std::isfinite(static_cast<double>(number));
-}
-
-}  // namespace
-
 Knob::Knob(Demo* owner, std::string name, std::string help, std::string unit)
     : name_(std::move(name)), help_(std::move(help)), unit_(std::move(unit)) {
     owner->add(this);
@@ -85,7 +71,7 @@ bool Angle::step(double amount) {
 
 Coordinate Angle::coordinate() {
     const auto set = [this](double value) { value_ = std::fmod(value, 360.0) + 0.0; };
-    return {[this] { return double(*this); }, set, range_.low, range_.high, true};
+    return {[this] { return double(*this); }, set, range_.low, range_.high};
 }
 
 // ---- Whole

@@ -19,13 +19,13 @@ struct KnobSetting {
     std::string name, text;
 };
 
-// A number of a knob that a hand in the picture moves (mv/demo/handle.h). `set` stops at the ends, unless it turns: then it goes on
-// and drops whole turns.
+// A number of a knob that a hand in the picture moves (mv/demo/handle.h). `set` stops at the ends; an angle goes on past them, and
+// drops whole turns.
 struct Coordinate {
     std::function<double()> get;
     std::function<void(double)> set;
     double low, high;
-    bool turns = false;
+    double grid = 0;  // whole multiples of it alone are values, in the end; 0: all numbers are
 };
 
 // A setting. To add a kind of knob, derive from it and answer these questions; nothing else has to know the new kind.

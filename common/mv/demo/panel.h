@@ -20,6 +20,10 @@ class Panel {
     virtual bool slider(const Knob& knob, double& value, double low, double high) = 0;
     virtual bool slider(const Knob& knob, int& value, int low, int high) = 0;
     virtual bool checkbox(const Knob& knob, bool& value) = 0;
+    // The value as words, which are edited when they are clicked: for any kind of knob.
+    virtual bool words(const Knob& knob) = 0;
+    // A small button after what the row has so far; true when it is pressed.
+    virtual bool button(const Knob& knob, const std::string& label, bool enabled) = 0;
     virtual bool choose(const Knob& knob, int& index, const std::vector<Option>& options) = 0;
 };
 

@@ -37,7 +37,8 @@ std::string controlText(const Binding& binding) {
 std::string controlText(const Handle& handle) {
     std::string knobs;
     for (const Knob* knob : handle.knobs) knobs += (knobs.empty() ? "`" : ", `") + knob->name() + "`";
-    return "drag the " + handle.name + " in the picture: " + knobs;
+    return "drag the " + handle.name + " in the picture: " + knobs +
+           (handle.add ? " (Ins and Del: one more, one less)" : "");
 }
 
 std::string tables(const DemoInfo& info) {

@@ -114,6 +114,8 @@ void Gui::feed(const Event& event) {
     GLFWwindow* handle = window_.handle();
     mouseX_ = event.x;
     mouseY_ = event.y;
+    // Tab goes from handle to handle of the picture; to Dear ImGui it would open the next field for typing
+    if ((event.kind == Event::Kind::key || event.kind == Event::Kind::keyUp) && event.key == GLFW_KEY_TAB) return;
     switch (event.kind) {
         case Event::Kind::key:
             if (!event.repeat) {

@@ -14,6 +14,7 @@ namespace {
 
 constexpr double reach = 12;       // pixels at ordinary density: so near to a handle the mouse takes it
 constexpr float ringRadius = 8;    // pixels at ordinary density
+const vec2 newcomersStep(24, 24);  // pixels
 constexpr double shiftSteps = 10;  // pixels
 
 // What has no place in the present settings is not there.
@@ -84,6 +85,24 @@ bool Hand::key(Demo& demo, const Frame& frame, int glfwKey, bool shift, bool& mo
         if (next != all.end()) picked_ = next->grip;
         return !demo.handles().empty();
     }
+    if (glfwKey == GLFW_KEY_INSERT || glfwKey == GLFW_KEY_DELETE) {
+        const std::optional<Grip> meant = picked_ ? picked_ : under_;
+        if (!meant) return false;
+        const Handle& handle = demo.handles()[meant->handle];
+        const auto& change = glfwKey == GLFW_KEY_INSERT ? handle.add : handle.remove;
+        moved = change && change(meant->which);
+        if (!moved) return true;
+        held_.reset();
+        picked_.reset();
+        under_.reset();
+        // A new one would be hidden by the one that it was made from
+        if (glfwKey == GLFW_KEY_INSERT) {
+            picked_ = {meant->handle, meant->which + 1};
+            const std::optional<vec2> at = placeOf(handle, frame, picked_->which);
+            if (at) handle.drag(frame, picked_->which, *at + newcomersStep);
+        }
+        return true;
+    }
     if (!picked_) return false;
     if (glfwKey == GLFW_KEY_ESCAPE) {
         picked_.reset();
@@ -103,9 +122,15 @@ bool Hand::key(Demo& demo, const Frame& frame, int glfwKey, bool shift, bool& mo
 
 void Hand::show(const Demo& demo, const Frame& frame, const PictureInWindow& picture, bool mouseOver) {
     hovered_.clear();
+    // Points may have been taken away beside this
+    const auto isGone = [&](const Grip& grip) { return grip.which >= demo.handles()[grip.handle].count(); };
+    if (picked_ && isGone(*picked_)) picked_.reset();
+    if (held_ && isGone(held_->grip)) held_.reset();
     const ImVec2 mouse = ImGui::GetMousePos();
     std::optional<Place> under;
     if (mouseOver && !held_) under = nearest(demo, frame, picture, double(mouse.x), double(mouse.y));
+    under_.reset();
+    if (under) under_ = under->grip;
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     const float scale = gui_.scale();
     for (const Place& place : placesOf(demo, frame)) {

@@ -32,7 +32,8 @@ class Hand {
     bool holds() const { return held_.has_value(); }
 
     // Tab picks one handle after the other, and then none; the arrows move the one that is picked by a pixel, by ten with Shift;
-    // Escape lets it go. True when the key was for this.
+    // Escape lets it go. Insert makes one more after the one that is picked or under the mouse, where there can be more, and
+    // Delete takes that one away. True when the key was for this.
     bool key(Demo& demo, const Frame& frame, int glfwKey, bool shift, bool& moved);
 
     // Rings round the handles while the mouse is over the picture or one is picked, and a hand for the mouse that is on one.
@@ -62,7 +63,7 @@ class Hand {
     Gui& gui_;
     Places& places_;
     std::optional<Held> held_;
-    std::optional<Grip> picked_;
+    std::optional<Grip> picked_, under_;  // by the Tab key; by the mouse, when it was last shown
     std::string hovered_;
 };
 

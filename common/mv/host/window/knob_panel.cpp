@@ -65,7 +65,7 @@ bool KnobPanel::show(Demo& demo, Comparison& comparison) {
     }
     const bool initial = std::all_of(demo.knobs().begin(), demo.knobs().end(), [](Knob* k) { return k->isInitial(); });
     ImGui::BeginDisabled(initial);
-    if (button(places_, "Reset all")) {
+    if (mv::button(places_, "Reset all")) {
         for (Knob* knob : demo.knobs()) knob->reset();
         typed_.clear();
         moved = true;
@@ -192,6 +192,26 @@ bool KnobPanel::checkbox(const Knob&, bool& value) {
     const bool moved = ImGui::Checkbox("##box", &value);
     notePlace(places_, rowName_);
     return moved;
+}
+
+bool KnobPanel::words(const Knob& knob) {
+    // What does not fit is in the tip; buttons come after it
+    const float width = ImGui::CalcItemWidth() - 2 * (ImGui::GetFrameHeight() + ImGui::GetStyle().ItemSpacing.x);
+    ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_FrameBg));
+    if (ImGui::Button((knob.text() + "##words").c_str(), {width, 0})) openField(knob);
+    ImGui::PopStyleColor();
+    notePlace(places_, rowName_);
+    tooltip(knob.text());
+    return false;
+}
+
+bool KnobPanel::button(const Knob&, const std::string& label, bool enabled) {
+    ImGui::SameLine();
+    ImGui::BeginDisabled(!enabled);
+    const bool pressed = ImGui::Button(label.c_str(), {ImGui::GetFrameHeight(), 0});
+    ImGui::EndDisabled();
+    notePlace(places_, rowName_ + " " + label);
+    return pressed;
 }
 
 bool KnobPanel::choose(const Knob&, int& index, const std::vector<Option>& options) {

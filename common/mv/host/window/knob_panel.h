@@ -21,6 +21,8 @@ class KnobPanel final : public Panel {
     bool slider(const Knob& knob, double& value, double low, double high) override;
     bool slider(const Knob& knob, int& value, int low, int high) override;
     bool checkbox(const Knob& knob, bool& value) override;
+    bool words(const Knob& knob) override;
+    bool button(const Knob& knob, const std::string& label, bool enabled) override;
     bool choose(const Knob& knob, int& index, const std::vector<Option>& options) override;
 
     // A field for a value to be typed hangs open in the place of a bar; closing it leaves the value as it was.
@@ -40,7 +42,7 @@ class KnobPanel final : public Panel {
     Places& places_;
     // The row whose value is being typed; "" for none.
     std::string typed_;
-    std::array<char, 128> text_{};
+    std::array<char, 1024> text_{};
     std::string refusal_;
     bool focusField_ = false;
 };

@@ -264,6 +264,9 @@ void showControls(const Demo& demo, bool animated, bool menu, bool comparing) {
     }
     if (!demo.handles().empty())
         lines.emplace_back("Tab, arrows", "pick what can be dragged, and move it by a pixel (Shift: ten)");
+    if (std::any_of(demo.handles().begin(), demo.handles().end(),
+                    [](const Handle& handle) { return bool(handle.add); }))
+        lines.emplace_back("Ins, Del", "one more of what is picked or under the mouse, or one less");
     const auto bound = [&](char letter) {
         return std::any_of(demo.bindings().begin(), demo.bindings().end(), [&](const Binding& binding) {
             return binding.gesture == Gesture::key && binding.key == key(letter);
