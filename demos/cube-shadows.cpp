@@ -24,6 +24,7 @@
 #include "mv/geometry/ray.h"
 #include "mv/geometry/scenes.h"
 #include "mv/geometry/shapes.h"
+#include "mv/gl/beyond_es.h"
 #include "mv/gl/gl.h"
 #include "mv/gl/light_rays.h"
 #include "mv/math/projection.h"
@@ -268,7 +269,7 @@ struct CubeShadows final : Demo {
         glEnable(GL_BLEND);
         glBlendFunc(GL_ZERO, GL_SRC_COLOR);  // what is there times what is drawn
         glStencilOp(GL_KEEP, GL_KEEP, once ? GL_ZERO : GL_KEEP);
-        const bool clips = cut == Cut::clip && !isEs();
+        const bool clips = cut == Cut::clip && has(beyond_es::clipDistances);
         if (clips) glEnable(GL_CLIP_DISTANCE0);
         if (clips) glEnable(GL_CLIP_DISTANCE1);
         shadows.use();

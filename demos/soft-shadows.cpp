@@ -20,6 +20,7 @@
 #include "mv/geometry/lamp.h"
 #include "mv/geometry/light_view.h"
 #include "mv/geometry/scenes.h"
+#include "mv/gl/beyond_es.h"
 #include "mv/gl/gl.h"
 #include "mv/math/projection.h"
 #include "mv/math/shadow.h"
@@ -88,12 +89,14 @@ struct SoftShadows final : Demo {
     }
 
     void check() const override {
-        if (sum == Sum::floats && !(floatTargets() && floatBlending()))
-            throw Error("--accumulate", "must be 8-bit here; this OpenGL ES does not blend into targets of floats");
         // A light's view and a shadow's matrix need the whole lamp, at its largest, well above all that casts.
         if (place == Place::table && casterHeight > 0.65)
             throw Error("--caster-height", "must be at most 0.65 in scene table, to stay below the lamp",
                         casterHeight.text());
+    }
+
+    bool inFloats() const {
+        return sum == Sum::floats && has(beyond_es::floatTargets) && has(beyond_es::floatBlending);
     }
 
     Scene sceneOf(double aspect) const { return place == Place::cube ? cubeOnPlane(aspect) : mv::table(aspect); }
@@ -165,7 +168,7 @@ struct SoftShadows final : Demo {
         }
         const bool byPoints = method == Method::matrix || method == Method::maps;
         frame.count("points", byPoints ? double(points.size()) : 1);
-        if (byPoints && sum == Sum::bytes && share * 255 < 0.5) {
+        if (byPoints && !inFloats() && share * 255 < 0.5) {
             frame.say("In 8 bits a point's share of the lamp rounds to 0: no shadow is left.");
         }
         if (frame.readouts()) measure(penumbra);
@@ -182,7 +185,7 @@ struct SoftShadows final : Demo {
         }
         const Target::Buffers buffers{.depth = true,
                                       .stencil = method == Method::matrix,
-                                      .color = sum == Sum::floats ? GLenum(GL_R32F) : GLenum(GL_R8),
+                                      .color = inFloats() ? GLenum(GL_R32F) : GLenum(GL_R8),
                                       .texture = true};
         if (picture.fit(frame.width(), frame.height(), buffers, "darkness")) frame.bindTarget();
         if (frame.readouts() && line.fit(1024, 1, buffers, "darkness along a line")) frame.bindTarget();
@@ -360,8 +363,9 @@ const bool added = addDemo<SoftShadows>({
     .height = 480,
     .background = vec4(0.9, 0.9, 0.9, 1),
     .needs = {.depth = true,
-              .beyondEs = {{"float targets", "--accumulate float is refused; 8-bit does, up to 256 points"},
-                           {"float blending", "--accumulate float is refused; 8-bit does, up to 256 points"}}},
+              .beyondEs = {{"float targets", "the points' shadows are added up in 8 bits, as with --accumulate 8-bit"},
+                           {"float blending",
+                            "the points' shadows are added up in 8 bits, as with --accumulate 8-bit"}}},
     .pose = {{"lights", "256"}, {"caster-height", "0.2"}},
     .waste = {{"repeated-pass", "pass into 'darkness'", "what a soft shadow costs in every frame is the lesson"},
               {"state-again", "glViewport", "the darkness is as large as the picture, and a target sets its own"}},

@@ -21,6 +21,7 @@
 #include "mv/demo/demo.h"
 #include "mv/demo/depth_order.h"
 #include "mv/demo/plates.h"
+#include "mv/gl/beyond_es.h"
 #include "mv/gl/gl.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
@@ -92,7 +93,6 @@ struct ZBuffer final : Demo {
     Mesh plate, cover;
     Drawing drawing;
     std::vector<double> cuts;  // of the plate that is uploaded
-    bool clipControl = false;
 
     ZBuffer() {
         bindDrag(spinY, 1, spinX, 1);
@@ -106,14 +106,9 @@ struct ZBuffer final : Demo {
         MeshData triangle;
         triangle.positions = {{-1, -1, 0}, {3, -1, 0}, {-1, 3, 0}};
         cover = Mesh(triangle, "picture");
-        clipControl = allowClipControl();  // OpenGL 4.5, or an extension of an older one
     }
 
     void draw(const Frame& frame) override {
-        if (mapping == Mapping::reversed && !clipControl)
-            frame.say(
-                "This driver has no glClipControl (OpenGL 4.5, GL_ARB_clip_control): the depth is reversed "
-                "through -1 .. 1, as by --mapping flipped.");
         if (!depthTest) frame.say("Without depth test nothing is written into the depth buffer, either.");
         const std::array<Plate, 3> plates = platesOf();
         const mat4 clip = clipFromView(frame.aspect(), zeroToOne());
@@ -201,7 +196,7 @@ struct ZBuffer final : Demo {
         if (zeroToOne()) glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
     }
 
-    bool zeroToOne() const { return mapping == Mapping::reversed && clipControl; }
+    bool zeroToOne() const { return mapping == Mapping::reversed && has(beyond_es::clipControl); }
     bool nearIsOne() const { return mapping == Mapping::reversed || mapping == Mapping::flipped; }
 
     // Only the third row of the matrix has to do with depth.

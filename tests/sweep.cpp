@@ -1,6 +1,7 @@
 // Every demo, every knob at its ends, its initial value and each of its choices.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "mv/gl/beyond_es.h"
@@ -36,40 +37,77 @@ void expectPicture(const std::string& setting) {
     }
 }
 
-TEST_P(Sweep, knobs) {
-    stage();
-    watchBeyondEs();
-    DemoRun run(GetParam());
-    halve();
+// Each value of each knob that a test tries; how many were tried, and how many of them were refused.
+struct Tried {
+    int cases = 1, refused = 0;
+    std::set<std::string> sentences;  // said beside the pictures, or in refusals
+};
+Tried tryKnobs(DemoRun& run) {
     // By index: a range-for over make()->knobs() would read a dead temporary; here the stage keeps the demo alive.
     const std::vector<Knob*>& knobs = run.demo().knobs();
     expectPicture("initial");
-    int cases = 1, refused = 0;
+    Tried tried;
     strikePose(run.demo(), stage().info());
     for (Knob* knob : knobs) {
         const std::string before = knob->text();
         for (const std::string& value : knob->sweep()) {
             knob->parse(value);
             EXPECT_EQ(knob->text(), value);
-            ++cases;
+            ++tried.cases;
             const std::string refusal = run.refusal();
             if (refusal.empty()) {
                 expectPicture(knob->name() + " = " + value);
+                for (const std::string& message : run.messages()) tried.sentences.insert(message);
             } else {
-                ++refused;
+                ++tried.refused;
+                tried.sentences.insert(refusal);
                 EXPECT_EQ(refusal.rfind("--", 0), 0U) << "a refusal begins with the flag: " << refusal;
                 EXPECT_THROW(stage().draw(1), Error);
             }
         }
         knob->parse(before);
     }
-    EXPECT_LE(refused, cases / 10) << "at least 90 % of the settings draw";
+    EXPECT_LE(tried.refused, tried.cases / 10) << "at least 90 % of the settings draw";
+    return tried;
+}
+
+TEST_P(Sweep, knobs) {
+    stage();
+    watchBeyondEs();
+    DemoRun run(GetParam());
+    halve();
+    const Tried tried = tryKnobs(run);
     // All that ES 3.0 lacks and these frames have used is declared, and nothing else.
     std::set<std::string> declared;
     for (const BeyondEs& lacking : stage().info().needs.beyondEs) declared.insert(lacking.feature);
     EXPECT_EQ(stopWatchingBeyondEs(), declared) << ".needs = {.beyondEs = ...} is not what the demo uses";
-    std::printf("%s on %s: %d settings, %d refused\n", GetParam().c_str(), stage().driver().host.c_str(), cases,
-                refused);
+    std::printf("%s on %s: %d settings, %d refused\n", GetParam().c_str(), stage().driver().host.c_str(), tried.cases,
+                tried.refused);
+}
+
+// What a demo asks for by has(), as if the context lacked it: it draws all the same, does not use it, and says so.
+TEST_P(Sweep, without_what_a_context_may_lack) {
+    stage();
+    const DemoInfo& info = findDemo(GetParam());
+    for (const BeyondEs& lacking : info.needs.beyondEs) {
+        const std::set<std::string> asked{beyond_es::clipControl, beyond_es::floatBlending, beyond_es::clipDistances};
+        if (!asked.contains(lacking.feature)) continue;  // others are asked by isEs(), and met by the ES tests
+        SCOPED_TRACE("without " + lacking.feature);
+        withhold({lacking.feature});
+        watchBeyondEs();
+        {
+            DemoRun run(GetParam());
+            halve();
+            const Tried tried = tryKnobs(run);
+            const bool said = std::any_of(tried.sentences.begin(), tried.sentences.end(), [&](const std::string& one) {
+                return one.find("has no " + lacking.feature) != std::string::npos;
+            });
+            EXPECT_TRUE(said) << "no setting says what it lacks";
+        }
+        EXPECT_FALSE(stopWatchingBeyondEs().contains(lacking.feature));
+        withhold({});
+        stage().close();
+    }
 }
 
 // What stands in the declaration is what the picture depends on.

@@ -83,7 +83,8 @@ class Demo {
     std::vector<Handle> handles_;
 };
 
-// Something that a demo uses and OpenGL ES 3.0, which is WebGL 2's, lacks.
+// Something that a demo uses and OpenGL ES 3.0, which is WebGL 2's, lacks; older OpenGL may lack it, too (clip control). A demo can ask
+// whether it is there: has() in mv/gl/beyond_es.h.
 struct BeyondEs {
     std::string feature;    // by the name that mv/gl/beyond_es.h finds it by: "clip distances"
     std::string otherwise;  // what the demo does without it, a clause

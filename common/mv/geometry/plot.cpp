@@ -66,7 +66,8 @@ std::vector<double> ticks(const Axis& axis, int most) {
             const double first = std::ceil(axis.low / step - 1e-9), last = std::floor(axis.high / step + 1e-9);
             if (last - first + 1 > most) continue;
             std::vector<double> values;
-            for (double i = first; i <= last; ++i) values.push_back(timesPowerOfTen(i * digit, exponent) + 0.0);
+            for (int i = 0; first + i <= last; ++i)
+                values.push_back(timesPowerOfTen((first + i) * digit, exponent) + 0.0);
             return values;
         }
     }

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "mv/gl/audit.h"
+#include "mv/gl/beyond_es.h"
 #include "mv/gl/state.h"
 #include "mv/gl/text.h"
 
@@ -23,6 +24,14 @@ void clearTarget(const vec4& color, const Needs& needs) {
     glClear(GL_COLOR_BUFFER_BIT | (needs.depth ? GL_DEPTH_BUFFER_BIT : 0U) |
             (needs.stencil ? GL_STENCIL_BUFFER_BIT : 0U));
     glClearColor(0, 0, 0, 0);
+}
+
+// What is said of a feature that these settings need and the context lacks.
+std::string sentenceWithout(const std::string& feature, const DemoInfo& info) {
+    for (const BeyondEs& lacking : info.needs.beyondEs) {
+        if (lacking.feature == feature) return "This driver has no " + feature + ": " + lacking.otherwise + ".";
+    }
+    throw Error("has", "must be asked for what is declared in .needs = {.beyondEs = ...}", feature);
 }
 
 }  // namespace
@@ -58,6 +67,9 @@ void Stage::open(const DemoInfo& info, int width, int height) {
     }
     info_ = &info;
     allowVersion(info.needs.gl);
+    for (const BeyondEs& lacking : info.needs.beyondEs) {
+        if (lacking.feature == beyond_es::clipControl && !isWithheld(lacking.feature)) allowClipControl();
+    }
     takeErrors();
     makeTargets(width, height);
     auto demo = info.make();
@@ -83,6 +95,7 @@ void Stage::resize(int width, int height) {
 }
 
 void Stage::drawInto(const Target& target, int index, FrameMode mode) {
+    takeMissing();
     demo_->check();
     FrameNotes notes;
     mode.bindTarget = [&target] { target.bind(); };
@@ -103,6 +116,7 @@ void Stage::drawInto(const Target& target, int index, FrameMode mode) {
         restoreInitialState();
         throw;
     }
+    for (const std::string& feature : takeMissing()) notes.messages.push_back(sentenceWithout(feature, *info_));
     counters_ = counters();
     if (auditing()) undone_ = changedState();
     restoreInitialState();
