@@ -14,6 +14,7 @@ constexpr double nearEnough = 0.01;  // px
 
 std::vector<double> valuesOf(const std::vector<Coordinate>& coordinates) {
     std::vector<double> values;
+    values.reserve(coordinates.size());
     for (const Coordinate& coordinate : coordinates) values.push_back(coordinate.get());
     return values;
 }
@@ -60,7 +61,7 @@ std::vector<double> shortestChange(const std::vector<vec2>& slopes, const vec2& 
 std::vector<double> changeInRange(const std::vector<Coordinate>& coordinates, std::vector<vec2> slopes,
                                   const vec2& missing) {
     for (;;) {
-        const std::vector<double> change = shortestChange(slopes, missing);
+        std::vector<double> change = shortestChange(slopes, missing);
         bool blocked = false;
         for (std::size_t i = 0; i < change.size(); ++i) {
             const Coordinate& c = coordinates[i];
@@ -108,7 +109,8 @@ bool Handle::drag(const Frame& frame, std::size_t which, const vec2& pixel) cons
         const std::vector<double> change = changeInRange(moving, slopes(moving, place), pixel - *here);
         // Half as far, until it is nearer
         std::optional<vec2> there;
-        for (double part = 1; part > 1e-3; part /= 2) {
+        double part = 1;
+        for (int halvings = 0; halvings < 10; ++halvings, part /= 2) {
             for (std::size_t k = 0; k < moving.size(); ++k) moving[k].set(from[k] + part * change[k]);
             there = place();
             if (there && glm::length(pixel - *there) < glm::length(pixel - *here)) break;
