@@ -11,6 +11,7 @@
 #include "mv/gl/gl.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
+#include "shared/spin.h"
 
 using namespace mv;
 
@@ -28,8 +29,7 @@ struct CubeCull final : Demo {
                             "which way round the corners of a front face run"};
     Toggle depth{this, "depth", true, "let near faces hide far ones (depth test)"};
     Real zDist{this, "z-dist", -4, {-10, 10}, "where the eye stands on the z axis, looking at the middle"};
-    Angle spinX{this, "spin-x", 0, "turn about the x axis"};
-    Angle spinY{this, "spin-y", 0, "turn about the y axis"};
+    Spin spin{this, 20, 30, {-1, 1}};
 
     Readout facing{this, "facing", "faces of the cube turned towards the eye, of 6"};
     Readout culled{this, "culled", "triangles discarded by culling, of 12"};
@@ -40,9 +40,10 @@ struct CubeCull final : Demo {
     Mesh cube, crossOfAxes;
 
     CubeCull() {
-        bindDrag(spinY, -1, spinX, 1);
         bindKeys(Key::down, Key::up, zDist, 0.2);
         bindWheel(zDist, -0.2);
+        winding.onlyWhen([this] { return cull == Cull::back || cull == Cull::front; },
+                         "front and back faces are treated alike");
     }
 
     void init() override {
@@ -65,7 +66,7 @@ struct CubeCull final : Demo {
 
         // Look at the middle from the z axis
         const mat4 viewFromModel =
-            lookAt(vec3(0, 0, zDist), vec3(0, 0, 0), vec3(0, 1, 0)) * rotateX(-spinX) * rotateY(-spinY);
+            lookAt(vec3(0, 0, zDist), vec3(0, 0, 0), vec3(0, 1, 0)) * rotateX(-spin.x) * rotateY(-spin.y);
         const mat4 clipFromView = perspective(50, frame.aspect(), 0.2, 100);
         frame.show("viewFromModel", viewFromModel);
         frame.show("clipFromView", clipFromView);
@@ -102,7 +103,23 @@ const bool added = addDemo<CubeCull>({
     .height = 600,
     .background = vec4(0.9, 1.0, 1.0, 1.0),
     .needs = {.depth = true},
-    .pose = {{"spin-x", "20"}, {"spin-y", "30"}},
+    .presets =
+        {
+            {"turned", "Back faces are gone, and nothing is missing."},
+            {"original",
+             "The page's first picture: straight on one sees the blue face alone.",
+             {{"spin-x", "0"}, {"spin-y", "0"}}},
+            {"front-culled", "Without front faces one looks into the far half of the box.", {{"cull", "front"}}},
+            {"no-depth-test",
+             "Nothing culled and no depth test: the order in which the faces were written decides, and here hides the "
+             "near ones.",
+             {{"cull", "none"}, {"depth", "off"}, {"spin-y", "210"}}},
+            {"eye-inside",
+             "From inside no face shows its front: of twelve triangles 2 are culled, 10 are outside of the view, and 0 "
+             "survive.",
+             {{"z-dist", "0.3"}, {"spin-x", "0"}, {"spin-y", "0"}},
+             {{"culled", 2, 2}, {"outside", 10, 10}, {"surviving", 0, 0}}},
+        },
 });
 
 }  // namespace

@@ -16,19 +16,20 @@
 #include "mv/gl/gl.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
+#include "shared/spin.h"
 
 using namespace mv;
 
 namespace {
 
 struct CubeOrtho final : Demo {
-    Real depth{this, "depth", 2, {0.05, 3}, "how deep the box of view is, with the cube in its middle"};
-    Real width{this, "width", 2, {0.05, 10}, "how wide the box of view is"};
-    Real height{this, "height", 2, {0.05, 10}, "how high the box of view is"};
+    Real depth{
+        this, "depth", 2, {0.05, 3, Scale::logarithmic}, "how deep the box of view is, with the cube in its middle"};
+    Real width{this, "width", 2, {0.05, 10, Scale::logarithmic}, "how wide the box of view is"};
+    Real height{this, "height", 2, {0.05, 10, Scale::logarithmic}, "how high the box of view is"};
     Real distance{this, "distance", 0, {0, 5}, "how far in front of the eye the cube and the box are"};
     Toggle mirrorDepth{this, "mirror-depth", false, "exchange near and far"};
-    Angle spinX{this, "spin-x", 0, "turn about the x axis"};
-    Angle spinY{this, "spin-y", 0, "turn about the y axis"};
+    Spin spin{this, 30, 40};
 
     Readout nearPlane{this, "near", "near, as ortho is told; negative is behind the eye"};
     Readout farPlane{this, "far", "far, as ortho is told"};
@@ -36,8 +37,6 @@ struct CubeOrtho final : Demo {
 
     Program program;
     Mesh cube;
-
-    CubeOrtho() { bindDrag(spinY, 1, spinX, 1); }
 
     void init() override {
         program = Program("cube-ortho");
@@ -67,7 +66,7 @@ struct CubeOrtho final : Demo {
     double near() const { return mirrorDepth ? distance + depth / 2 : distance - depth / 2; }
     double far() const { return mirrorDepth ? distance - depth / 2 : distance + depth / 2; }
     mat4 clipFromView() const { return ortho(-width / 2, width / 2, -height / 2, height / 2, near(), far()); }
-    mat4 viewFromModel() const { return translate(0, 0, -distance) * rotateX(spinX) * rotateY(spinY); }
+    mat4 viewFromModel() const { return translate(0, 0, -distance) * spin.turn(); }
 
     // A box with all its corners inside the cube shows none of its faces. A face seen edge on has no area and does not
     // count: the cube might as well go on without end there.
@@ -95,7 +94,22 @@ const bool added = addDemo<CubeOrtho>({
     .height = 512,
     .background = vec4(1),
     .needs = {.depth = true},
-    .pose = {{"spin-x", "30"}, {"spin-y", "40"}},
+    .presets =
+        {
+            {"turned",
+             "Edges that are parallel on the cube are parallel in the picture, and none is shorter for being farther "
+             "away."},
+            {"original",
+             "The page's first picture: straight on one sees the red face alone.",
+             {{"spin-x", "0"}, {"spin-y", "0"}}},
+            {"hexagon",
+             "A thin box cuts the cube open along its diagonal: a regular hexagon, one side from each face.",
+             {{"depth", "0.05"}, {"spin-x", "35.264"}, {"spin-y", "45"}}},
+            {"wide-box", "A box twice as wide fills the same window, so the cube is half as wide.", {{"width", "4"}}},
+            {"mirrored",
+             "Near and far exchanged make the identity of the canonical box, and the far faces hide the near ones.",
+             {{"mirror-depth", "on"}}},
+        },
 });
 
 }  // namespace

@@ -15,18 +15,19 @@
 #include "mv/gl/gl.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
+#include "shared/spin.h"
 
 using namespace mv;
 
 namespace {
 
 struct CubePersp final : Demo {
-    Real near{this, "near", 0.3, {0.01, 2.4}, "where the pyramid of view begins, in front of the eye"};
+    Real near{
+        this, "near", 0.3, {0.01, 2.4, Scale::logarithmic}, "where the pyramid of view begins, in front of the eye"};
     Real far{this, "far", 3, {1.6, 5}, "where it ends"};
     Real fov{this, "fov", 65, {10, 120}, "the field of view upwards, fovy: the whole angle", "deg"};
     Real aspect{this, "aspect", 1, {0.5, 2}, "how many times as wide as high the pyramid is"};
-    Angle spinX{this, "spin-x", 0, "turn about the x axis"};
-    Angle spinY{this, "spin-y", 0, "turn about the y axis"};
+    Spin spin{this, 30, 40};
 
     Readout left{this, "left", "the window on the near plane, as frustum is told"};
     Readout right{this, "right", "the window on the near plane"};
@@ -38,8 +39,6 @@ struct CubePersp final : Demo {
 
     Program program;
     Mesh cube;
-
-    CubePersp() { bindDrag(spinY, 1, spinX, 1); }
 
     void init() override {
         program = Program("cube-persp");
@@ -69,7 +68,7 @@ struct CubePersp final : Demo {
     }
 
     mat4 clipFromView() const { return perspective(fov, aspect, near, far); }
-    mat4 viewFromModel() const { return translate(0, 0, -2) * rotateX(spinX) * rotateY(spinY); }
+    mat4 viewFromModel() const { return translate(0, 0, -2) * spin.turn(); }
 
     // The same pyramid said by frustum: the window that the field of view opens on the plane z = -near.
     void measure(const Frame& frame) {
@@ -104,7 +103,28 @@ const bool added = addDemo<CubePersp>({
     .height = 512,
     .background = vec4(1),
     .needs = {.depth = true},
-    .pose = {{"spin-x", "30"}, {"spin-y", "40"}},
+    .presets =
+        {
+            {"turned", "Far edges are shorter than near ones, and the upright ones draw together."},
+            {"original",
+             "The page's first picture: straight on one sees the red face alone.",
+             {{"spin-x", "0"}, {"spin-y", "0"}}},
+            {"cut-open",
+             "The near plane cuts off a corner of the cube; through the hole one sees its far faces from within.",
+             {{"near", "1.5"}}},
+            {"inside",
+             "Without its front face: the back face is drawn smaller than the opening, by the ratio of their "
+             "distances.",
+             {{"near", "1.6"}, {"spin-x", "0"}, {"spin-y", "0"}}},
+            {"wide-angle",
+             "A wide field of view makes all of it smaller and bends nothing: the shape is as before.",
+             {{"fov", "120"}}},
+            {"aspect-2",
+             "A pyramid twice as wide in a square window: the cube is half as wide, and fovx is 103.7 degrees, not "
+             "130.",
+             {{"aspect", "2"}},
+             {{"fovx", 103.65, 103.75}}},
+        },
 });
 
 }  // namespace

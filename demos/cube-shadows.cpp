@@ -2,7 +2,7 @@
 //
 // Claims (each is a test in tests/claims/cube-shadows.cpp; the extreme ones are the rows X11 to X16 of docs/stability.md):
 // - [cast-by-rays] The picture is what rays show, on floor, wall and leaning wall, from lamps and lights at infinity.
-// - [no-shadow-seen-from-the-light] An eye at the light, as in the first picture, sees no shadow.
+// - [no-shadow-seen-from-the-light] An eye at the light, as in the original's first picture, sees no shadow.
 // - [special-case] On planes across an axis the slide's special case and the general matrix give the same picture.
 // - [transposed-is-wrong] The matrix as the slide prints it, for columns transposed, draws another picture.
 // - [darkened-once] However many triangles and casters overlap in a shadow, each of its pixels is darkened once.
@@ -21,8 +21,8 @@
 
 #include "mv/demo/demo.h"
 #include "mv/geometry/in_view.h"
-#include "mv/geometry/scenes.h"
 #include "mv/geometry/shapes.h"
+#include "mv/gl/beyond_es.h"
 #include "mv/gl/gl.h"
 #include "mv/gl/on_demand.h"
 #include "mv/gl/scene_meshes.h"
@@ -31,6 +31,8 @@
 #include "mv/math/shadow_caster.h"
 #include "mv/math/shadow_textbook.h"
 #include "mv/math/transform.h"
+#include "shared/light_rays.h"
+#include "shared/scenes.h"
 
 using namespace mv;
 
@@ -74,19 +76,19 @@ MeshData painted(MeshData mesh, const vec3& color) {
 struct CubeShadows final : Demo {
     Choice<Place> place{this,
                         "scene",
-                        Place::plane,
+                        Place::room,
                         {{"plane", "a cube over the original's plane, which is not drawn"},
                          {"room", "the cube before a floor and a wall"},
                          {"still-life", "a pawn, a ring, a sphere and a box before a floor and a wall"}},
                         "what casts, and on what"};
-    Angle lightTheta{this, "light-theta", 20, "where the light stands: its turn about the upright axis, 0 along x"};
-    Real lightPhi{this, "light-phi", 80, {0, 180}, "where the light stands: its angle from straight above", "deg"};
-    Real lightDistance{this, "light-distance", 8.5, {1.75, 20}, "distance of the light from the middle of the scene"};
+    Angle lightTheta{this, "light-theta", 50, "where the light stands: its turn about the upright axis, 0 along x"};
+    Real lightPhi{this, "light-phi", 64, {0, 180}, "where the light stands: its angle from straight above", "deg"};
+    Real lightDistance{this, "light-distance", 9, {1.75, 20}, "distance of the light from the middle of the scene"};
     Toggle atInfinity{this, "at-infinity", false, "a light in that direction, infinitely far away: w = 0"};
     Real lift{this, "lift", 0, {-3, 12}, "how far what casts is lifted"};
     Real tilt{this, "tilt", 0, {-30, 60}, "how far the wall leans back; in scene plane, how far the plane rises",
               "deg"};
-    Real darkness{this, "darkness", 0.25, {0, 1}, "how much of the light a shadow takes away; 0: no shadow"};
+    Real darkness{this, "darkness", 0.6, {0, 1}, "how much of the light a shadow takes away; 0: no shadow"};
     Toggle once{this, "once", true, "darken each pixel once, by the stencil buffer"};
     Choice<Cut> cut{this,
                     "cut",
@@ -102,7 +104,11 @@ struct CubeShadows final : Demo {
                              {"axis-aligned", "the slide's special case, for a plane across an axis"},
                              {"transposed", "the general one as the slide prints it: wrong for columns"}},
                             "which matrix flattens"};
-    Real planeDistance{this, "plane-distance", floorBelow, {0, 1e8}, "distance of the floor below the world's origin"};
+    Real planeDistance{this,
+                       "plane-distance",
+                       floorBelow,
+                       {0.01, 1e8, Scale::logarithmic, true},
+                       "distance of the floor below the world's origin"};
     Choice<Space> space{this,
                         "space",
                         Space::planeLocal,
@@ -110,15 +116,17 @@ struct CubeShadows final : Demo {
                          {"world", "world coordinates in double"},
                          {"world-float", "world coordinates in float"}},
                         "where the matrix is computed; each is rounded to float when it is uploaded"};
-    Angle theta{this, "theta", 20, "where the eye stands: its turn about the upright axis"};
-    Real phi{this, "phi", 80, {1, 179}, "where the eye stands: its angle from straight above", "deg"};
-    Real distance{this, "distance", 8.5, {2, 30}, "distance of the eye from the middle of the scene"};
+    Angle theta{this, "theta", 15, "where the eye stands: its turn about the upright axis"};
+    Real phi{this, "phi", 70, {1, 179}, "where the eye stands: its angle from straight above", "deg"};
+    Real distance{this, "distance", 13, {2, 30}, "distance of the eye from the middle of the scene"};
     Real fov{this, "fov", 40, {10, 120}, "the view's angle, upwards", "deg"};
+    Toggle rays{this, "rays", false, "show the light's rays through the corners of cube or box"};
 
     Readout lightHeight{this, "light-height", "height of the light above the floor; at infinity the sine of its angle"};
 
     Program surfaces, shadows;
     Scene now;
+    Drawing drawing;
     SceneMeshes meshes;
     const MeshData lampShape = painted(sphere(0.12, 32, 16), {1, 0.6, 0});
     OnDemand<Mesh> lamp{lampShape, "light"}, edges{painted(wireCube(), {0, 0, 0}), "edges"};
@@ -128,6 +136,15 @@ struct CubeShadows final : Demo {
         bindWheel(distance, -0.5);
         bindKeys(Key::left, Key::right, lightTheta, 5);
         bindKeys(Key::up, Key::down, lightPhi, 5);
+        bindHandle("light", {&lightTheta, &lightPhi}, [this](const FrameInfo& frame) -> std::optional<vec2> {
+            if (atInfinity) return std::nullopt;
+            const Pane picture{0, 0, frame.width(), frame.height()};
+            return pictureFromPane(picture, scene(frame).clipFromWorld(), vec3(light()));
+        });
+        lightDistance.onlyWhen([this] { return !atInfinity; }, "a light at infinity has no distance");
+        for (Knob* knob : std::initializer_list<Knob*>{&once, &cut, &formula, &space}) {
+            knob->onlyWhen([this] { return darkness > 0; }, "at darkness 0 there is no shadow");
+        }
     }
 
     void init() override {
@@ -168,7 +185,7 @@ struct CubeShadows final : Demo {
         glEnable(GL_BLEND);
         glBlendFunc(GL_ZERO, GL_SRC_COLOR);  // what is there times what is drawn
         glStencilOp(GL_KEEP, GL_KEEP, once ? GL_ZERO : GL_KEEP);
-        const bool clips = cut == Cut::clip && !isEs();
+        const bool clips = cut == Cut::clip && has(beyond_es::clipDistances);
         if (clips) glEnable(GL_CLIP_DISTANCE0);
         if (clips) glEnable(GL_CLIP_DISTANCE1);
         shadows.use();
@@ -283,7 +300,7 @@ struct CubeShadows final : Demo {
         }
     }
 
-    Scene scene(const Frame& frame) const override {
+    Scene scene(const FrameInfo& frame) const override {
         const bool life = place == Place::stillLife;
         Scene scene = life ? stillLifeInRoom() : cubeInRoom();
         for (SceneObject& object : scene.objects) {
@@ -343,6 +360,10 @@ struct CubeShadows final : Demo {
         return grounds;
     }
 
+    void annotate(const Frame& frame) override {
+        if (rays) drawSceneRays(drawing, now, frame);
+    }
+
     void tell(const Frame& frame, const std::vector<Ground>& planes) {
         const Plane& floor = planes.front().plane;
         frame.show("viewFromWorld", now.viewFromWorld);
@@ -370,16 +391,37 @@ const bool added = addDemo<CubeShadows>({
     .needs = {.depth = true,
               .stencil = true,
               .beyondEs = {{"clip distances", "the fragment shader discards by the same two distances"}}},
-    .pose = {{"scene", "room"},
-             {"light-theta", "50"},
-             {"light-phi", "64"},
-             {"light-distance", "9"},
-             {"darkness", "0.6"},
-             {"theta", "15"},
-             {"phi", "70"},
-             {"distance", "13"}},
-    .waste = {{"no-sample", "draw of 'cube'",
-               "in the first picture the eye is at the light: the cube hides its shadow"}},
+    .presets =
+        {
+            {"room", "The shadow runs over the floor and bends up the wall, by a matrix for each."},
+            {"original",
+             "The page's first picture: the eye stands where the light is, and sees no shadow.",
+             {{"scene", "plane"},
+              {"light-theta", "20"},
+              {"light-phi", "80"},
+              {"light-distance", "8.5"},
+              {"darkness", "0.25"},
+              {"theta", "20"},
+              {"phi", "80"},
+              {"distance", "8.5"}}},
+            {"sun",
+             "A light at infinity and a wall that leans back: the shadow's edges stay parallel.",
+             {{"light-phi", "70"}, {"at-infinity", "on"}, {"tilt", "40"}}},
+            {"twice",
+             "Without the stencil buffer a pixel is darkened as often as something flattened falls on it.",
+             {{"scene", "still-life"},
+              {"light-theta", "48"},
+              {"light-phi", "66"},
+              {"light-distance", "14"},
+              {"once", "off"},
+              {"theta", "12"}}},
+            {"uncut",
+             "A cube half under the floor: what is below it casts a false shadow, towards the light.",
+             {{"lift", "-1"}, {"cut", "none"}}},
+            {"transposed",
+             "The matrix as a slide prints it, for row vectors: two patches that belong to nothing.",
+             {{"formula", "transposed"}}},
+        },
 });
 
 }  // namespace

@@ -8,8 +8,8 @@
 
 #include "mv/demo/demo.h"
 #include "mv/geometry/ray.h"
-#include "mv/geometry/scenes.h"
 #include "mv/math/shadow.h"
+#include "shared/scenes.h"
 
 using namespace mv;
 
@@ -23,7 +23,7 @@ struct Rays {
     std::array<vec3, 8> corners;
     vec4 light, floor;
 
-    explicit Rays(const Demo& demo, const Frame& frame) {
+    explicit Rays(const Demo& demo, const FrameInfo& frame) {
         const Scene scene = demo.scene(frame);
         const bool life = demo.word("scene") == "still-life";
         const mat4& worldFromFloor = scene[life ? stillLifeInRoomScene::floor : cubeInRoomScene::floor].worldFromObject;
@@ -84,10 +84,15 @@ Study study() {
     Study study;
     study.quantity = "place of the shadows of a cube's eight corners, relative to a point on the plane";
     study.reference = "the ray from the light through the corner meets the plane, in double, without a matrix";
-    study.makeReference = [](const Demo& demo, const Frame& frame, const auto&) {
+    study.makeReference = [](const Demo& demo, const ReferenceFrame& frame, const auto&) {
         return Reference{.values = Rays(demo, frame).places()};
     };
-    study.scenes = {{"level plane", {{"light-phi", "40"}}}, {"rising plane", {{"light-phi", "40"}, {"tilt", "-20"}}}};
+    // The original's plane, with the light higher than there
+    const std::vector<KnobSetting> level{
+        {"scene", "plane"}, {"light-theta", "20"}, {"light-phi", "40"}, {"light-distance", "8.5"}};
+    std::vector<KnobSetting> rising = level;
+    rising.push_back({"tilt", "-20"});
+    study.scenes = {{"level plane", level}, {"rising plane", rising}};
     study.lines = {lineOf("world space, float", "world-float"), lineOf("world space, double", "world"),
                    lineOf("plane-local, double", "plane-local")};
     study.wrongBeyond = 2e-5;

@@ -11,17 +11,20 @@
 // - [slide-of-projection] A slide's projection has w < 0 for all that the camera sees, and nothing is left to draw.
 // - [one-product-far-out] Far from the origin one product, multiplied in double and rounded once, keeps the picture.
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
+#include <glm/common.hpp>
 #include <string>
 #include <vector>
 
 #include "mv/demo/demo.h"
-#include "mv/demo/gpu_product.h"
 #include "mv/geometry/shapes.h"
 #include "mv/gl/gl.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
+#include "shared/gpu_product.h"
+#include "shared/spin.h"
 
 using namespace mv;
 
@@ -48,11 +51,14 @@ std::string matrixName(const Step& step) {
 struct Pipeline final : Demo {
     Real distance{this, "distance", 3, {-3, 8}, "from the cube's middle back to the eye; below 0 the eye is past it"};
     Whole vertex{this, "vertex", 7, {0, 7}, "which corner: bits 0, 1, 2 choose the high end of x, y, z"};
-    Angle spinX{this, "spin-x", 20, "turn the cube about its x axis"};
-    Angle spinY{this, "spin-y", -15, "turn it about the y axis"};
+    Spin spin{this, 20, -15};
     Real near{this, "near", 0.5, {0.1, 2}, "where the view begins"};
     Real far{this, "far", 10, {5, 100}, "where it ends"};
-    Real offset{this, "offset", 0, {0, 1e8}, "how far along x cube and eye are from the origin of the world"};
+    Real offset{this,
+                "offset",
+                0,
+                {1, 1e8, Scale::logarithmic, true},
+                "how far along x cube and eye are from the origin of the world"};
     Choice<Products> products{this,
                               "products",
                               Products::shader,
@@ -80,9 +86,9 @@ struct Pipeline final : Demo {
 
     Program byThree, byOne;
     Mesh cube, corners;
+    Drawing drawing;
 
     Pipeline() {
-        bindDrag(spinY, 1, spinX, 1);
         bindWheel(distance, 0.1);
         bindKeys(Key::left, Key::right, vertex, 1);
         bindKeys(Key::up, Key::down, distance, 0.1);
@@ -97,35 +103,6 @@ struct Pipeline final : Demo {
         for (int i = 0; i < 8; ++i) eight.positions.emplace_back(corner(i));
         eight.colors.assign(8, fvec4(0, 0, 0, 1));
         corners = Mesh(eight, "corners");
-    }
-
-    static vec3 corner(int i) { return half * (2.0 * vec3(i & 1, i >> 1 & 1, i >> 2 & 1) - 1.0); }
-
-    // From the cube's own space into the world: turned, then moved.
-    mat4 worldFromModel() const {
-        const mat4 m = translate(offset + 0.2, 0.1, 0) * rotateX(spinX) * rotateY(spinY);
-        return matrices == Matrices::slideModel ? glm::transpose(m) : m;
-    }
-    // The eye looks along `gaze` wherever it is, so it can pass the cube.
-    mat4 cameraFromWorld() const {
-        const vec3 eye = vec3(offset, 0, 0) - gaze * double(distance);
-        return lookAt(eye, eye + gaze, vec3(0, 1, 0));
-    }
-    // x and y scaled by the angle of view, z from near and far to -1 and 1 times w, and -z as w.
-    mat4 clipFromCamera(double aspect) const {
-        mat4 m = perspective(50, aspect, near, far);
-        if (matrices == Matrices::slideProjection) {  // rows (0, 0, f/(f-n), n f/(n-f)) and (0, 0, 1, 0)
-            m[2] = vec4(0, 0, far / (far - near), 1);
-            m[3] = vec4(0, 0, near * far / (near - far), 0);
-        }
-        return m;
-    }
-
-    std::vector<Step> steps(double aspect) const {
-        const mat4 m = worldFromModel(), v = cameraFromWorld(), p = clipFromCamera(aspect), all = p * v * m;
-        if (products == Products::shader)
-            return {{"world", "model", m, m}, {"camera", "world", v, v}, {"clip", "camera", p, p}};
-        return {{"clip", "model", products == Products::once ? all : mat4(fmat4(p) * fmat4(v) * fmat4(m)), all}};
     }
 
     void draw(const Frame& frame) override {
@@ -156,7 +133,39 @@ struct Pipeline final : Demo {
         corners.draw(std::size_t(vertex), 1);
 
         glViewport(0, 0, frame.width(), frame.height());
+        drawing.begin(frame);
+        drawing.in(pane);
         write(frame, pane, way);
+        drawing.draw(frame);
+    }
+
+    static vec3 corner(int i) { return half * (2.0 * vec3(i & 1, i >> 1 & 1, i >> 2 & 1) - 1.0); }
+
+    // From the cube's own space into the world: turned, then moved.
+    mat4 worldFromModel() const {
+        const mat4 m = translate(offset + 0.2, 0.1, 0) * spin.turn();
+        return matrices == Matrices::slideModel ? glm::transpose(m) : m;
+    }
+    // The eye looks along `gaze` wherever it is, so it can pass the cube.
+    mat4 cameraFromWorld() const {
+        const vec3 eye = vec3(offset, 0, 0) - gaze * double(distance);
+        return lookAt(eye, eye + gaze, vec3(0, 1, 0));
+    }
+    // x and y scaled by the angle of view, z from near and far to -1 and 1 times w, and -z as w.
+    mat4 clipFromCamera(double aspect) const {
+        mat4 m = perspective(50, aspect, near, far);
+        if (matrices == Matrices::slideProjection) {  // rows (0, 0, f/(f-n), n f/(n-f)) and (0, 0, 1, 0)
+            m[2] = vec4(0, 0, far / (far - near), 1);
+            m[3] = vec4(0, 0, near * far / (near - far), 0);
+        }
+        return m;
+    }
+
+    std::vector<Step> steps(double aspect) const {
+        const mat4 m = worldFromModel(), v = cameraFromWorld(), p = clipFromCamera(aspect), all = p * v * m;
+        if (products == Products::shader)
+            return {{"world", "model", m, m}, {"camera", "world", v, v}, {"clip", "camera", p, p}};
+        return {{"clip", "model", products == Products::once ? all : mat4(fmat4(p) * fmat4(v) * fmat4(m)), all}};
     }
 
     // Each product from what the GPU had before it, by transform feedback.
@@ -237,10 +246,27 @@ struct Pipeline final : Demo {
             text.lines.push_back({x - 7, y - 11, "× divided by w < 0", {.color = red}});
         if (clip.w < 0) frame.say("The vertex has w < 0, and is clipped.");
         if (!inside) return;
+        magnify(pane, vec2(pixel), vec2(exactPixel));
         pixelX = pixel.x;
         pixelY = pixel.y;
         depth = pixel.z;
         floatError = std::hypot(pixel.x - exactPixel.x, pixel.y - exactPixel.y);
+    }
+
+    // The pixels about the one that is marked, magnified: a dot where float puts the vertex, a cross where double does.
+    void magnify(const Pane& pane, const vec2& pixel, const vec2& exact) {
+        const int across = std::min(pane.width, pane.height) / 5;
+        const vec2 low = glm::floor(pixel), size(across);
+        const vec2 corner(8, pane.height - size.y - 8);
+        const Plot magnified{{corner, corner + size}, {low.x - 3, low.x + 4}, {low.y - 3, low.y + 4}};
+        const vec4 grey(0.6, 0.6, 0.6, 1), green(0, 0.45, 0.1, 1);
+        drawing.fill(magnified.box, vec4(1));
+        drawing.fill({magnified.pixel(low), magnified.pixel(low + 1.0)}, vec4(1, 0.85, 0.5, 1));
+        drawing.pixelGrid(magnified, {.color = grey, .width = 1});
+        for (const vec2& arm : {vec2(1, 0), vec2(0, 1)})
+            drawing.curve(magnified, std::array{exact - arm, exact + arm}, {.color = green});
+        drawing.curve(magnified, std::array{pixel, exact}, {.color = green});
+        drawing.point(magnified.pixel(pixel), 7, vec4(0.1, 0.1, 0.1, 1));
     }
 
     static void heading(TextColumn& text, const std::string& formula) {
@@ -290,6 +316,25 @@ const bool added = addDemo<Pipeline>({
     .height = 560,
     .background = vec4(1),
     .needs = {.depth = true},
+    .presets =
+        {
+            {"one-vertex", "Follow one number down from step to step; the last column is what float costs."},
+            {"behind",
+             "The marked corner is behind the eye, so w is negative: divided all the same, it falls on the red cross.",
+             {{"distance", "0.2"}}},
+            {"far-away",
+             "Ten million from the origin floats are 1 apart, and three matrices in float tear the cube.",
+             {{"offset", "1e+07"}}},
+            {"once",
+             "As far away, with one matrix multiplied in double: the cube is whole.",
+             {{"offset", "1e+07"}, {"products", "once"}}},
+            {"slide-model",
+             "The position in the last row is right for row vectors: on columns it distorts.",
+             {{"matrices", "slide-model"}}},
+            {"slide-projection",
+             "A projection for an eye that looks along +z: all of the cube has w below 0 and is clipped.",
+             {{"matrices", "slide-projection"}}},
+        },
 });
 
 }  // namespace

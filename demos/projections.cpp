@@ -17,11 +17,11 @@
 
 #include "mv/demo/demo.h"
 #include "mv/geometry/edges.h"
-#include "mv/geometry/scenes.h"
-#include "mv/geometry/vanishing.h"
 #include "mv/gl/gl.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
+#include "shared/scenes.h"
+#include "shared/vanishing.h"
 
 using namespace mv;
 
@@ -82,18 +82,6 @@ vec3 wallCorner(int i) {
     return corner;
 }
 
-// From a point, `length` along x, along y and along z.
-MeshData axisLines(const vec3& from, double length) {
-    MeshData axes;
-    axes.primitive = Primitive::lines;
-    for (int axis = 0; axis < 3; ++axis) {
-        vec3 to = from;
-        to[axis] += length;
-        axes.positions.insert(axes.positions.end(), {fvec3(from), fvec3(to)});
-    }
-    return axes;
-}
-
 struct Projections final : Demo {
     Choice<Show> show{this,
                       "show",
@@ -105,7 +93,8 @@ struct Projections final : Demo {
                       "which four views"};
     Angle turn{this, "turn", 30, "yours: how far the eye goes round, to the right"};
     Real tilt{this, "tilt", 20, {-90, 90}, "yours: how far the eye goes up from there", "deg"};
-    Real distance{this, "distance", 14, {9, 1000}, "yours, a perspective: from the eye to the house", "m"};
+    Real distance{
+        this, "distance", 14, {9, 1000, Scale::logarithmic}, "yours, a perspective: from the eye to the house", "m"};
     Real angle{this, "angle", 30, {-180, 180}, "yours, oblique: where depth is drawn to, from the horizontal", "deg"};
     Real length{this, "length", 0.75, {0, 2}, "yours, oblique: how long a metre of depth is drawn", "m"};
 
@@ -118,10 +107,20 @@ struct Projections final : Demo {
                  "px"};
 
     Program faces, lines;
-    Mesh house, edges, axes, rays, horizon;
-    std::vector<TextLine> words;  // of this frame
+    Mesh house, edges, rays, horizon;
+    Drawing drawing;
 
-    Projections() { bindDrag(turn, -0.5, tilt, 0.5); }
+    Projections() {
+        bindDrag(turn, -0.5, tilt, 0.5);
+        const auto oblique = [this] { return show == Show::oblique; };
+        const auto turns = [this] { return show != Show::oblique; };
+        turn.onlyWhen(turns, "an oblique view has its front to the picture");
+        tilt.onlyWhen(turns, "an oblique view has its front to the picture");
+        distance.onlyWhen([this] { return show == Show::cad || show == Show::vanishing; },
+                          "there is no perspective among these views");
+        angle.onlyWhen(oblique, "there is no oblique view among these");
+        length.onlyWhen(oblique, "there is no oblique view among these");
+    }
 
     void init() override {
         faces = Program("projections");
@@ -133,7 +132,50 @@ struct Projections final : Demo {
         for (int i = 0; i < 8; ++i) corners[std::size_t(i)] = wallCorner(i);
         rays = Mesh(linesToInfinity(corners), "rays");
         horizon = Mesh(horizonLines(), "horizon");
-        axes = Mesh(axisLines(wallCorner(4), 2), "axes");
+    }
+
+    void draw(const Frame& frame) override {
+        glClearColor(1, 1, 1, 1);
+        glEnable(GL_DEPTH_TEST);
+        glDepthFunc(GL_LEQUAL);
+        glEnable(GL_CULL_FACE);
+        glEnable(GL_POLYGON_OFFSET_FILL);  // faces give way to their edges
+        glPolygonOffset(1, 1);
+        glEnable(GL_SCISSOR_TEST);
+
+        const std::vector<Pane> panes = frame.panes(4);
+        const std::array<View, 4> four = views();
+        drawing.begin(frame);
+        off.clear();
+        miss.clear();
+        for (std::size_t i = 0; i < 4; ++i) {
+            // The viewport takes clip space to the pane; the scissor keeps glClear in it
+            const Pane& pane = panes[i];
+            glViewport(pane.x, pane.y, pane.width, pane.height);
+            glScissor(pane.x, pane.y, pane.width, pane.height);
+            glClear(GL_COLOR_BUFFER_BIT);
+
+            const mat4 clipFromWorld = four[i].clipFromWorld(pane.aspect());
+            frame.show(four[i].name + "FromWorld", clipFromWorld);
+            faces.use();
+            faces.set("clipFromWorld", clipFromWorld);
+            house.draw();
+            lines.use();
+            lines.set("clipFromWorld", clipFromWorld);
+            const bool colored = i > 0 && four[i - 1].distance == 0;  // and no line to infinity has changed it
+            if (!colored) lines.set("color", vec4(0.1, 0.1, 0.1, 1));
+            edges.draw();
+
+            drawing.in(pane);
+            drawing.text({6, pane.height - 6}, four[i].name);
+            if (four[i].distance == 0)
+                measureAxes(four[i], clipFromWorld, pane);
+            else
+                drawToInfinity(four[i], clipFromWorld, pane);
+        }
+        glDisable(GL_SCISSOR_TEST);
+        glViewport(0, 0, frame.width(), frame.height());
+        drawing.draw(frame);
     }
 
     std::array<View, 4> views() const {
@@ -162,67 +204,27 @@ struct Projections final : Demo {
                 axonometric("front", 0, 0, 6), axonometric("side", 90, 0, 6)};
     }
 
-    void draw(const Frame& frame) override {
-        glClearColor(1, 1, 1, 1);
-        glEnable(GL_DEPTH_TEST);
-        glDepthFunc(GL_LEQUAL);
-        glEnable(GL_CULL_FACE);
-        glEnable(GL_POLYGON_OFFSET_FILL);  // faces give way to their edges
-        glPolygonOffset(1, 1);
-        glEnable(GL_SCISSOR_TEST);
-
-        const std::vector<Pane> panes = frame.panes(4);
-        const std::array<View, 4> four = views();
-        words.clear();
-        off.clear();
-        miss.clear();
-        for (std::size_t i = 0; i < 4; ++i) {
-            // The viewport takes clip space to the pane; the scissor keeps glClear in it
-            const Pane& pane = panes[i];
-            glViewport(pane.x, pane.y, pane.width, pane.height);
-            glScissor(pane.x, pane.y, pane.width, pane.height);
-            glClear(GL_COLOR_BUFFER_BIT);
-
-            const mat4 clipFromWorld = four[i].clipFromWorld(pane.aspect());
-            frame.show(four[i].name + "FromWorld", clipFromWorld);
-            faces.use();
-            faces.set("clipFromWorld", clipFromWorld);
-            house.draw();
-            lines.use();
-            lines.set("clipFromWorld", clipFromWorld);
-            lines.set("color", vec4(0.1, 0.1, 0.1, 1));
-            edges.draw();
-
-            write(frame, pane, {6, pane.height - 6}, four[i].name);
-            if (four[i].distance == 0)
-                measureAxes(four[i], clipFromWorld, pane, frame);
-            else
-                drawToInfinity(four[i], clipFromWorld, pane, frame);
-        }
-        glDisable(GL_SCISSOR_TEST);
-        glViewport(0, 0, frame.width(), frame.height());
-        drawText(frame, words);
-    }
-
     // Columns 0 to 2 of the matrix are where it takes the directions of the axes, (1, 0, 0, 0) and so on. In a parallel
     // view their w is 0, and x and y say which way and how far one metre goes in the picture.
-    void measureAxes(const View& view, const mat4& clipFromWorld, const Pane& pane, const Frame& frame) {
-        glDisable(GL_DEPTH_TEST);                            // the axes are seen through the house
+    void measureAxes(const View& view, const mat4& clipFromWorld, const Pane& pane) {
         const double metre = pane.height / (2 * view.half);  // px
+        const vec2 corner = pixelFromNdc(ndcFromClip(clipFromWorld * vec4(wallCorner(4), 1)), pane.width, pane.height);
         vec3 measured;
         int x = 6;
         for (int axis = 0; axis < 3; ++axis) {
             const vec4 image = clipFromWorld[axis];
-            measured[axis] = std::hypot(image.x * pane.width / 2, image.y * pane.height / 2) / metre;
+            const vec2 drawn = vec2(image) * vec2(pane.width, pane.height) / 2.0;  // px
+            measured[axis] = std::hypot(drawn.x, drawn.y) / metre;
             raise(off, std::abs(measured[axis] - view.shortening[axis]));
             const std::string text = axisNames[axis] + rounded(" %.3f", measured[axis]);
-            write(frame, pane, {x, 28}, text, axisColors[axis]);
+            drawing.text({x, 28}, text, {.color = axisColors[axis]});
             x += textWidth(text) + 4;
             if (measured[axis] < 1e-9) continue;  // seen end on
-            lines.set("color", axisColors[axis]);
-            axes.draw(2 * std::size_t(axis), 2);
+            drawing.arrow(corner, corner + 2.0 * drawn, {.color = axisColors[axis], .width = 2});
+            const vec2 beside = vec2(-drawn.y, drawn.x) * (11 / std::hypot(drawn.x, drawn.y));
+            drawing.textAround(corner + 2.0 * drawn + beside, axisNames[axis],
+                               {.height = 13, .color = axisColors[axis]});
         }
-        glEnable(GL_DEPTH_TEST);
         if (view.name != "yours") return;
         shortX = measured.x;
         shortY = measured.y;
@@ -231,7 +233,7 @@ struct Projections final : Demo {
 
     // In a perspective w is not 0, unless the axis is parallel to the picture: then the column is a point of the
     // picture, the vanishing point of all lines along the axis.
-    void drawToInfinity(const View& view, const mat4& clipFromWorld, const Pane& pane, const Frame& frame) {
+    void drawToInfinity(const View& view, const mat4& clipFromWorld, const Pane& pane) {
         vec3 side(1);  // (-1, 0, 0, 0) has the same image, and is in front of the eye where (1, 0, 0, 0) is not
         for (int axis = 0; axis < 3; ++axis) side[axis] = clipFromWorld[axis].w < 0 ? -1 : 1;
         lines.set("side", side);
@@ -251,21 +253,16 @@ struct Projections final : Demo {
             }
             lines.set("color", axisColors[axis]);
             rays.draw(16 * std::size_t(axis), 16);
+            drawing.point(*point, 7, axisColors[axis]);
             if (std::min(point->x, point->y) >= 0 && point->x < pane.width - 18 && point->y < pane.height - 28)
-                write(frame, pane, *point + vec2(6, 26), axisNames[axis], axisColors[axis]);
+                drawing.text(*point + vec2(6, 26), axisNames[axis], {.color = axisColors[axis]});
         }
         raise(miss, most);
-        write(frame, pane, {6, 28},
-              std::to_string(count) + (count == 1 ? " vanishing point" : " vanishing points") +
-                  rounded(", met within %.0e px", most));
+        drawing.text({6, 28}, std::to_string(count) + (count == 1 ? " vanishing point" : " vanishing points") +
+                                  rounded(", met within %.0e px", most));
         if (view.name == "yours" || view.name == "perspective") points = count;
     }
 
-    // Words with their upper left corner at `at`, in pixels from the lower left corner of the pane.
-    void write(const Frame& frame, const Pane& pane, const vec2& at, const std::string& text,
-               const vec4& color = vec4(0.1, 0.1, 0.1, 1)) {
-        words.push_back({pane.x + int(at.x), frame.height() - pane.y - int(at.y), text, {.color = color}});
-    }
     static void raise(Readout& readout, double value) { readout = std::max(readout.value().value_or(0), value); }
 };
 
@@ -279,6 +276,28 @@ const bool added = addDemo<Projections>({
     .height = 720,
     .background = vec4(0.5, 0.5, 0.5, 1),
     .needs = {.depth = true},
+    .presets =
+        {
+            {"cad",
+             "Top stands over front and side beside it, each to be measured with a ruler; only the perspective looks "
+             "like a house."},
+            {"axonometric",
+             "All three axes are seen, each shortened: all alike in the isometric view, two alike in the dimetric one.",
+             {{"show", "axonometric"}}},
+            {"oblique",
+             "All three keep a side as it is. Cavalier keeps the depth, too, and looks too deep; cabinet halves it.",
+             {{"show", "oblique"}}},
+            {"vanishing",
+             "Parallel edges that are not parallel to the picture meet, in one, two or three points.",
+             {{"show", "vanishing"}}},
+            {"level",
+             "Your perspective, looking level, has 2 vanishing points: the walls stay upright.",
+             {{"show", "vanishing"}, {"tilt", "0"}},
+             {{"vanishing-points", 2, 2}}},
+            {"from-afar",
+             "From 1000 m the perspective is nearly the parallel view of the same turn.",
+             {{"show", "vanishing"}, {"distance", "1000"}}},
+        },
 });
 
 }  // namespace

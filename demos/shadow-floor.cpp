@@ -3,6 +3,7 @@
 // Claims (each is a test in tests/claims/shadow-floor.cpp):
 // - [cast-by-rays] The picture is what rays show: dark where the way from the floor to the light meets the square.
 // - [marker-at-the-light] The yellow ball is where the light of this frame's shadow is, not where the last one's was.
+// - [on-one-line] Each ray goes from the light through a corner of the square to the same corner of its shadow.
 // - [no-fighting] From every distance no pixel of the floor comes through the shadow, which lies 0.0001 above it.
 // - [floor-hides-from-below] From below the floor hides the shadow; it does not shine through.
 // - [ends-with-the-floor] With crop on, no shadow lies where there is no floor; without it hangs in the air.
@@ -19,6 +20,8 @@
 #include "mv/math/shadow.h"
 #include "mv/math/shadow_caster.h"
 #include "mv/math/transform.h"
+#include "shared/light_rays.h"
+#include "shared/spin.h"
 
 using namespace mv;
 
@@ -29,25 +32,29 @@ constexpr double floorSide = 3;
 
 struct ShadowFloor final : Demo {
     Real zDist{this, "z-dist", -4, {-10, 10}, "z of the eye at (1, 1, z), which looks at the origin"};
-    Angle spinX{this, "spin-x", 0, "turn about the x axis"};
-    Angle spinY{this, "spin-y", 0, "turn about the y axis"};
+    Spin spin{this, 0, 0, {1, -1}};
     Real lightX{this, "light-x", 0, {-2, 2}, "x of the light, or of the middle of its circle"};
     Real lightZ{this, "light-z", 0, {-2, 2}, "z of the light, or of the middle of its circle"};
     Real lightHeight{this, "light-height", 2, {-1, 4}, "height of the light above the floor"};
     Toggle circle{this, "circle", true, "let the light go round on a circle of radius 1"};
     Toggle crop{this, "crop", true, "let the shadow end where the floor ends"};
+    Toggle rays{this, "rays", true, "show the light's rays through the corners of the square"};
 
     Readout area{this, "shadow-area", "area of the whole shadow; the square's is 1"};
     Readout onFloor{this, "on-floor", "area of the part of it that falls on the floor, which is 9"};
 
     Program program;
     Mesh plate, ball;
+    Drawing drawing;
 
     ShadowFloor() {
-        bindDrag(spinY, 1, spinX, -1);
         bindWheel(zDist, 0.1);
         bindKeys(Key::left, Key::right, lightX, 0.05);
         bindKeys(Key::up, Key::down, lightZ, 0.05);
+        bindHandle("light", {&lightX, &lightHeight, &lightZ}, [this](const FrameInfo& frame) {
+            const Pane picture{0, 0, frame.width(), frame.height()};
+            return pictureFromPane(picture, clipFromView(frame.aspect()) * viewFromWorld(), lightIn(frame));
+        });
     }
 
     void init() override {
@@ -59,15 +66,10 @@ struct ShadowFloor final : Demo {
     void draw(const Frame& frame) override {
         glEnable(GL_DEPTH_TEST);
 
-        // Move the light first, so that all of this picture knows the same one
-        const double theta = 0.02 * frame.index();
-        const vec3 around = circle ? vec3(std::sin(theta), 0, std::cos(theta)) : vec3(0);
-        const vec3 light = vec3(lightX, lightHeight, lightZ) + around;
-
-        // Look at the origin, past which the world is turned
-        const mat4 viewFromWorld =
-            lookAt(vec3(1, 1, zDist), vec3(0, 0, 0), vec3(0, 1, 0)) * rotateX(spinX) * rotateY(spinY);
-        const mat4 clipFromView = perspective(60, frame.aspect(), 0.2, 100);
+        // The light first, so that all of this picture knows the same one
+        const vec3 light = lightIn(frame);
+        const mat4 viewFromWorld = this->viewFromWorld();
+        const mat4 clipFromView = this->clipFromView(frame.aspect());
         frame.show("viewFromWorld", viewFromWorld);
         frame.show("clipFromView", clipFromView);
         program.use();
@@ -89,12 +91,29 @@ struct ShadowFloor final : Demo {
                                           vec3(-0.5, 0.5, -0.5)};
         const CasterVerdict verdict = judgeCaster("square", corners, vec4(light, 1), planeOfShadow);
         if (!verdict.sentence.empty()) frame.say(verdict.sentence);
-        if (!verdict.casts) return;
+        if (verdict.casts) drawShadow(frame, light, corners, worldFromSquare);
+        if (!rays) return;
+        drawing.begin(frame);
+        drawLightRays(drawing, clipFromView * viewFromWorld, vec4(light, 1), corners, {&planeOfShadow, 1});
+        drawing.draw(frame);
+    }
+
+    vec3 lightIn(const FrameInfo& frame) const {
+        const double theta = 0.02 * frame.index();
+        const vec3 around = circle ? vec3(std::sin(theta), 0, std::cos(theta)) : vec3(0);
+        return vec3(lightX, lightHeight, lightZ) + around;
+    }
+    // Looks at the origin, past which the world is turned.
+    mat4 viewFromWorld() const { return lookAt(vec3(1, 1, zDist), vec3(0, 0, 0), vec3(0, 1, 0)) * spin.turn(); }
+    static mat4 clipFromView(double aspect) { return perspective(60, aspect, 0.2, 100); }
+
+    void drawShadow(const Frame& frame, const vec3& light, const std::array<vec3, 4>& corners,
+                    const mat4& worldFromSquare) {
         const mat4 shadowFromWorld = shadowProjection(vec4(light, 1), planeOfShadow);
         frame.show("shadowFromWorld", shadowFromWorld);
         program.set("shadowFromModel", shadowFromWorld * worldFromSquare);
         program.set("crop", crop);
-        drawMesh(plate, vec4(0.2, 0, 0, 1), viewFromWorld * shadowFromWorld * worldFromSquare);
+        drawMesh(plate, vec4(0.2, 0, 0, 1), viewFromWorld() * shadowFromWorld * worldFromSquare);
         measure(corners, shadowFromWorld);
         if (crop && *onFloor.value() == 0)
             frame.say("The shadow falls beside the floor: with crop off it is seen there.");
@@ -137,6 +156,21 @@ const bool added = addDemo<ShadowFloor>({
     .animated = true,
     .background = vec4(0.95, 1, 1, 1),
     .needs = {.depth = true},
+    .presets =
+        {
+            {"on-one-line", "Light, corner and the corner's shadow stay on one line while the light goes round."},
+            {"original",
+             "The page's first picture: the square, its shadow, and nothing between them.",
+             {{"rays", "off"}}},
+            {"over-the-edge",
+             "The shadow ends where the floor ends.",
+             {{"spin-y", "60"}, {"light-x", "-1"}, {"light-height", "1"}, {"circle", "off"}}},
+            {"hanging",
+             "The matrix knows a plane, which has no end: the shadow goes on in the air.",
+             {{"spin-y", "60"}, {"light-x", "-1"}, {"light-height", "1"}, {"circle", "off"}, {"crop", "off"}}},
+            {"from-above", "From above the whole shadow is seen.", {{"spin-x", "-40"}}},
+            {"from-below", "From below there is none: the floor hides it.", {{"spin-x", "40"}}},
+        },
 });
 
 }  // namespace

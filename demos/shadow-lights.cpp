@@ -15,33 +15,42 @@
 
 #include "mv/demo/demo.h"
 #include "mv/demo/made_for.h"
-#include "mv/demo/turntable.h"
 #include "mv/geometry/bounds.h"
-#include "mv/geometry/light_scenes.h"
 #include "mv/geometry/light_view.h"
 #include "mv/geometry/shapes.h"
-#include "mv/gl/caster_volumes.h"
 #include "mv/gl/depth_map.h"
 #include "mv/gl/gl.h"
 #include "mv/gl/on_demand.h"
 #include "mv/gl/scene_meshes.h"
-#include "mv/gl/z_fail.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
+#include "shared/caster_volumes.h"
+#include "shared/light_scenes.h"
+#include "shared/scenes.h"
+#include "shared/turntable.h"
+#include "shared/z_fail.h"
 
 using namespace mv;
 
 namespace {
 
-enum class Which { lamps, circle };
+enum class Which { lamps, circle, placed };
 enum class Method { maps, volumes };
 
 struct ShadowLights final : Demo {
-    Choice<Which> which{this, "scene", Which::lamps, {{"lamps"}, {"circle"}}, "what is shown"};
+    Choice<Which> which{this,
+                        "scene",
+                        Which::lamps,
+                        {{"lamps"}, {"circle"}, {"placed", "as the circle, with the lights where --places says"}},
+                        "what is shown"};
     Whole lights{this, "lights", 3, {1, 8}, "lights on the circle; the lamps always have three"};
+    Points places{this,
+                  "places",
+                  {{-1.5, 0.8}, {0.6, -0.9}, {1.8, 0.9}},
+                  {.low = vec2(-2, -1.2), .high = vec2(2.5, 1.5), .least = 1, .most = 8, .grid = 0.05},
+                  "x and z of the lights of scene placed, dragged there"};
     Choice<Method> method{this, "method", Method::volumes, {{"maps"}, {"volumes"}}, "how shadows are found"};
-    Choice<int> resolution{
-        this, "resolution", 2, {{"256"}, {"512"}, {"1024"}, {"2048"}}, "texels along a side of each map"};
+    NumberChoice resolution{this, "resolution", 1024, {256, 512, 1024, 2048}, "texels along a side of each map"};
     Real reach{this, "reach", 20, {0.5, 20}, "distance at which a light ends"};
     Toggle keep{this, "keep", true, "keep maps and volumes while light and casters rest"};
     Turntable turntable{this, {-3, 10}};
@@ -61,7 +70,16 @@ struct ShadowLights final : Demo {
     };
     std::vector<Shadow> shadows;  // one a light
 
-    ShadowLights() { bindKeys(Key::left, Key::right, lights, 1); }
+    ShadowLights() {
+        bindKeys(Key::left, Key::right, lights, 1);
+        bindHandle("light", places, [this](const FrameInfo& frame, const vec2& place) -> std::optional<vec2> {
+            if (which != Which::placed) return std::nullopt;
+            return pictureFromPane({0, 0, frame.width(), frame.height()}, scene(frame).clipFromWorld(), over(place));
+        });
+        lights.onlyWhen([this] { return which == Which::circle; }, "only the circle has as many as one likes");
+        places.onlyWhen([this] { return which == Which::placed; }, "only the lights of scene placed stand there");
+        resolution.onlyWhen([this] { return method == Method::maps; }, "volumes have no texels");
+    }
 
     void init() override {
         program = Program("shadow-lights");
@@ -147,7 +165,7 @@ struct ShadowLights final : Demo {
     bool drawMap(std::size_t i) {
         Shadow& shadow = shadows[i];
         shadow.view = viewOf(now.lights[i]);
-        const int size = 256 << resolution;
+        const int size = resolution;
         if (!shadow.mapFor.changed(size, shadow.view.clipFromWorld(), casterPlaces(now)) && keep) return false;
         if (shadow.map.size() != size) shadow.map = DepthMap(size, "map of light " + std::to_string(i));
         shadow.map.bindForDrawing();
@@ -192,11 +210,32 @@ struct ShadowLights final : Demo {
         return reaching;
     }
 
+    // A map holds what casts only where that is in front of its light.
+    void check() const override {
+        if (which != Which::placed || method != Method::maps) return;
+        static const std::vector<vec3> casters = casterPoints(stillLife(1));
+        for (const vec2& place : places.points()) {
+            try {
+                (void)fitLightView(vec4(over(place), 1), casters);
+            } catch (const Error&) {
+                throw Error("--places", "must keep each light beside what casts, for --method maps", places.text());
+            }
+        }
+    }
+
+    static vec3 over(const vec2& place) { return {place.x, 2, place.y}; }
+
+    Scene shown(const FrameInfo& frame) const {
+        if (which == Which::lamps) return lampsAndBall(frame.aspect(), frame.index());
+        if (which == Which::circle) return circleOfLights(frame.aspect(), frame.index(), lights);
+        std::vector<vec3> at;
+        for (const vec2& place : places.points()) at.push_back(over(place));
+        return lightsOverStillLife(frame.aspect(), at);
+    }
+
     // Without a far plane, which would cut volumes off.
-    Scene scene(const Frame& frame) const override {
-        const double aspect = frame.aspect();
-        Scene scene =
-            which == Which::lamps ? lampsAndBall(aspect, frame.index()) : circleOfLights(aspect, frame.index(), lights);
+    Scene scene(const FrameInfo& frame) const override {
+        Scene scene = shown(frame);
         scene.viewFromWorld = turntable.seenBy(scene.viewFromWorld);
         scene.clipFromView = withDepths(scene.clipFromView, 0.1, HUGE_VAL);
         return scene;
@@ -230,6 +269,25 @@ const bool added = addDemo<ShadowLights>({
     .animated = true,
     .background = vec4(0.10, 0.11, 0.13, 1),
     .needs = {.depth = true, .stencil = true},
+    .presets =
+        {
+            {"lamps", "The ball has three shadows, and none is black: in each the other lights shine."},
+            {"circle",
+             "Where all three hues shine it is white; each shadow has the colour that is left.",
+             {{"scene", "circle"}}},
+            {"eight",
+             "Eight lights, eight shadows, at eight times the share of one.",
+             {{"scene", "circle"}, {"lights", "8"}}},
+            {"coarse-maps",
+             "The eight by maps, coarse enough to see their texels.",
+             {{"scene", "circle"}, {"lights", "8"}, {"method", "maps"}, {"resolution", "256"}}},
+            {"short-reach",
+             "Each light ends at 3: what none of them reaches costs no pass.",
+             {{"scene", "circle"}, {"lights", "8"}, {"reach", "3"}}},
+            {"placed",
+             "Drag the lights: where two colours are both kept away, the third is left.",
+             {{"scene", "placed"}}},
+        },
     .waste = {{"no-sample", "draw of 'foot'", inShadow},
               {"no-sample", "draw of 'lower arm'", inShadow},
               {"no-sample", "draw of 'upper arm'", inShadow},

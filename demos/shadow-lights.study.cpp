@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "mv/demo/demo.h"
-#include "mv/demo/lit_reference.h"
+#include "shared/lit_reference.h"
 
 using namespace mv;
 
@@ -14,7 +14,7 @@ Study study() {
     Study study;
     study.quantity = "mean over the lights of lit or not, of the pixels that face the first";
     study.reference = "one ray through each pixel and one to each light, in double precision";
-    study.makeReference = [](const Demo& demo, const Frame& frame, const auto& progress) {
+    study.makeReference = [](const Demo& demo, const ReferenceFrame& frame, const auto& progress) {
         const Scene scene = demo.scene(frame);
         std::vector<int> all(scene.lights.size());
         std::iota(all.begin(), all.end(), 0);

@@ -16,15 +16,16 @@
 
 #include "mv/demo/demo.h"
 #include "mv/demo/made_for.h"
-#include "mv/demo/turntable.h"
 #include "mv/geometry/light_view.h"
-#include "mv/geometry/scenes.h"
 #include "mv/gl/depth_map.h"
 #include "mv/gl/gl.h"
-#include "mv/gl/light_overlay.h"
 #include "mv/gl/scene_meshes.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
+#include "shared/light_overlay.h"
+#include "shared/light_rays.h"
+#include "shared/scenes.h"
+#include "shared/turntable.h"
 
 using namespace mv;
 
@@ -39,11 +40,8 @@ enum class Fit { set, fitted };
 struct ShadowMap final : Demo {
     Choice<Which> which{
         this, "scene", Which::spot, {{"sphere-and-cube"}, {"cube-on-plane"}, {"still-life"}}, "what is shown"};
-    Choice<int> resolution{this,
-                           "resolution",
-                           3,
-                           {{"64"}, {"128"}, {"256"}, {"512"}, {"1024"}, {"2048"}, {"4096"}},
-                           "texels along a side of the map"};
+    NumberChoice resolution{
+        this, "resolution", 512, {64, 128, 256, 512, 1024, 2048, 4096}, "texels along a side of the map"};
     Choice<Filter> filter{this,
                           "filter",
                           Filter::none,
@@ -53,7 +51,11 @@ struct ShadowMap final : Demo {
                            {"pcf5", "5 x 5"},
                            {"pcf7", "7 x 7"}},
                           "how the map is looked up"};
-    Real bias{this, "bias", 0.006, {0, 0.2}, "how much deeper than the map (0..1) is not yet shadow"};
+    Real bias{this,
+              "bias",
+              0.006,
+              {1e-4, 0.2, Scale::logarithmic, true},
+              "how much deeper than the map (0..1) is not yet shadow"};
     Real slopeBias{this, "slope-bias", 0, {0, 16}, "push the map back by its slope over this many texels"};
     Choice<Faces> faces{
         this, "map-faces", Faces::front, {{"front"}, {"back"}, {"both"}}, "faces in the map, as the light sees them"};
@@ -76,9 +78,11 @@ struct ShadowMap final : Demo {
     Real targetY{this, "target-y", 1, {0, 20}, "y of the point that the light looks at"};
     Real targetZ{this, "target-z", 3.5, {-10, 20}, "z of the point that the light looks at"};
     Real fov{this, "fov", 120, {1, 179}, "height of the spot's cone", "deg"};
-    Real windowWidth{this, "window-width", 3, {0.1, 30}, "of parallel light; by the height, the spot's aspect"};
-    Real windowHeight{this, "window-height", 2.4, {0.1, 30}, "of parallel light"};
+    Real windowWidth{
+        this, "window-width", 3, {0.1, 30, Scale::logarithmic}, "of parallel light; by the height, the spot's aspect"};
+    Real windowHeight{this, "window-height", 2.4, {0.1, 30, Scale::logarithmic}, "of parallel light"};
     Toggle showMap{this, "show-map", true, "show the map in a corner, near is dark"};
+    Toggle showRays{this, "rays", false, "show the light's rays through the corners of cube or box"};
     Toggle showFrustum{this, "show-frustum", true, "show the edges of what the map holds"};
     Turntable turntable{this, {-4, 40}};
 
@@ -89,10 +93,23 @@ struct ShadowMap final : Demo {
     LightView view;  // the light's own camera
     SceneMeshes meshes;
     LightOverlay overlay;
+    Drawing drawing;
 
     ShadowMap() {
         bindKeys(Key::left, Key::right, lightX, 0.1);
         bindKeys(Key::up, Key::down, lightZ, 0.1);
+        bindHandle("light", {&lightX, &lightY, &lightZ},
+                   [this](const FrameInfo& frame) { return placeOf(lightAt(), frame); });
+        bindHandle("light's target", {&targetX, &targetY, &targetZ},
+                   [this](const FrameInfo& frame) { return placeOf(targetAt(), frame); });
+        const auto cone = [this] { return rays == Rays::spot && fit == Fit::set; };
+        fov.onlyWhen(cone, "only a spot's cone that is set has an angle");
+        windowWidth.onlyWhen([this] { return fit == Fit::set; }, "a fitted frustum has its own window");
+        windowHeight.onlyWhen([this] { return fit == Fit::set; }, "a fitted frustum has its own window");
+        for (Knob* knob : {&targetX, &targetY, &targetZ}) {
+            knob->onlyWhen([this] { return rays != Rays::spot || fit == Fit::set; },
+                           "a fitted frustum looks at what casts");
+        }
     }
 
     void init() override {
@@ -111,7 +128,7 @@ struct ShadowMap final : Demo {
 
         // 1. The map: the depths of what the light sees first. It stays as it is while the light and what casts rest.
         const mat4 mapClipFromWorld = view.clipFromWorld();
-        const int size = 64 << resolution;
+        const int size = resolution;
         if (map.size() != size) map = DepthMap(size, "shadow map");
         if (mapFor.changed(mapClipFromWorld, which, size, faces, receiver, slopeBias) || !keep) {
             map.bindForDrawing();
@@ -202,7 +219,7 @@ struct ShadowMap final : Demo {
         if (fit == Fit::fitted) (void)fittedView(sceneIn(1));
     }
 
-    Scene scene(const Frame& frame) const override { return sceneIn(frame.aspect()); }
+    Scene scene(const FrameInfo& frame) const override { return sceneIn(frame.aspect()); }
 
     // In a picture of this aspect, on which only the camera depends.
     Scene sceneIn(double aspect) const {
@@ -214,8 +231,13 @@ struct ShadowMap final : Demo {
         return scene;
     }
 
+    std::optional<vec2> placeOf(const vec3& point, const FrameInfo& frame) const {
+        return pictureFromPane({0, 0, frame.width(), frame.height()}, scene(frame).clipFromWorld(), point);
+    }
+
     void annotate(const Frame& frame) override {
         if (showFrustum) overlay.drawFrustum(now.clipFromWorld(), view);
+        if (showRays) drawSceneRays(drawing, now, frame);
         if (showMap) overlay.drawMap(frame, map, view);
     }
 
@@ -240,6 +262,55 @@ const bool added = addDemo<ShadowMap>({
     .background = vec4(0, 0, 0, 1),
     .needs = {.depth = true,
               .beyondEs = {{"float targets", "falsely-dark, falsely-lit and pixels-asked are not measured"}}},
+    .presets =
+        {
+            {"original",
+             "The steps at the shadow's edge are the texels of the map in the corner, as large as they fall on the "
+             "floor."},
+            {"acne",
+             "Without a bias what is lit shades itself, in stripes.",
+             {{"scene", "cube-on-plane"},
+              {"resolution", "1024"},
+              {"bias", "0"},
+              {"light-x", "-2.2"},
+              {"light-y", "3.6"},
+              {"light-z", "1.4"},
+              {"target-x", "0"},
+              {"target-y", "0"},
+              {"target-z", "0"},
+              {"fov", "90"},
+              {"spin-y", "300"}}},
+            {"peter-panning",
+             "Back faces in the map and too large a bias: the shadow begins a step away from the cube.",
+             {{"scene", "cube-on-plane"},
+              {"resolution", "1024"},
+              {"bias", "0.01"},
+              {"map-faces", "back"},
+              {"light-x", "-2.2"},
+              {"light-y", "3.6"},
+              {"light-z", "1.4"},
+              {"target-x", "0"},
+              {"target-y", "0"},
+              {"target-z", "0"},
+              {"fov", "90"},
+              {"spin-y", "300"}}},
+            {"fitted",
+             "The map holds just what casts, so that its texels are small; 3 x 3 looks make the edge a ramp.",
+             {{"scene", "still-life"},
+              {"resolution", "1024"},
+              {"filter", "pcf3"},
+              {"bias", "0"},
+              {"slope-bias", "4"},
+              {"frustum", "fitted"}}},
+            {"sun",
+             "Parallel light: the map holds a box, and only the backs of what casts.",
+             {{"bias", "0"},
+              {"map-faces", "back"},
+              {"receiver", "off"},
+              {"projection", "orthographic"},
+              {"window-width", "9"},
+              {"window-height", "9"}}},
+        },
 });
 
 }  // namespace

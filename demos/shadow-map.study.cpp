@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "mv/demo/demo.h"
-#include "mv/demo/false_shadows.h"
-#include "mv/demo/lit_reference.h"
+#include "shared/false_shadows.h"
+#include "shared/lit_reference.h"
 
 using namespace mv;
 
@@ -40,7 +40,7 @@ Study study() {
     Study study;
     study.quantity = "lit fraction of the pixels whose surface faces the light";
     study.reference = "a ray in double precision from each pixel to the light; 64 for the root mean square";
-    study.makeReference = [](const Demo& demo, const Frame& frame, const auto& progress) {
+    study.makeReference = [](const Demo& demo, const ReferenceFrame& frame, const auto& progress) {
         return litReference(demo.scene(frame), frame, {.pixelSide = 8}, progress);
     };
     study.scenes = {{"cube on plane", lit("cube-on-plane", {"-2.2", "3.6", "1.4"}, {"0", "0", "0"})},

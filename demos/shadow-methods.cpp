@@ -14,21 +14,22 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "mv/demo/demo.h"
 #include "mv/demo/made_for.h"
-#include "mv/demo/turntable.h"
 #include "mv/geometry/light_view.h"
-#include "mv/geometry/scenes.h"
-#include "mv/gl/caster_volumes.h"
 #include "mv/gl/depth_map.h"
 #include "mv/gl/gl.h"
-#include "mv/gl/lit_difference.h"
 #include "mv/gl/scene_meshes.h"
 #include "mv/gl/text.h"
-#include "mv/gl/z_fail.h"
 #include "mv/math/shadow.h"
 #include "mv/math/transform.h"
+#include "shared/caster_volumes.h"
+#include "shared/lit_difference.h"
+#include "shared/scenes.h"
+#include "shared/turntable.h"
+#include "shared/z_fail.h"
 
 using namespace mv;
 
@@ -42,10 +43,10 @@ bool usesMap(Method method) { return method >= Method::map; }
 int looksAlong(Method method) { return method == Method::pcf5 ? 5 : method == Method::pcf3 ? 3 : 1; }
 
 struct ShadowMethods final : Demo {
-    Choice<Which> which{this, "scene", Which::cube, {{"cube-on-plane"}, {"still-life"}}, "what is shown"};
+    Choice<Which> which{this, "scene", Which::stillLife, {{"cube-on-plane"}, {"still-life"}}, "what is shown"};
     Choice<Method> method{this,
                           "method",
-                          Method::matrix,
+                          Method::map,
                           {{"none", "no shadow"},
                            {"matrix", "what casts, flattened onto floor and wall"},
                            {"volume", "shadow volumes, counted by z-fail"},
@@ -57,7 +58,7 @@ struct ShadowMethods final : Demo {
     Choice<int> against{
         this,
         "against",
-        0,
+        3,
         {{"off"}, {"none"}, {"matrix"}, {"volume"}, {"map"}, {"map-hardware"}, {"pcf3"}, {"pcf5"}},
         "a second method, right of the split or subtracted; off: none, and subtracted is what rays show"};
     Real split{this, "split", 0.5, {0, 1}, "where the second method begins, in widths of the picture"};
@@ -66,8 +67,7 @@ struct ShadowMethods final : Demo {
                       Show::picture,
                       {{"picture"}, {"difference", "red: too dark; blue: too light"}},
                       "the picture, or what the lit fractions differ by"};
-    Choice<int> resolution{
-        this, "resolution", 2, {{"256"}, {"512"}, {"1024"}, {"2048"}, {"4096"}}, "texels along a side of the map"};
+    NumberChoice resolution{this, "resolution", 256, {256, 512, 1024, 2048, 4096}, "texels along a side of the map"};
     Toggle receiver{this, "receiver", false,
                     "fronts and floor in the map, which need a bias; off: the backs of what casts"};
     Real slopeBias{this, "slope-bias", 0, {0, 16}, "push the map back by its slope over this many texels"};
@@ -87,7 +87,13 @@ struct ShadowMethods final : Demo {
     MadeFor<Which, int, bool, double> mapFor;
     LitDifference litDifference;
 
-    ShadowMethods() { bindKeys(Key::left, Key::right, split, 0.02); }
+    ShadowMethods() {
+        bindKeys(Key::left, Key::right, split, 0.02);
+        split.onlyWhen([this] { return second() && show == Show::picture; }, "there is no line between two methods");
+        for (Knob* knob : std::initializer_list<Knob*>{&resolution, &receiver, &slopeBias}) {
+            knob->onlyWhen([this] { return usesMap(method) || usesMap(second().value_or(method)); }, "no map is used");
+        }
+    }
 
     void init() override {}
 
@@ -101,7 +107,9 @@ struct ShadowMethods final : Demo {
 
         // What is measured is the first method alone
         const std::optional<Method> other = frame.measuring() ? std::nullopt : second();
-        for (const Method each : {Method(method), other.value_or(method)}) prepare(each, frame);
+        const Method beside = other.value_or(method);
+        if (usesMap(method) || usesMap(beside)) makeMap(frame);
+        if (method == Method::volume || beside == Method::volume) makeVolumes();
         if (show == Show::difference && !frame.measuring()) return drawDifference(other, frame);
         if (!other) return drawScene(method);
 
@@ -120,16 +128,13 @@ struct ShadowMethods final : Demo {
 
     // ---- What some methods prepare, and keep while the light and what casts rest
 
-    void prepare(Method by, const Frame& frame) {
-        if (usesMap(by)) makeMap(frame);
-        if (by == Method::volume) {
-            if (!keep) volumes.forget();
-            volumes.follow(now, now.lights[0].position);
-        }
+    void makeVolumes() {
+        if (!keep) volumes.forget();
+        volumes.follow(now, now.lights[0].position);
     }
 
     void makeMap(const Frame& frame) {
-        const int size = 256 << resolution;
+        const int size = resolution;
         if (!mapFor.changed(which, size, receiver, slopeBias) && keep) return;
         if (map.size() != size) map = DepthMap(size, "shadow map");
         if (lightViewFor.changed(which)) lightView = fitLightView(now.lights[0].position, casterPoints(now));
@@ -138,7 +143,7 @@ struct ShadowMethods final : Demo {
         // Backs are as good an end of the shadow as fronts, and what is lit is not there to shade itself
         if (!receiver) glCullFace(GL_FRONT);
         glEnable(GL_POLYGON_OFFSET_FILL);
-        glPolygonOffset(float(slopeBias), float(2 * slopeBias));
+        if (slopeBias > 0) glPolygonOffset(float(slopeBias), float(2 * slopeBias));
         const Program& program = use("flat");
         for (const auto& [object, mesh] : meshes.of(now)) {
             if (!receiver && !object.casts) continue;
@@ -246,7 +251,7 @@ struct ShadowMethods final : Demo {
     std::optional<Method> second() const { return against == 0 ? std::nullopt : std::optional(Method(against - 1)); }
 
     // Without a far plane, which would cut the volumes off.
-    Scene scene(const Frame& frame) const override {
+    Scene scene(const FrameInfo& frame) const override {
         Scene scene = which == Which::cube ? cubeOnPlane(frame.aspect()) : stillLife(frame.aspect());
         scene.viewFromWorld = turntable.seenBy(scene.viewFromWorld);
         scene.clipFromView = withDepths(scene.clipFromView, 0.1, HUGE_VAL);
@@ -254,7 +259,7 @@ struct ShadowMethods final : Demo {
     }
 
     void annotate(const Frame& frame) override {
-        glDisable(GL_SCISSOR_TEST);
+        if (second()) glDisable(GL_SCISSOR_TEST);
         const Method beside = second().value_or(method);
         if (usesMap(method))
             frame.count("texels a lookup", (method == Method::map ? 1 : 4) * looksAlong(method) * looksAlong(method));
@@ -265,11 +270,15 @@ struct ShadowMethods final : Demo {
             drawText(frame, 8, 8, method.text() + " less " + less + ": red too dark, blue too light");
         } else if (second()) {
             const int middle = int(std::lround(split * frame.width()));
-            if (middle > 0) drawText(frame, middle - 8 - textWidth(method.text()), 8, method.text());
-            if (middle < frame.width()) drawText(frame, middle + 8, 8, against.text());
+            std::vector<TextLine> names;
+            if (middle > 0) names.push_back({middle - 8 - textWidth(method.text()), 8, method.text()});
+            if (middle < frame.width()) names.push_back({middle + 8, 8, against.text()});
+            drawText(frame, names);
         }
     }
 };
+
+const char* const otherHalf = "each side of the line draws the whole scene, and some of it is on the other side";
 
 const bool added = addDemo<ShadowMethods>({
     .name = "shadow-methods",
@@ -284,7 +293,25 @@ const bool added = addDemo<ShadowMethods>({
     .needs = {.depth = true,
               .stencil = true,
               .beyondEs = {{"float targets", "--show difference is refused, and wrong is not measured"}}},
-    .pose = {{"scene", "still-life"}, {"method", "map"}, {"against", "volume"}, {"resolution", "256"}},
+    .presets =
+        {
+            {"map-and-volumes", "Left of the line a coarse map, right of it volumes: follow a shadow's edge across."},
+            {"matrix",
+             "One flat floor and one matrix: for this scene there is nothing better.",
+             {{"scene", "cube-on-plane"}, {"method", "matrix"}, {"against", "off"}, {"resolution", "1024"}}},
+            {"matrix-is-wrong",
+             "What the matrix lacks, in blue: the shadows of bodies on bodies.",
+             {{"method", "matrix"}, {"against", "off"}, {"show", "difference"}, {"resolution", "1024"}}},
+            {"map-is-wrong",
+             "What a coarse map gets wrong, along every edge.",
+             {{"against", "off"}, {"show", "difference"}}},
+            {"acne",
+             "The floor in the map, without a bias: it shades itself in stripes, and a filter does not help.",
+             {{"scene", "cube-on-plane"}, {"against", "pcf3"}, {"resolution", "1024"}, {"receiver", "on"}}},
+        },
+    .waste = {{"no-sample", "draw of 'box'", otherHalf},
+              {"no-sample", "draw of 'pawn'", otherHalf},
+              {"state-again", "glStencilFunc", "counting volumes sets all that it needs, whatever was there before"}},
 });
 
 }  // namespace

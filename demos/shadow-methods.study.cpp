@@ -2,8 +2,8 @@
 #include <string>
 
 #include "mv/demo/demo.h"
-#include "mv/demo/false_shadows.h"
-#include "mv/demo/lit_reference.h"
+#include "shared/false_shadows.h"
+#include "shared/lit_reference.h"
 
 using namespace mv;
 
@@ -22,10 +22,11 @@ Study study() {
     Study study;
     study.quantity = "lit fraction of the pixels whose surface faces the light";
     study.reference = "a ray in double precision from each pixel to the light; 64 for the root mean square";
-    study.makeReference = [](const Demo& demo, const Frame& frame, const auto& progress) {
+    study.makeReference = [](const Demo& demo, const ReferenceFrame& frame, const auto& progress) {
         return litReference(demo.scene(frame), frame, {.pixelSide = 8}, progress);
     };
-    study.scenes = {{"cube on plane", {{"scene", "cube-on-plane"}}}, {"still life", {{"scene", "still-life"}}}};
+    study.scenes = {{"cube on plane", {{"scene", "cube-on-plane"}, {"against", "off"}}},
+                    {"still life", {{"scene", "still-life"}, {"against", "off"}}}};
     study.lines = {{"no shadow", {{"method", "none"}}},
                    {"matrix", {{"method", "matrix"}}},
                    {"volumes", {{"method", "volume"}}},

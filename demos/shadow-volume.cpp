@@ -15,15 +15,15 @@
 #include <vector>
 
 #include "mv/demo/demo.h"
-#include "mv/demo/turntable.h"
-#include "mv/geometry/scenes.h"
 #include "mv/geometry/shapes.h"
-#include "mv/gl/caster_volumes.h"
 #include "mv/gl/gl.h"
 #include "mv/gl/on_demand.h"
 #include "mv/gl/scene_meshes.h"
 #include "mv/gl/text.h"
 #include "mv/math/transform.h"
+#include "shared/caster_volumes.h"
+#include "shared/scenes.h"
+#include "shared/turntable.h"
 
 using namespace mv;
 
@@ -56,7 +56,11 @@ struct ShadowVolumes final : Demo {
                           "on: only the silhouette's edges are drawn out; off: the edges of every triangle"};
     Toggle groups{this, "groups", true, "count 127 casters at a time where more than 255 would wrap round"};
     Choice<Place> eye{this, "eye", Place::outside, {{"outside"}, {"in-volume"}}, "where the eye is"};
-    Real far{this, "far", 0, {0, 100}, "end the view this far away, and the volumes with it; 0: nowhere"};
+    Real far{this,
+             "far",
+             0,
+             {5, 100, Scale::logarithmic, true},
+             "end the view this far away, and the volumes with it; 0: nowhere"};
     Angle lightTurn{this, "light-turn", 0, "turn the light about the vertical"};
     Real lightHeight{this, "light-height", 1, {0.1, 3}, "height of the light, in its first height"};
     Toggle atInfinity{this, "at-infinity", false, "a light at infinity, in the direction of this one"};
@@ -75,6 +79,10 @@ struct ShadowVolumes final : Demo {
     ShadowVolumes() {
         bindKeys(Key::left, Key::right, lightTurn, 5);
         bindKeys(Key::down, Key::up, lightHeight, 0.1);
+        shells.onlyWhen([this] { return which == Which::nested; }, "only the nested scene has shells");
+        groups.onlyWhen([this] { return which == Which::nested && shells > 255; },
+                        "there are no more casters than eight bits count");
+        groups.onlyWhen([this] { return show != Show::count; }, "what is shown is the stencil buffer, in one count");
     }
 
     void init() override {
@@ -201,12 +209,8 @@ struct ShadowVolumes final : Demo {
 
     // ---- What is shown
 
-    void check() const override {
-        if (far != 0 && far <= near) throw Error("--far", "must be 0 or greater than near, 0.1", far.text());
-    }
-
     // Without a far plane, unless one is to cut the volumes off.
-    Scene scene(const Frame& frame) const override {
+    Scene scene(const FrameInfo& frame) const override {
         const double aspect = frame.aspect();
         Scene scene = which == Which::cube        ? cubeOnPlane(aspect)
                       : which == Which::stillLife ? stillLife(aspect)
@@ -335,6 +339,27 @@ const bool added = addDemo<ShadowVolumes>({
               .beyondEs = {{"depth read-back", "shadow-pixels and stencil-max are not measured"},
                            {"stencil read-back", "shadow-pixels and stencil-max are not measured"},
                            {"float targets", "wrong is not measured"}}},
+    .presets =
+        {
+            {"volumes",
+             "A way from the eye goes into a volume through yellow and out through blue; more often in than out is "
+             "shadow."},
+            {"counts",
+             "Boxes in boxes: each colour is how many volumes the point is in.",
+             {{"scene", "nested"}, {"show", "count"}}},
+            {"eye-in-volume",
+             "The eye is in the shadow itself, and counting from the far end is right all the same.",
+             {{"scene", "cube"}, {"show", "shadow"}, {"eye", "in-volume"}}},
+            {"z-pass",
+             "Counted from the eye, which is in a volume: light and shadow have changed places.",
+             {{"scene", "cube"}, {"method", "z-pass"}, {"show", "shadow"}, {"eye", "in-volume"}}},
+            {"wrapped",
+             "256 boxes in boxes count as 0 in eight bits: a lit hole in the shadow.",
+             {{"scene", "nested"}, {"shells", "256"}, {"show", "shadow"}, {"groups", "off"}}},
+            {"every-triangle",
+             "Each triangle drawn out, instead of the silhouette: far more to fill, and no better.",
+             {{"silhouette", "off"}}},
+        },
 });
 
 }  // namespace

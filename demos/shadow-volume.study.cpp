@@ -2,14 +2,14 @@
 #include <algorithm>
 
 #include "mv/demo/demo.h"
-#include "mv/demo/false_shadows.h"
-#include "mv/demo/lit_reference.h"
+#include "shared/false_shadows.h"
+#include "shared/lit_reference.h"
 
 using namespace mv;
 
 namespace {
 
-bool isOneCount(const Demo& demo, const Frame& frame) {
+bool isOneCount(const Demo& demo, const FrameInfo& frame) {
     const Scene scene = demo.scene(frame);
     const auto casts = [](const SceneObject& object) { return object.casts; };
     return std::count_if(scene.objects.begin(), scene.objects.end(), casts) <= 255 || demo.word("groups") == "off" ||
@@ -40,7 +40,7 @@ Study study() {
     Study study;
     study.quantity = "lit or in shadow, of the pixels that face the light";
     study.reference = "one ray through each pixel and one to the light, in double precision";
-    study.makeReference = [](const Demo& demo, const Frame& frame, const auto& progress) {
+    study.makeReference = [](const Demo& demo, const ReferenceFrame& frame, const auto& progress) {
         return litReference(demo.scene(frame), frame, {}, progress);
     };
     study.scenes = {{"cube", {{"scene", "cube"}}},

@@ -20,6 +20,7 @@
 #include "mv/math/shadow.h"
 #include "mv/math/shadow_caster.h"
 #include "mv/math/transform.h"
+#include "shared/light_rays.h"
 
 using namespace mv;
 
@@ -27,11 +28,13 @@ namespace {
 
 const vec4 planeOfShadow(0, 1, 0, 0);  // y = 0
 const vec4 everywhere(0, 0, 0, 1);     // a half space that cuts nothing off
+const mat4 viewFromWorld = lookAt(vec3(1, 1, 1), vec3(0, 0, 0), vec3(0, 1, 0));
 
 struct Shadow final : Demo {
     Real lightHeight{this, "light-height", 2, {-1, 4}, "height of the light above the plane y = 0"};
     Real squareHeight{this, "square-height", 0.5, {-0.5, 1.5}, "height of the middle of the square"};
     Angle tilt{this, "tilt", 0, "turn of the square about its middle, so that one side rises"};
+    Toggle rays{this, "rays", true, "show the light, and its rays through the corners of the square"};
 
     Readout leastW{this, "least-w",
                    "smallest w of the shadow's corners: how far the highest corner is below the light"};
@@ -39,6 +42,15 @@ struct Shadow final : Demo {
 
     Program program;
     Mesh caster;
+    Drawing drawing;
+
+    Shadow() {
+        bindKeys(Key::down, Key::up, lightHeight, 0.05);
+        bindHandle("light", {&lightHeight}, [this](const FrameInfo& frame) {
+            const Pane picture{0, 0, frame.width(), frame.height()};
+            return pictureFromPane(picture, clipFromView(frame.aspect()) * viewFromWorld, vec3(lightIn(frame)));
+        });
+    }
 
     void init() override {
         program = Program("shadow");
@@ -47,22 +59,17 @@ struct Shadow final : Demo {
 
     void draw(const Frame& frame) override {
         glEnable(GL_DEPTH_TEST);
-
-        // Let the light go round
-        const double theta = 0.1 * frame.index();
-        const vec4 light(std::sin(theta), lightHeight, std::cos(theta), 1);
+        const vec4 light = lightIn(frame);
 
         // Draw the square
         const mat4 worldFromModel = translate(0, squareHeight, 0) * rotateZ(tilt);
-        const mat4 viewFromWorld = lookAt(vec3(1, 1, 1), vec3(0, 0, 0), vec3(0, 1, 0));
-        const mat4 clipFromView = ortho(-2 * frame.aspect(), 2 * frame.aspect(), -2, 2, -4, 4);
         frame.show("worldFromModel", worldFromModel);
         frame.show("viewFromWorld", viewFromWorld);
-        frame.show("clipFromView", clipFromView);
+        frame.show("clipFromView", clipFromView(frame.aspect()));
         program.use();
         program.set("worldFromModel", worldFromModel);
         program.set("viewFromModel", viewFromWorld * worldFromModel);
-        program.set("clipFromView", clipFromView);
+        program.set("clipFromView", clipFromView(frame.aspect()));
         program.set("abovePlane", everywhere);
         program.set("belowLight", everywhere);
         program.set("color", vec4(1, 0, 0, 1));
@@ -72,11 +79,23 @@ struct Shadow final : Demo {
         const auto corners = cornersOf(worldFromModel);
         const CasterVerdict verdict = judgeCaster("square", corners, light, planeOfShadow);
         if (!verdict.sentence.empty()) frame.say(verdict.sentence);
-        if (verdict.casts) drawShadow(frame, light, viewFromWorld, worldFromModel);
+        if (verdict.casts) drawShadow(frame, light, worldFromModel);
+        if (rays) {
+            drawing.begin(frame);
+            drawLightRays(drawing, clipFromView(frame.aspect()) * viewFromWorld, light, corners, {&planeOfShadow, 1});
+            drawing.draw(frame);
+        }
         if (frame.readouts()) measure(corners, light, verdict.casts);
     }
 
-    void drawShadow(const Frame& frame, const vec4& light, const mat4& viewFromWorld, const mat4& worldFromModel) {
+    // It goes round.
+    vec4 lightIn(const FrameInfo& frame) const {
+        const double theta = 0.1 * frame.index();
+        return {std::sin(theta), lightHeight, std::cos(theta), 1};
+    }
+    static mat4 clipFromView(double aspect) { return ortho(-2 * aspect, 2 * aspect, -2, 2, -4, 4); }
+
+    void drawShadow(const Frame& frame, const vec4& light, const mat4& worldFromModel) {
         const mat4 shadowFromWorld = shadowProjection(light, planeOfShadow);
         frame.show("shadowFromWorld", shadowFromWorld);
         program.set("viewFromModel", viewFromWorld * shadowFromWorld * worldFromModel);
@@ -129,6 +148,19 @@ const bool added = addDemo<Shadow>({
     .animated = true,
     .background = vec4(1),
     .needs = {.depth = true},
+    .presets =
+        {
+            {"on-one-line", "Each ray goes from the light through a corner to that corner of the shadow."},
+            {"original", "The square once in red, and once more, flattened onto y = 0 and black.", {{"rays", "off"}}},
+            {"low-light",
+             "The light comes down, and the shadow grows to 5.06 times the square.",
+             {{"light-height", "0.9"}},
+             {{"shadow-area", 5.055, 5.065}}},
+            {"through-the-plane", "Only the part above the plane casts.", {{"square-height", "0.2"}, {"tilt", "60"}}},
+            {"light-between",
+             "The light stands between lower and upper side: what is below it casts a shadow without end.",
+             {{"light-height", "0.6"}, {"tilt", "50"}}},
+        },
 });
 
 }  // namespace

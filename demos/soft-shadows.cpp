@@ -8,18 +8,21 @@
 // - [pcf-does-not-converge] No kernel and no map brings a blur of fixed size below the error of 16 points.
 // - [pcss-adapts] Lifting the caster widens the penumbra of pcss as it should, and hardly that of pcf.
 // - [dark-once] Where the shadows of two casters overlap, a point of the lamp is taken away once.
+#include <cmath>
 #include <vector>
 
 #include "mv/demo/demo.h"
 #include "mv/demo/made_for.h"
 #include "mv/geometry/lamp.h"
 #include "mv/geometry/light_view.h"
-#include "mv/geometry/scenes.h"
+#include "mv/gl/beyond_es.h"
 #include "mv/gl/gl.h"
 #include "mv/gl/on_demand.h"
 #include "mv/gl/scene_meshes.h"
 #include "mv/math/shadow.h"
 #include "mv/math/transform.h"
+#include "shared/scenes.h"
+#include "shared/spin.h"
 
 using namespace mv;
 
@@ -42,16 +45,15 @@ struct SoftShadows final : Demo {
                            {"pcf", "one map, its answers averaged over a square of fixed size"},
                            {"pcss", "one map, averaged over a square as large as the casters found there ask for"}},
                           "how the shadow is made soft"};
-    Choice<int> lights{this, "lights", 3, {{"1"}, {"4"}, {"16"}, {"64"}, {"256"}, {"1024"}}, "points of the lamp"};
+    NumberChoice lights{this, "lights", 256, {1, 4, 16, 64, 256, 1024}, "points of the lamp"};
     Choice<Sum> sum{
         this, "accumulate", Sum::floats, {{"float"}, {"8-bit"}}, "what the points' shadows are added up in"};
     Whole taps{this, "taps", 9, {1, 31}, "pcf and pcss look at taps x taps places of the map"};
-    Choice<int> resolution{this, "resolution", 2, {{"256"}, {"512"}, {"1024"}, {"2048"}}, "texels a side of a map"};
+    NumberChoice resolution{this, "resolution", 1024, {256, 512, 1024, 2048}, "texels a side of a map"};
     Real lampSize{this, "lamp-size", 1, {0.05, 2}, "side of the square lamp"};
     Angle lampTurn{this, "lamp-turn", 0, "turn of the lamp about the vertical, from along the caster's sides"};
-    Real casterHeight{this, "caster-height", 0, {0, 1}, "how far what casts is lifted from the floor"};
-    Angle spinX{this, "spin-x", 0, "turn about the x axis"};
-    Angle spinY{this, "spin-y", 0, "turn about the y axis"};
+    Real casterHeight{this, "caster-height", 0.2, {0, 1}, "how far what casts is lifted from the floor"};
+    Spin spin{this};
 
     Program shading, plain;
     OnDemand<Program> byMap{"soft-shadows", "map"}, byPcss{"soft-shadows", "pcss"};
@@ -64,9 +66,12 @@ struct SoftShadows final : Demo {
     MadeFor<Place, int, mat4, std::vector<mat4>> mapFor;
 
     SoftShadows() {
-        bindDrag(spinY, 1, spinX, 1);
         bindWheel(casterHeight, 0.05);
         bindKeys(Key::left, Key::right, lampSize, 0.05);
+        const auto byPoints = [this] { return method == Method::matrix || method == Method::maps; };
+        lights.onlyWhen(byPoints, "this method has one map, from the lamp's middle");
+        taps.onlyWhen([byPoints] { return !byPoints(); }, "only pcf and pcss average looks at a map");
+        resolution.onlyWhen([this] { return method != Method::matrix; }, "a shadow matrix has no texels");
     }
 
     void init() override {
@@ -81,10 +86,11 @@ struct SoftShadows final : Demo {
         const SceneLight& lamp = now.lights.front();
         const vec3 middle(lamp.position);
         const bool byPoints = method == Method::matrix || method == Method::maps;
-        const std::vector<vec3> points = byPoints ? lampPoints(lamp, 1 << lights, 15) : std::vector{middle};
+        const std::vector<vec3> points =
+            byPoints ? lampPoints(lamp, int(std::lround(std::sqrt(double(lights)))), 15) : std::vector{middle};
         const double share = 1.0 / double(points.size());
         frame.count("points", double(points.size()));
-        if (byPoints && sum == Sum::bytes && share * 255 < 0.5)
+        if (byPoints && !inFloats() && share * 255 < 0.5)
             frame.say("In 8 bits a point's share of the lamp rounds to 0: no shadow is left.");
 
         // 1. Add up how dark each pixel is
@@ -132,13 +138,13 @@ struct SoftShadows final : Demo {
     // Nothing is dark yet; and what is seen has its depth, so that only that is darkened.
     const Target& begin(const Frame& frame) {
         Target& darkness = frame.measuring() ? darknessMeasured : darknessShown;
-        darkness.fit(frame.width(), frame.height(),
-                     {.depth = true,
-                      .stencil = method == Method::matrix,
-                      .color = sum == Sum::floats ? GLenum(GL_R32F) : GLenum(GL_R8),
-                      .texture = true},
-                     "darkness");
-        darkness.bind();
+        const bool made = darkness.fit(frame.width(), frame.height(),
+                                       {.depth = true,
+                                        .stencil = method == Method::matrix,
+                                        .color = inFloats() ? GLenum(GL_R32F) : GLenum(GL_R8),
+                                        .texture = true},
+                                       "darkness");
+        if (!made) darkness.bind();
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
         glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
         plain.use();
@@ -188,7 +194,7 @@ struct SoftShadows final : Demo {
 
     // The map of what casts, as lightOfMap sees it.
     void drawMap() {
-        if (map.size() != 256 << resolution) map = DepthMap(256 << resolution, "map");
+        if (map.size() != resolution) map = DepthMap(resolution, "map");
         map.bindForDrawing();
         glClear(GL_DEPTH_BUFFER_BIT);
         glEnable(GL_POLYGON_OFFSET_FILL);
@@ -246,16 +252,18 @@ struct SoftShadows final : Demo {
         mesh.draw();
     }
 
+    bool inFloats() const {
+        return sum == Sum::floats && has(beyond_es::floatTargets) && has(beyond_es::floatBlending);
+    }
+
     void check() const override {
-        if (sum == Sum::floats && !(floatTargets() && floatBlending()))
-            throw Error("--accumulate", "must be 8-bit here; this OpenGL ES does not blend into targets of floats");
         // A light's view and a shadow's matrix need the whole lamp, at its largest, well above all that casts.
         if (place == Place::table && casterHeight > 0.65)
             throw Error("--caster-height", "must be at most 0.65 in scene table, to stay below the lamp",
                         casterHeight.text());
     }
 
-    Scene scene(const Frame& frame) const override {
+    Scene scene(const FrameInfo& frame) const override {
         Scene scene = place == Place::cube ? cubeOnPlane(frame.aspect()) : table(frame.aspect());
         for (SceneObject& object : scene.objects) {
             if (object.casts) object.worldFromObject = translate(0, casterHeight, 0) * object.worldFromObject;
@@ -264,7 +272,7 @@ struct SoftShadows final : Demo {
         const mat4 worldFromLamp = caster.worldFromObject * rotateY(lampTurn) * scale(lampSize / 2);
         scene.lights.front().halfU = worldFromLamp * vec4(1, 0, 0, 0);
         scene.lights.front().halfV = worldFromLamp * vec4(0, 0, 1, 0);
-        scene.viewFromWorld = scene.viewFromWorld * rotateX(spinX) * rotateY(spinY);
+        scene.viewFromWorld = scene.viewFromWorld * spin.turn();
         return scene;
     }
 };
@@ -282,7 +290,26 @@ const bool added = addDemo<SoftShadows>({
     .needs = {.depth = true,
               .beyondEs = {{"float targets", "--accumulate float is refused; 8-bit does, up to 256 points"},
                            {"float blending", "--accumulate float is refused; 8-bit does, up to 256 points"}}},
-    .pose = {{"lights", "256"}, {"caster-height", "0.2"}},
+    .presets =
+        {
+            {"lifted",
+             "The shadow is sharpest where the cube is nearest to the floor, and grows softer with the distance."},
+            {"touching",
+             "Where cube and floor touch the edge is sharp; 64 points of the lamp are nearly enough.",
+             {{"lights", "64"}, {"caster-height", "0"}}},
+            {"few-points",
+             "Four points of the lamp: four hard shadows, one over the other.",
+             {{"lights", "4"}, {"caster-height", "0.5"}}},
+            {"eight-bits",
+             "1024 shares of the light are each rounded to nothing: there is no shadow.",
+             {{"lights", "1024"}, {"accumulate", "8-bit"}}},
+            {"blurred",
+             "A blur of fixed size is as soft at the foot of a leg as at the far edge of the shadow.",
+             {{"scene", "table"}, {"method", "pcf"}, {"lamp-size", "0.5"}, {"caster-height", "0"}}},
+            {"blurred-as-wide-as-needed",
+             "A blur that asks how wide: sharp at the feet of the legs, soft at the far edge.",
+             {{"scene", "table"}, {"method", "pcss"}, {"taps", "15"}, {"lamp-size", "0.5"}, {"caster-height", "0"}}},
+        },
     .waste = {{"repeated-pass", "pass into 'darkness'", "what a soft shadow costs in every frame is the lesson"},
               {"state-again", "glViewport", "the darkness is as large as the picture, and a target sets its own"}},
 });

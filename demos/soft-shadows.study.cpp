@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "mv/demo/demo.h"
-#include "mv/demo/lit_reference.h"
 #include "mv/geometry/lamp.h"
-#include "mv/geometry/scenes.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
+#include "shared/lit_reference.h"
+#include "shared/scenes.h"
 
 using namespace mv;
 
@@ -47,12 +47,12 @@ Study study() {
     Study study;
     study.quantity = "part of the lamp that is seen from each pixel's surface, 0..1";
     study.reference = "1024 rays a pixel, in double precision";
-    study.makeReference = [](const Demo& demo, const Frame& frame, const auto& progress) {
+    study.makeReference = [](const Demo& demo, const ReferenceFrame& frame, const auto& progress) {
         return litReference(demo.scene(frame), frame, {.lightSide = 32, .doubled = true}, progress);
     };
     // Turned, so that no row of the reference's points runs along an edge of the caster.
-    study.scenes = {{"cube", {{"lamp-turn", "30"}}},
-                    {"table", {{"scene", "table"}, {"lamp-size", "0.5"}, {"lamp-turn", "30"}}}};
+    study.scenes = {{"cube", {{"lamp-turn", "30"}, {"caster-height", "0"}}},
+                    {"table", {{"scene", "table"}, {"lamp-size", "0.5"}, {"lamp-turn", "30"}, {"caster-height", "0"}}}};
     const std::vector<std::string> counts{"1", "4", "16", "64", "256", "1024"};
     study.lines = {{"matrix, float", {{"method", "matrix"}}, "lights", counts},
                    {"matrix, 8-bit", {{"method", "matrix"}, {"accumulate", "8-bit"}}, "lights", counts},

@@ -15,6 +15,7 @@
 #include "mv/math/projection.h"
 #include "mv/math/stereo.h"
 #include "mv/math/transform.h"
+#include "shared/spin.h"
 
 using namespace mv;
 
@@ -36,8 +37,7 @@ struct StereoCube final : Demo {
     Real eyeSep{this, "eye-sep", 0.2, {0, 1}, "distance between the eyes"};
     Real zDist{this, "z-dist", -3, {-10, 2}, "z of the eyes, which look along +z"};
     Real convergence{this, "convergence", 2, {0.25, 10}, "how far ahead of the eyes the screen is"};
-    Angle spinX{this, "spin-x", 0, "turn about the x axis"};
-    Angle spinY{this, "spin-y", 0, "turn about the y axis"};
+    Spin spin{this, 20, 30, {1, -1}};
     Choice<Stereo> stereo{this,
                           "stereo",
                           Stereo::toeIn,
@@ -60,7 +60,6 @@ struct StereoCube final : Demo {
     Mesh cube;
 
     StereoCube() {
-        bindDrag(spinY, 1, spinX, -1);
         bindKeys(Key::down, Key::up, zDist, 0.1);
         bindWheel(zDist, 0.1);
     }
@@ -68,15 +67,6 @@ struct StereoCube final : Demo {
     void init() override {
         program = Program("stereocube");
         cube = Mesh(wireCube(), "cube");
-    }
-
-    void check() const override {
-        for (const bool left : {true, false}) {
-            if (eyes == (left ? Eyes::right : Eyes::left)) continue;  // closed
-            const Eye seen = eye(left, 1);
-            if (isInView(wireCube(), seen.clipFromEye * seen.eyeFromWorld * worldFromModel())) return;
-        }
-        throw Error("--z-dist", "must leave some of the cube in view of an eye", zDist.text());
     }
 
     void draw(const Frame& frame) override {
@@ -112,6 +102,15 @@ struct StereoCube final : Demo {
         if (frame.readouts()) measure(frame, left, right);
     }
 
+    void check() const override {
+        for (const bool left : {true, false}) {
+            if (eyes == (left ? Eyes::right : Eyes::left)) continue;  // closed
+            const Eye seen = eye(left, 1);
+            if (isInView(wireCube(), seen.clipFromEye * seen.eyeFromWorld * worldFromModel())) return;
+        }
+        throw Error("--z-dist", "must leave some of the cube in view of an eye", zDist.text());
+    }
+
     void drawCube(const Eye& eye, Eyes which, const vec4& color) {
         if (eyes != Eyes::both && eyes != which) return;
         program.set("clipFromModel", eye.clipFromEye * eye.eyeFromWorld * worldFromModel());
@@ -119,7 +118,7 @@ struct StereoCube final : Demo {
         cube.draw();
     }
 
-    mat4 worldFromModel() const { return rotateX(spinX) * rotateY(spinY); }
+    mat4 worldFromModel() const { return spin.turn(); }
 
     // The eyes look along +z with y upwards, so their right is -x: the left eye is the one at positive x.
     Eye eye(bool left, double aspect) const {
@@ -158,7 +157,29 @@ const bool added = addDemo<StereoCube>({
     .width = 600,
     .height = 600,
     .needs = {.depth = true},
-    .pose = {{"spin-x", "20"}, {"spin-y", "30"}},
+    .presets =
+        {
+            {"turned",
+             "With red glass left and cyan glass right it stands behind the screen; its horizontal edges are not "
+             "level."},
+            {"original",
+             "The page's first picture: the cube straight on, a small square in a large one, each twice.",
+             {{"spin-x", "0"}, {"spin-y", "0"}}},
+            {"off-axis",
+             "Both eyes look straight ahead, so that no corner moves up or down: vertical-parallax is 0. Each channel "
+             "is one picture.",
+             {{"stereo", "off-axis"}, {"colors", "masks"}},
+             {{"vertical-parallax", 0, 1e-9}}},
+            {"on-black",
+             "On black each glass passes its own colour, so the two have changed places.",
+             {{"stereo", "off-axis"}, {"background", "black"}}},
+            {"before-the-screen",
+             "The screen is behind the cube, which comes out of it.",
+             {{"z-dist", "-2"}, {"convergence", "6"}, {"stereo", "off-axis"}}},
+            {"squint",
+             "Eyes far apart that meet near: the heights of the two pictures differ by many pixels.",
+             {{"eye-sep", "0.5"}, {"convergence", "1"}}},
+        },
 });
 
 }  // namespace

@@ -13,16 +13,16 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "mv/demo/demo.h"
 #include "mv/geometry/bounds.h"
-#include "mv/geometry/scenes.h"
-#include "mv/geometry/shapes.h"
 #include "mv/gl/gl.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
+#include "shared/scenes.h"
 
 using namespace mv;
 
@@ -50,15 +50,6 @@ MeshData groundLines() {
     return mesh;
 }
 
-// From the eye to the corners of the near plane, as seen through a window from -1 to 1 at z = -1.
-MeshData linesOfSight() {
-    MeshData mesh;
-    mesh.primitive = Primitive::lines;
-    for (const fvec2& corner : {fvec2(-1, -1), fvec2(1, -1), fvec2(1, 1), fvec2(-1, 1)})
-        mesh.positions.insert(mesh.positions.end(), {fvec3(0), fvec3(corner, -1)});
-    return mesh;
-}
-
 // The planes of Gribb and Hartmann as they are mostly copied: sums of the matrix's rows, all in float. A normal that has
 // cancelled to 0 stays 0; such a plane holds everything.
 SixPlanes planesInFloat(const mat4& clipFromWorld) {
@@ -75,13 +66,13 @@ SixPlanes planesInFloat(const mat4& clipFromWorld) {
 struct ViewVolume final : Demo {
     Choice<Projection> projection{
         this, "projection", Projection::perspective, {{"perspective"}, {"orthographic"}}, "of the camera"};
-    Real near{this, "near", 8, {0.5, 25}, "where it begins, in front of the camera", "m"};
+    Real near{this, "near", 8, {0.5, 25, Scale::logarithmic}, "where it begins, in front of the camera", "m"};
     Real far{this, "far", 30, {2, 60}, "where it ends", "m"};
-    Choice<int> closer{this,
-                       "closer",
-                       0,
-                       {{"1"}, {"10"}, {"100"}, {"1e3"}, {"1e4"}, {"1e5"}, {"1e6"}, {"1e7"}, {"1e8"}},
-                       "by what near is divided"};
+    NumberChoice closer{this,
+                        "closer",
+                        1,
+                        {1, 10, 100, 1000, 10'000, 100'000, 1'000'000, 10'000'000, 100'000'000},
+                        "by what near is divided"};
     Real pan{this, "pan", 0, {-90, 90}, "how far the camera looks to the left", "deg"};
     Toggle cull{this, "cull", true, "leave out each object that is whole outside one plane"};
     Choice<Planes> planes{this,
@@ -99,58 +90,31 @@ struct ViewVolume final : Demo {
     Readout clipped{this, "clipped", "objects drawn of whose boxes a part is outside"};
     Readout ratio{this, "far-over-near", "far/near, by which the planes of a matrix lose digits"};
 
-    Program faces, lines;
+    Program faces;
     const Scene scene = garden();
     std::vector<std::array<vec3, 8>> boxes;  // the corners of one around each object, in world space
-    Mesh house, tree, ground, wire, sight;
+    Mesh house, tree, ground;
+    Drawing drawing;
 
     ViewVolume() {
         bindDrag(turn, -0.5, tilt, 0.5);
         bindWheel(far, 1);
-        bindKeys(Key::down, Key::up, near, 0.5);
+        bindKeys(Key::down, Key::up, near, 0.1);
         bindKeys(Key::right, Key::left, pan, 5);
+        bindHandle("near plane", {&near}, [this](const FrameInfo& frame) { return middleAt(frame, nearUsed()); });
+        bindHandle("far plane", {&far}, [this](const FrameInfo& frame) { return middleAt(frame, far); });
+        planes.onlyWhen([this] { return cull; }, "nothing is culled by them");
     }
 
     void init() override {
         faces = Program("view-volume");
-        lines = Program("view-volume", "lines");
         house = Mesh(scene.objects[0].mesh, "house");
         tree = Mesh(scene.objects[1].mesh, "tree");
         ground = Mesh(groundLines(), "ground");
-        wire = Mesh(wireCube(), "view volume");
-        sight = Mesh(linesOfSight(), "lines of sight");
         for (const SceneObject& object : scene.objects) {
             boxes.push_back(boundsOf(object.mesh).corners());
             for (vec3& corner : boxes.back()) corner = vec3(object.worldFromObject * vec4(corner, 1));
         }
-    }
-
-    void check() const override {
-        if (nearUsed() >= far) throw Error("--near", "must be less than --far " + far.text(), near.text());
-        try {
-            cameraPlanes();
-        } catch (const Error& error) {
-            throw Error("--closer", std::string("must leave the matrix its planes; ") + error.what(), closer.text());
-        }
-    }
-
-    double nearUsed() const { return near / std::pow(10.0, int(closer)); }
-    // The box of the parallel projection is as wide as the pyramid at 16 m
-    double boxHalf() const { return 16 * std::tan(radians(fovy / 2)); }
-    mat4 clipFromCamera() const {
-        if (projection == Projection::perspective) return perspective(fovy, aspect, nearUsed(), far);
-        return ortho(-boxHalf() * aspect, boxHalf() * aspect, -boxHalf(), boxHalf(), nearUsed(), far);
-    }
-    mat4 cameraFromWorld() const { return rotateY(-pan) * translate(-eye); }
-
-    // In camera space, each as (unit normal inwards, distance).
-    SixPlanes cameraPlanes() const {
-        if (planes == Planes::matrix) return planesFromClip(clipFromCamera());
-        if (planes == Planes::floatMatrix) return planesInFloat(clipFromCamera());
-        if (projection == Projection::perspective) return perspectivePlanes(fovy, aspect, nearUsed(), far);
-        const double h = boxHalf();
-        return {vec4(1, 0, 0, h * aspect), vec4(-1, 0, 0, h * aspect),  vec4(0, 1, 0, h),
-                vec4(0, -1, 0, h),         vec4(0, 0, -1, -nearUsed()), vec4(0, 0, 1, far)};
     }
 
     void draw(const Frame& frame) override {
@@ -181,44 +145,80 @@ struct ViewVolume final : Demo {
         // the camera, so it is mirrored before it is turned.
         const std::vector<Pane> panes = frame.panes(2);
         const mat4 clipFromWorld = clipFromCamera() * cameraFromWorld();
-        const mat4 turned = rotateX(tilt) * rotateY(-turn);
-        const mat4 outsideFromWorld =
-            perspective(40, panes[0].aspect(), 1, 200) * translate(0, 0, -68) * turned * translate(0, -2, 19);
+        const mat4 outside = outsideFromWorld(panes[0]);
         const double half = 1.9 / std::min(1.0, panes[1].aspect());
         const mat4 cubeFromClip =
-            ortho(-half * panes[1].aspect(), half * panes[1].aspect(), -half, half, -4, 4) * turned * scale(1, 1, -1);
+            ortho(-half * panes[1].aspect(), half * panes[1].aspect(), -half, half, -4, 4) * turned() * scale(1, 1, -1);
         frame.show("clipFromWorld", clipFromWorld);
-        frame.show("outsideFromWorld", outsideFromWorld);
+        frame.show("outsideFromWorld", outside);
         frame.show("cubeFromClip", cubeFromClip);
         faces.use();
         faces.set("clipFromWorld", clipFromWorld);
-        drawPane(panes[0], kept, outsideFromWorld, outsideFromWorld * glm::inverse(clipFromWorld), false);
-        if (projection == Projection::perspective) {
-            const double top = nearUsed() * std::tan(radians(fovy / 2));
-            lines.set("color", vec4(0.6, 0.6, 0.6, 1));
-            lines.set("paneFromModel",
-                      outsideFromWorld * glm::inverse(cameraFromWorld()) * scale(top * aspect, top, nearUsed()));
-            sight.draw();
-        }
-        faces.use();
-        drawPane(panes[1], kept, cubeFromClip * clipFromWorld, cubeFromClip, true);
+        drawPane(panes[0], kept, outside, false);
+        drawPane(panes[1], kept, cubeFromClip * clipFromWorld, true);
         glDisable(GL_SCISSOR_TEST);
 
         glViewport(0, 0, frame.width(), frame.height());
-        const std::string counts =
-            std::to_string(kept.size()) + " drawn, " + std::to_string(boxes.size() - kept.size()) + " culled";
-        drawText(frame, std::array{TextLine{6, 6, "world", {.height = 18}}, TextLine{6, frame.height() - 30, counts},
-                                   TextLine{panes[1].x + 6, 6, "after projection and division", {.height = 18}},
-                                   TextLine{panes[1].x + 6, frame.height() - 30, "near: z = -1", {.color = nearColor}},
-                                   TextLine{panes[1].x + 110, frame.height() - 30, "far: z = 1", {.color = farColor}}});
+        drawing.begin(frame);
+        drawing.in(panes[0]);
+        drawFrame(outside * glm::inverse(clipFromWorld));
+        drawSight(outside * glm::inverse(cameraFromWorld()));
+        drawing.text({6, panes[0].height - 6}, "world", {.height = 18});
+        drawing.text({6, 30},
+                     std::to_string(kept.size()) + " drawn, " + std::to_string(boxes.size() - kept.size()) + " culled");
+        drawing.in(panes[1]);
+        drawFrame(cubeFromClip);
+        drawing.text({6, panes[1].height - 6}, "after projection and division", {.height = 18});
+        drawing.text({6, 30}, "near: z = -1", {.color = nearColor});
+        drawing.text({110, 30}, "far: z = 1", {.color = farColor});
+        drawing.draw(frame);
+
         drawn = double(kept.size());
         culled = double(boxes.size() - kept.size());
         clipped = cut;
         ratio = far / nearUsed();
     }
 
-    void drawPane(const Pane& pane, const std::vector<std::size_t>& kept, const mat4& paneFromWorld,
-                  const mat4& paneFromClip, bool cutOpen) {
+    void check() const override {
+        if (nearUsed() >= far) throw Error("--near", "must be less than --far " + far.text(), near.text());
+        try {
+            cameraPlanes();
+        } catch (const Error& error) {
+            throw Error("--closer", std::string("must leave the matrix its planes; ") + error.what(), closer.text());
+        }
+    }
+
+    double nearUsed() const { return near / closer; }
+    // The box of the parallel projection is as wide as the pyramid at 16 m
+    double boxHalf() const { return 16 * std::tan(radians(fovy / 2)); }
+    mat4 clipFromCamera() const {
+        if (projection == Projection::perspective) return perspective(fovy, aspect, nearUsed(), far);
+        return ortho(-boxHalf() * aspect, boxHalf() * aspect, -boxHalf(), boxHalf(), nearUsed(), far);
+    }
+    mat4 cameraFromWorld() const { return rotateY(-pan) * translate(-eye); }
+
+    // Who looks at the camera, from outside.
+    mat4 turned() const { return rotateX(tilt) * rotateY(-turn); }
+    mat4 outsideFromWorld(const Pane& pane) const {
+        return perspective(40, pane.aspect(), 1, 200) * translate(0, 0, -68) * turned() * translate(0, -2, 19);
+    }
+    // Where the left pane shows the middle of a plane across the view.
+    std::optional<vec2> middleAt(const FrameInfo& frame, double distance) const {
+        const Pane pane = frame.panes(2)[0];
+        return pictureFromPane(pane, outsideFromWorld(pane) * glm::inverse(cameraFromWorld()), {0, 0, -distance});
+    }
+
+    // In camera space, each as (unit normal inwards, distance).
+    SixPlanes cameraPlanes() const {
+        if (planes == Planes::matrix) return planesFromClip(clipFromCamera());
+        if (planes == Planes::floatMatrix) return planesInFloat(clipFromCamera());
+        if (projection == Projection::perspective) return perspectivePlanes(fovy, aspect, nearUsed(), far);
+        const double h = boxHalf();
+        return {vec4(1, 0, 0, h * aspect), vec4(-1, 0, 0, h * aspect),  vec4(0, 1, 0, h),
+                vec4(0, -1, 0, h),         vec4(0, 0, -1, -nearUsed()), vec4(0, 0, 1, far)};
+    }
+
+    void drawPane(const Pane& pane, const std::vector<std::size_t>& kept, const mat4& paneFromWorld, bool cutOpen) {
         glViewport(pane.x, pane.y, pane.width, pane.height);
         glScissor(pane.x, pane.y, pane.width, pane.height);
         glClear(GL_COLOR_BUFFER_BIT);
@@ -230,15 +230,31 @@ struct ViewVolume final : Demo {
         }
         faces.set("worldFromObject", mat4(1));
         ground.draw();
-        // The canonical cube's own edges, or where they come from: far's, near's, and those between
-        lines.use();
-        lines.set("paneFromModel", paneFromClip * scale(2));
-        int first = 0;
-        for (const vec4& color : {farColor, nearColor, vec4(0.2, 0.2, 0.2, 1)}) {
-            lines.set("color", color);
-            wire.draw(std::size_t(first), 8);
-            first += 8;
+    }
+
+    // The canonical cube's own edges, or where they come from. Corner i is at 1 where bits 0, 1, 2 of i say so of x, y, z.
+    void drawFrame(const mat4& paneFromClip) {
+        for (const unsigned bit : {4U, 1U, 2U}) {
+            for (unsigned i = 0; i < 8; ++i) {
+                if ((i & bit) != 0) continue;
+                const vec4 color = bit == 4 ? vec4(0.2, 0.2, 0.2, 1) : (i & 4U) != 0 ? farColor : nearColor;
+                drawing.edge(paneFromClip, cubeCorner(i), cubeCorner(i | bit), {.color = color});
+            }
         }
+    }
+    static vec3 cubeCorner(unsigned i) { return 2.0 * vec3(i & 1U, i >> 1 & 1U, i >> 2 & 1U) - 1.0; }
+
+    // The middles of near and far plane, which are dragged; and the lines from the eye to the corners of the near plane.
+    void drawSight(const mat4& outsideFromCamera) {
+        drawing.point(outsideFromCamera, {0, 0, -nearUsed()}, 7, nearColor);
+        drawing.point(outsideFromCamera, {0, 0, -far}, 7, farColor);
+        if (projection == Projection::orthographic) return;
+        const double top = nearUsed() * std::tan(radians(fovy / 2));
+        for (unsigned i = 0; i < 4; ++i)
+            drawing.edge(outsideFromCamera, vec3(0), vec3(vec2(cubeCorner(i)) * vec2(top * aspect, top), -nearUsed()),
+                         {.color = vec4(0.6, 0.6, 0.6, 1), .width = 1});
+        drawing.point(outsideFromCamera, vec3(0), 7, vec4(0.3, 0.3, 0.3, 1));
+        drawing.text(outsideFromCamera, vec3(0), {-6, -4}, "eye", {.background = vec4(0)});
     }
 
     // Of each plane its normal, and its distance as a part of far.
@@ -262,6 +278,25 @@ const bool added = addDemo<ViewVolume>({
     .height = 480,
     .background = vec4(0.5, 0.5, 0.5, 1),
     .needs = {.depth = true},
+    .presets =
+        {
+            {"garden", "What lies between the blue and the red plane becomes the cube on the right, bent with it."},
+            {"near-plane",
+             "With near at 0.5 the house is a thin slice at the far side of the cube: near is where depth is lost.",
+             {{"near", "0.5"}}},
+            {"pan",
+             "The camera looks past the house: what is cut off is orange, and what is whole outside was not drawn.",
+             {{"pan", "25"}}},
+            {"box",
+             "The box of a parallel projection becomes the cube without bending.",
+             {{"projection", "orthographic"}}},
+            {"float-planes",
+             "Planes from a float matrix with near a million times closer: plane-error is 0.12, and trees beyond far "
+             "come back.",
+             {{"closer", "1e6"}, {"planes", "float-matrix"}},
+             {{"plane-error", 0.115, 0.125}}},
+            {"from-the-front", "Seen from the front the cube is the camera's picture.", {{"turn", "0"}, {"tilt", "0"}}},
+        },
 });
 
 }  // namespace

@@ -60,6 +60,9 @@ struct Viewpoints final : Demo {
     Viewpoints() {
         for (char digit = '1'; digit <= '9'; ++digit) bindKey(key(digit), view, std::string(1, digit));
         bindKeys(Key::down, Key::up, height, 2);
+        for (Knob* knob : std::initializer_list<Knob*>{&exact, &aim}) {
+            knob->onlyWhen([this] { return view == View::house; }, "only view 5 looks at a house");
+        }
     }
 
     void init() override {
@@ -67,13 +70,6 @@ struct Viewpoints final : Demo {
         track = Mesh(ringStrip(90, 110, 100), "track");
         plainCube.colors.clear();  // each thing here has one colour, a uniform
         cube = Mesh(plainCube, "cube");
-    }
-
-    void check() const override {
-        // Below the roof these views can show nothing but the car's own blue.
-        if ((view == View::driver || view == View::house) && height < -1)
-            throw Error("--height", "must be at least -1 in views 4 and 5: the eye is under the car's roof",
-                        height.text());
     }
 
     void draw(const Frame& frame) override {
@@ -104,6 +100,13 @@ struct Viewpoints final : Demo {
 
         direction = d;
         measure(inverse(viewFromWorld), vec3(40, 120, aim));
+    }
+
+    void check() const override {
+        // Below the roof these views can show nothing but the car's own blue.
+        if ((view == View::driver || view == View::house) && height < -1)
+            throw Error("--height", "must be at least -1 in views 4 and 5: the eye is under the car's roof",
+                        height.text());
     }
 
     mat4 lookFrom(const vec3& car, double d, const mat4& worldFromCar) const {
@@ -175,6 +178,22 @@ const bool added = addDemo<Viewpoints>({
     .animated = true,
     .background = vec4(0.7, 1.0, 0.7, 1.0),
     .needs = {.depth = true},
+    .presets =
+        {
+            {"original", "The car goes round clockwise; track and houses stand still."},
+            {"driver", "Now the car stands still, and the world turns around it.", {{"view", "4"}}},
+            {"beside", "The same from beside it: the road runs away underneath.", {{"view", "8"}}},
+            {"house-by-slide",
+             "Looking at one house from the moving car, by the slide's formula: houses and track lean over.",
+             {{"view", "5"}, {"height", "40"}}},
+            {"house-exact",
+             "The same view with eye and house in one space: they stand upright; roll and miss are 0.",
+             {{"view", "5"}, {"height", "40"}, {"exact", "on"}},
+             {{"roll", 0, 1e-9}, {"miss", 0, 1e-9}}},
+            {"above",
+             "Straight down. Up along the gaze says nothing, so +y is up here.",
+             {{"view", "9"}, {"height", "40"}}},
+        },
 });
 
 }  // namespace

@@ -12,17 +12,20 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <limits>
 #include <numeric>
 #include <optional>
 #include <string_view>
 
 #include "mv/demo/demo.h"
-#include "mv/demo/depth_order.h"
-#include "mv/demo/plates.h"
+#include "mv/gl/beyond_es.h"
 #include "mv/gl/gl.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
+#include "shared/depth_order.h"
+#include "shared/plates.h"
+#include "shared/spin.h"
 
 using namespace mv;
 
@@ -30,7 +33,7 @@ namespace {
 
 enum class Place { cycle, road, panes };
 enum class Mapping { standard, infinite, reversed, flipped, logarithmic };
-enum class Shown { colors, depth };
+enum class Shown { colors, depth, curve };
 
 const vec3 background(0.95, 1, 1);
 
@@ -54,7 +57,12 @@ struct ZBuffer final : Demo {
                      "the order of drawing, by the letters of the colours"};
     Whole pieces{this, "pieces", 1, {1, 8}, "parts that a bar or pane is cut into (the road has its own cells)"};
     Toggle depthTest{this, "depth-test", true, "let each pixel keep what is nearest"};
-    Choice<Shown> shown{this, "show", Shown::colors, {{"colors"}, {"depth", "0 black, 1 white"}}, "which buffer"};
+    Choice<Shown> shown{
+        this,
+        "show",
+        Shown::colors,
+        {{"colors"}, {"depth", "0 black, 1 white"}, {"curve", "what depth each distance is given, over the colors"}},
+        "which buffer"};
     Choice<DepthFormat> format{this,
                                "format",
                                DepthFormat::d24,
@@ -69,12 +77,15 @@ struct ZBuffer final : Demo {
                              {"flipped", "1 at near, 0 at far, as OpenGL has it without glClipControl"},
                              {"logarithmic", "written by the fragment shader"}},
                             "from distance to depth"};
-    Real near{this, "near", 0.1, {0.01, 2.5}, "where the view begins"};
-    Real far{this, "far", 10000, {10, 1e6}, "where it ends"};
-    Real separation{this, "separation", 1e-5, {0, 0.1}, "from a road or pane to the next, as a part of the distance"};
+    Real near{this, "near", 0.1, {0.01, 2.5, Scale::logarithmic}, "where the view begins"};
+    Real far{this, "far", 10000, {10, 1e6, Scale::logarithmic}, "where it ends"};
+    Real separation{this,
+                    "separation",
+                    1e-5,
+                    {1e-7, 0.1, Scale::logarithmic, true},
+                    "from a road or pane to the next, as a part of the distance"};
     Real opacity{this, "opacity", 1, {0.2, 1}, "below 1 colours are blended"};
-    Angle spinX{this, "spin-x", 0, "turn bars or panes about the x axis"};
-    Angle spinY{this, "spin-y", 0, "turn bars or panes about the y axis"};
+    Spin spin{this};
 
     Readout wrongPixels{this, "wrong-pixels", "pixels of another colour than rays find there, edges left out", "%"};
     Readout misordered{this, "misordered", "pairs of points, separation apart, whose depths do not tell the nearer",
@@ -84,13 +95,18 @@ struct ZBuffer final : Demo {
     std::optional<Program> byLogarithm;
     Target drawn;
     Mesh plate, cover;
+    Drawing drawing;
     std::vector<double> cuts;  // of the plate that is uploaded
-    bool clipControl = false;
 
     ZBuffer() {
-        bindDrag(spinY, 1, spinX, 1);
         bindKeys(Key::left, Key::right, order, 1);
         bindKeys(Key::down, Key::up, depthTest, 1);
+        const auto turns = [this] { return place != Place::road; };
+        pieces.onlyWhen(turns, "the road has its own cells");
+        spin.x.onlyWhen(turns, "only bars and panes are turned");
+        spin.y.onlyWhen(turns, "only bars and panes are turned");
+        separation.onlyWhen([this] { return place != Place::cycle; }, "the bars have their own places");
+        format.onlyWhen([this] { return depthTest; }, "without depth test no depth is kept");
     }
 
     void init() override {
@@ -99,14 +115,9 @@ struct ZBuffer final : Demo {
         MeshData triangle;
         triangle.positions = {{-1, -1, 0}, {3, -1, 0}, {-1, 3, 0}};
         cover = Mesh(triangle, "picture");
-        clipControl = allowClipControl();  // OpenGL 4.5, or an extension of an older one
     }
 
     void draw(const Frame& frame) override {
-        if (mapping == Mapping::reversed && !clipControl)
-            frame.say(
-                "This driver has no glClipControl (OpenGL 4.5, GL_ARB_clip_control): the depth is reversed "
-                "through -1 .. 1, as by --mapping flipped.");
         if (!depthTest) frame.say("Without depth test nothing is written into the depth buffer, either.");
         const std::array<Plate, 3> plates = platesOf();
         const mat4 clip = clipFromView(frame.aspect(), zeroToOne());
@@ -132,6 +143,29 @@ struct ZBuffer final : Demo {
         else
             drawn.bindColor(0);
         cover.draw();
+        if (shown == Shown::curve) drawCurve(frame, plates, fmat4(clip));
+    }
+
+    // The depth of each distance between near and far, and of the three things where the eye looks.
+    void drawCurve(const Frame& frame, const std::array<Plate, 3>& plates, const fmat4& clip) {
+        const vec2 size(frame.width(), frame.height());
+        const Plot plot{{size * vec2(0.12, 0.14), size * 0.9}, {near, far, "distance", true}, {0, 1, "depth"}};
+        std::vector<vec2> values;
+        for (int i = 0; i <= 300; ++i) {
+            const double distance = plot.value(glm::mix(plot.box.low, plot.box.high, i / 300.0)).x;
+            values.emplace_back(distance, keptDepth(format, depthOf(clip, float(distance), zeroToOne())));
+        }
+        drawing.begin(frame);
+        drawing.fill({vec2(0), size}, vec4(1, 1, 1, 0.85));
+        drawing.axes(plot);
+        drawing.curve(plot, values, {.width = 2});
+        for (const Plate& thing : plates) {
+            const double distance = -(thing.viewFromPlate * vec4(0.5, 0, 0, 1)).z;
+            if (!(distance >= near && distance <= far)) continue;
+            const float depth = depthOf(clip, float(distance), zeroToOne());
+            drawing.point(plot.pixel({distance, keptDepth(format, depth)}), 9, vec4(thing.color, 1));
+        }
+        drawing.draw(frame);
     }
 
     void drawPlates(const std::array<Plate, 3>& plates, const mat4& clip) {
@@ -171,7 +205,7 @@ struct ZBuffer final : Demo {
         if (zeroToOne()) glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
     }
 
-    bool zeroToOne() const { return mapping == Mapping::reversed && clipControl; }
+    bool zeroToOne() const { return mapping == Mapping::reversed && has(beyond_es::clipControl); }
     bool nearIsOne() const { return mapping == Mapping::reversed || mapping == Mapping::flipped; }
 
     // Only the third row of the matrix has to do with depth.
@@ -187,7 +221,7 @@ struct ZBuffer final : Demo {
     }
 
     std::array<Plate, 3> platesOf() const {
-        const mat4 viewFromThings = translate(0, 0, -5) * rotateX(spinX) * rotateY(spinY);
+        const mat4 viewFromThings = translate(0, 0, -5) * spin.turn();
         if (place == Place::cycle) return barsInACycle(viewFromThings * translate(-0.1, -0.35, 0));
         if (place == Place::panes) return panes(viewFromThings, 5 * separation);
         return roadOnGround(far, separation);
@@ -250,10 +284,13 @@ struct ZBuffer final : Demo {
     std::vector<double> misorderedAmong(bool clipsToOne) const {
         const fmat4 clip(clipFromView(1, clipsToOne));
         return misorderedPairs(near, far, separation, pairCount, [&](float distance) {
-            const float depth = mapping == Mapping::logarithmic ? std::log2(1 + distance) / std::log2(1 + float(far))
-                                                                : windowDepth(clip, distance, clipsToOne);
-            return (nearIsOne() ? -1 : 1) * keptDepth(format, depth);
+            return (nearIsOne() ? -1 : 1) * keptDepth(format, depthOf(clip, distance, clipsToOne));
         });
+    }
+    // As the buffer is given it.
+    float depthOf(const fmat4& clip, float distance, bool clipsToOne) const {
+        if (mapping == Mapping::logarithmic) return std::log2(1 + distance) / std::log2(1 + float(far));
+        return windowDepth(clip, distance, clipsToOne);
     }
 };
 
@@ -261,11 +298,30 @@ const bool added = addDemo<ZBuffer>({
     .name = "z-buffer",
     .sentence = "What hides what: the painter's order, and a depth for each pixel in several formats.",
     .lookFor = "Switch the depth test off: no order of the three bars is right, until each of them is cut in two.",
-    .chapter = "Viewing and projection",
+    .chapter = "Stereo and hidden surfaces",
     .number = 8,
     .width = 600,
     .height = 600,
     .needs = {.beyondEs = {{"clip control", "the depth is reversed within -1..1, as with --mapping flipped"}}},
+    .presets =
+        {
+            {"cycle", "Each bar lies over one neighbour and under the other, in whatever order they are drawn."},
+            {"painter",
+             "Without the depth test what is drawn later covers what was drawn before: all orders are wrong somewhere.",
+             {{"depth-test", "off"}}},
+            {"greys",
+             "The depth buffer itself, darker where it is nearer.",
+             {{"show", "depth"}, {"near", "2.5"}, {"far", "10"}}},
+            {"road",
+             "The mark lies on the road and the road on the ground; far away 24 bits cannot tell them apart.",
+             {{"scene", "road"}, {"separation", "4e-06"}}},
+            {"road-reversed",
+             "The same road in a float buffer with reversed depth: its steps are as fine as the distances.",
+             {{"scene", "road"}, {"format", "d32f"}, {"mapping", "reversed"}, {"separation", "4e-06"}}},
+            {"glass",
+             "Panes that let light through, drawn from far to near; in another order the one behind is cut off.",
+             {{"scene", "panes"}, {"order", "bgr"}, {"separation", "0.01"}, {"opacity", "0.6"}}},
+        },
     .waste = {{"repeated-pass", "pass into 'scene'", "what the depth test costs in every frame is the lesson"},
               {"state-again", "glViewport", "the scene is as large as the picture, and a target sets its own"}},
 });

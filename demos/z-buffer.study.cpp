@@ -13,7 +13,7 @@ Study study() {
     Study study;
     study.quantity = "pairs of points at distances z and z (1 + separation) whose depths are not in order";
     study.reference = "which of the two is nearer, as they were made";
-    study.makeReference = [](const Demo& demo, const Frame&, const auto&) {
+    study.makeReference = [](const Demo& demo, const ReferenceFrame&, const auto&) {
         return Reference{.values = std::vector<double>(demo.values().size(), 0)};
     };
     study.scenes = {{"separation 1e-4", {{"near", "0.1"}, {"separation", "1e-4"}}},
@@ -24,7 +24,9 @@ Study study() {
             if (mapping == "flipped" && format != "D32F") continue;  // what it does to integers, reversed shows
             std::string word = format;
             for (char& letter : word) letter = char(std::tolower(letter));
-            study.lines.push_back({.method = format + " " + mapping,
+            std::string method = format;
+            method.append(" ").append(mapping);
+            study.lines.push_back({.method = method,
                                    .settings = {{"format", word}, {"mapping", mapping}},
                                    .knob = "far",
                                    .values = {"100", "1e4", "1e6"}});
@@ -34,8 +36,7 @@ Study study() {
     study.says =
         "Only the float with reversed depth and glClipControl has every pair in order; with standard depth it is no "
         "better than 24 bits, which gain a point or two by reversing. The times are those of this model on a CPU and "
-        "say "
-        "nothing of a GPU's.";
+        "say nothing of a GPU's.";
     study.ofValues = true;
     return study;
 }

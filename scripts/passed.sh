@@ -18,6 +18,7 @@ driver_files() {
 machine_key() {
   { driver_files | xargs -d '\n' sha256sum
     sed -n '/^$/q; /^vendor_id\|^model name\|^flags/p' /proc/cpuinfo
+    gnuplot --version 2>/dev/null || true
     env | grep -E '^(LD_|LIBGL|MESA|GALLIUM|LP_|DRAW_|EGL|MVGL|ASAN_|UBSAN_|LSAN_|LANG|LC_)' | sort || true
   } | sha256sum
 }
@@ -39,19 +40,36 @@ machine=
 
 # demo_keys FOLDER: "KEY TEST" for each test of one demo in the build folder.
 demo_keys() {
-  local folder=$1 name key
-  cut -d ' ' -f 3 "$folder/tests/of-demos.txt" | sort -u | link_inputs "$folder" >"$folder/tests/linked.txt"
+  local folder=$1
+  cut -d ' ' -f 3 "$folder/tests/of-demos.txt" | tr , '\n' | sort -u | link_inputs "$folder" >"$folder/tests/linked.txt"
   cut -d ' ' -f 2- "$folder/tests/linked.txt" | sort -u | (cd "$folder" && xargs -d '\n' sha256sum) >"$folder/tests/linked.sums"
-  # What a test may read at run time: all that is neither compiled (the objects count) nor a page nor another test's.
-  tree_files | grep -zvE '\.(cpp|h|inc|md|cmake)$|^tests/(analysed.txt|goldens/|window/|fuzz/|package/|scripts/)|CMakeLists.txt$|^(scripts/|test$|run$|\.)' |
+  # What a test may read at run time: all that is neither compiled (the objects count) nor another test's. (Golden pictures
+  # and pages count for the tests that say so.)
+  tree_files | grep -zvE '\.(cpp|h|inc|cmake)$|^tests/(analysed.txt|window/|fuzz/|package/|scripts/)|CMakeLists.txt$|^(scripts/|test$|run$|\.)' |
     (cd "$root" && xargs -0 sha256sum) >"$folder/tests/read.sums"
-  while read -r name key; do
-    key=$({ echo "$machine"; cat "$folder/tests/keys/$key"; } | sha256sum)
-    echo "${key%% *} $name"
-  done < <(
-    rm -rf "$folder/tests/keys" && mkdir -p "$folder/tests/keys"
-    cd "$root" && awk -v keys="$folder/tests/keys/" -f scripts/demo_keys.awk "$folder/tests/of-demos.txt" \
-      "$folder/tests/linked.txt" "$folder/tests/linked.sums" "$folder/tests/read.sums")
+  rm -rf "$folder/tests/keys" && mkdir -p "$folder/tests/keys"
+  # One process for all sums: there are hundreds of tests.
+  (cd "$root" && awk -v keys="$folder/tests/keys/" -v machine="$machine" -f scripts/demo_keys.awk "$folder/tests/of-demos.txt" \
+    "$folder/tests/linked.txt" "$folder/tests/linked.sums" "$folder/tests/read.sums") >"$folder/tests/numbered.txt"
+  (cd "$folder/tests/keys" && cut -d ' ' -f 2 ../numbered.txt | xargs -d '\n' sha256sum) |
+    paste -d ' ' - "$folder/tests/numbered.txt" | awk '{ print $1, $3 }'
+}
+
+# is_demo FOLDER NAME: whether tests there are that demo's.
+is_demo() { cut -d ' ' -f 2 "$1/tests/of-demos.txt" | grep -qFx -e "$2"; }
+
+# test_results FOLDER: "TEST STATE SECONDS" for each test of the last run, by ctest's own report.
+test_results() {
+  sed -n 's/.*<testcase name="\([^"]*\)".* time="\([^"]*\)" status="\([a-z]*\)".*/\1 \3 \2/p' "$1/tests.xml"
+}
+
+# most_expensive FOLDER...: the ten tests that took longest in the last runs there, with their seconds, the longest first.
+most_expensive() {
+  local folder
+  for folder in "$@"; do
+    [ ! -f "$folder/tests.xml" ] || test_results "$folder" |
+      awk -v where="$([ "$folder" = "$build" ] || echo " (${folder#"$build"/})")" '$2 == "run" || $2 == "fail" { printf "%8.1f s  %s%s\n", $3, $1, where }'
+  done | sort -rn | sed -n 1,10p
 }
 
 # run_tests FOLDER AGAIN CTEST-ARGUMENT...: all tests that the arguments choose, but for those of demos that have passed with
@@ -72,11 +90,12 @@ run_tests() {
   rm -f "$folder/tests.xml"
   (cd "$root" && ctest "$@" --output-on-failure --output-junit "$folder/tests.xml" 9>&-) || status=$?  # what a test leaves behind holds no lock
   demo_keys "$folder" >"$folder/tests/keys-after.txt"
-  sed -n 's/.*<testcase name="\([^"]*\)".* status="\([a-z]*\)".*/\1 \2/p' "$folder/tests.xml" |
-    while read -r name state; do
-      rm -f "$folder/passed/$name"
-      key=$(grep -Fx -f "$folder/tests/keys-before.txt" "$folder/tests/keys-after.txt" | sed -n "s/ ${name//./\\.}\$//p")
-      [ "$state" != run ] || [ -z "$key" ] || echo "$key" >"$folder/passed/$name"
-    done
+  local -A unchanged=()
+  while read -r key name; do unchanged[$name]=$key; done < <(
+    grep -Fx -f "$folder/tests/keys-before.txt" "$folder/tests/keys-after.txt")
+  while read -r name state _; do
+    rm -f "$folder/passed/$name"
+    [ "$state" != run ] || [ -z "${unchanged[$name]:-}" ] || echo "${unchanged[$name]}" >"$folder/passed/$name"
+  done < <(test_results "$folder")
   return "$status"
 }

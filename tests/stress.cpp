@@ -37,11 +37,10 @@ std::string affordable(const std::string& knob, const std::string& value) {
 }
 
 // The knobs of the open demo, each with the values that are tried: every option of a choice, both of a toggle, and of a
-// number its ends and what it is in the demo's pose.
+// number its ends and its initial value.
 class Settings {
   public:
     Settings(Demo& demo, bool all) : demo_(demo) {
-        strikePose(demo, stage().info());
         for (const Knob* knob : demo.knobs()) {
             std::vector<std::string> values;
             const auto add = [&](const std::string& value) {
@@ -171,11 +170,11 @@ TEST_P(Stress, pairs_of_ends) {
                 array.rows.size(), array.refused.size());
 }
 
-// The same pairs, each by itself: all other knobs are as in the demo's pose.
+// The same pairs, each by itself: all other knobs are as they open.
 TEST_P(StressLong, all_pairs_of_ends) {
     DemoRun run(GetParam(), 64, 48);
     Settings settings(run.demo(), true);
-    std::set<Row> rows;  // without those that come again: a pair of the pose is the pose
+    std::set<Row> rows;  // without those that come again: a pair of initial values is all of them
     int refused = 0;
     forEachPair(settings.levels(), [&](const ValuePair& pair) {
         const Row row = settings.usualWith(pair);
@@ -193,7 +192,6 @@ TEST_P(StressLong, all_pairs_of_ends) {
 // A single pixel, a column and a row of them.
 TEST_P(Stress, extreme_sizes) {
     DemoRun run(GetParam(), 1, 1);
-    strikePose(run.demo(), stage().info());
     for (const auto& [width, height] : {std::pair{1, 1}, {1, 4096}, {16384, 16}}) {
         stage().resize(width, height);
         expectSound();
@@ -209,7 +207,6 @@ TEST_P(Stress, a_day_of_frames) {
     constexpr int day = 24 * 60 * 60 * 60;
     static_assert(day == 5'184'000);
     DemoRun run(GetParam(), 64, 48);
-    strikePose(run.demo(), stage().info());
     const Picture first = soundPicture(1);
     const Picture later = soundPicture(day);
     expectSound(day - 1);
@@ -222,11 +219,11 @@ TEST_P(Stress, a_day_of_frames) {
     }
 }
 
-// What a user draws who plays with each knob: the demo's pose and, one after the other, each knob at each of its ends, with
-// the pose between them, with its readouts after each knob. Frames are numbered on, as in a window.
+// What a user draws who plays with each knob: one after the other, each knob at each of its ends, and between them the demo
+// as it opens, with its readouts after each knob. Frames are numbered on, as in a window.
 class Rounds {
   public:
-    explicit Rounds(Demo& demo) : demo_(demo) { strikePose(demo, stage().info()); }
+    explicit Rounds(Demo& demo) : demo_(demo) {}
     void draw() {
         for (Knob* knob : demo_.knobs()) {
             const std::string before = knob->text();

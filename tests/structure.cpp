@@ -39,31 +39,47 @@ std::set<std::string> matches(const std::string& text, const std::regex& pattern
     return found;
 }
 
-}  // namespace
-
-TEST(Claims, each_has_a_test_and_each_test_a_claim) {
-    for (const DemoInfo& info : catalogue()) {
-        SCOPED_TRACE(info.name);
-        const auto claims =
-            matches(fileText(source / "demos" / (info.name + ".cpp")), std::regex(R"(// - \[([a-z0-9-]+)\])"));
-        auto tests =
-            matches(fileText(source / "tests/claims" / (info.name + ".cpp")), std::regex(R"(TEST\(\w+, (\w+)\))"));
-        std::set<std::string> ids;
-        for (std::string id : tests) {
-            std::replace(id.begin(), id.end(), '_', '-');
-            ids.insert(id);
-        }
-        EXPECT_FALSE(claims.empty());
-        EXPECT_EQ(claims, ids);
+// The links of a page lead to files that are there.
+void expectLinksLead(const fs::path& page) {
+    const auto targets = matches(fileText(page), std::regex(R"(\]\(([^)#]+)[^)]*\))"));
+    for (const std::string& target : targets) {
+        if (target.rfind("http", 0) == 0) continue;
+        EXPECT_TRUE(fs::exists(page.parent_path() / target)) << page << ": " << target;
     }
 }
 
+// What belongs to one demo.
+class OfDemo : public testing::TestWithParam<std::string> {};
+
+}  // namespace
+
+TEST_P(OfDemo, each_claim_has_a_test_and_each_test_a_claim) {
+    const auto claims =
+        matches(fileText(source / "demos" / (GetParam() + ".cpp")), std::regex(R"(// - \[([a-z0-9-]+)\])"));
+    const auto tests =
+        matches(fileText(source / "tests/claims" / (GetParam() + ".cpp")), std::regex(R"(TEST\(\w+, (\w+)\))"));
+    std::set<std::string> ids;
+    for (std::string id : tests) {
+        std::replace(id.begin(), id.end(), '_', '-');
+        ids.insert(id);
+    }
+    EXPECT_FALSE(claims.empty());
+    EXPECT_EQ(claims, ids);
+}
+
+TEST_P(OfDemo, the_page_has_fresh_tables_and_links_that_lead_somewhere) {
+    const fs::path file = source / "demos" / (GetParam() + ".md");
+    const std::string page = fileText(file);
+    EXPECT_EQ(page, lessonPage(page, findDemo(GetParam()))) << "./run --docs . makes it anew";
+    expectLinksLead(file);
+}
+
+INSTANTIATE_TEST_SUITE_P(, OfDemo, testing::ValuesIn(mv::test::demoNames()), mv::test::parameterWord);
+
 TEST(Pages, tables_are_fresh) {
     EXPECT_EQ(fileText(source / "docs/demos.md"), cataloguePage()) << "./run --docs . makes it anew";
-    for (const DemoInfo& info : catalogue()) {
-        const std::string page = fileText(source / "demos" / (info.name + ".md"));
-        EXPECT_EQ(page, lessonPage(page, info)) << info.name << ": ./run --docs . makes it anew";
-    }
+    const std::string readme = fileText(source / "README.md");
+    EXPECT_EQ(readme, readmePage(readme)) << "README.md: ./run --docs . makes it anew";
 }
 
 // Words exactly; numbers within 1 %, which is what drivers differ by in the samples on edges.
@@ -91,18 +107,8 @@ TEST(Pages, strip_is_fresh) {
     EXPECT_LE(difference.fraction, 0.001);
 }
 
-// The links of the pages lead to files that are there.
 TEST(Pages, links_lead_somewhere) {
-    std::vector<fs::path> pages{source / "README.md", source / "CONTRIBUTING.md", source / "docs/demos.md"};
-    for (const DemoInfo& info : catalogue()) pages.push_back(source / "demos" / (info.name + ".md"));
-    const std::regex link(R"(\]\(([^)#]+)[^)]*\))");
-    for (const fs::path& page : pages) {
-        const auto targets = matches(fileText(page), link);
-        for (const std::string& target : targets) {
-            if (target.rfind("http", 0) == 0) continue;
-            EXPECT_TRUE(fs::exists(page.parent_path() / target)) << page << ": " << target;
-        }
-    }
+    for (const char* page : {"README.md", "CONTRIBUTING.md", "docs/demos.md"}) expectLinksLead(source / page);
 }
 
 // ---- OpenGL ES 3.0, which is WebGL 2's: in processes of their own, since a program has one table of GL functions.
@@ -120,18 +126,22 @@ std::vector<std::string> filesEndingIn(const std::string& end) {
     return names;
 }
 
-// Every program of every demo compiles and links as GLSL ES 3.00; what it samples is of high precision, as in OpenGL.
-TEST(Shaders, compile_as_es) {
+class Shaders : public testing::TestWithParam<std::string> {};
+
+// Every program of a demo compiles and links as GLSL ES 3.00; what it samples is of high precision, as in OpenGL.
+TEST_P(Shaders, compile_as_es) {
     const auto context = openEs();
     loadFunctions([&](const char* name) { return context->address(name); });
     ASSERT_TRUE(isEs());
-    std::set<std::string> demos;
+    int compiled = 0;
     for (const std::string& file : filesEndingIn(".vert")) {
         const std::string stem = file.substr(0, file.size() - 5);
+        if (stem.substr(0, stem.find('.')) != GetParam()) continue;
         EXPECT_NO_THROW(Program{stem}) << stem;
-        demos.insert(stem.substr(0, stem.find('.')));
+        ++compiled;
     }
-    for (const DemoInfo& info : catalogue()) EXPECT_TRUE(demos.contains(info.name)) << info.name;
+    EXPECT_GT(compiled, 0) << "shaders/" << GetParam()
+                           << ".vert and .frag must be there: a demo has one program at least";
     EXPECT_EQ(liveObjects(), 0);
     EXPECT_TRUE(takeErrors().empty());
 
@@ -143,35 +153,33 @@ TEST(Shaders, compile_as_es) {
     }
 }
 
-// A demo draws in ES what it draws in OpenGL, in its pose with each choice and switch of its knobs.
-TEST(Shaders, draw_the_same_in_es) {
+// A demo draws in ES what it draws in OpenGL, as it opens and with each choice and switch of its knobs.
+TEST_P(Shaders, draw_the_same_in_es) {
+    const DemoInfo& info = findDemo(GetParam());
     std::map<std::string, Picture> right;
     const auto drawAll = [&](Stage& stage, const std::function<void(const std::string&, const Picture&)>& drawn) {
-        for (const DemoInfo& info : catalogue()) {
-            stage.open(info, 128, 96);
-            strikePose(stage.demo(), info);
-            const auto draw = [&](const std::string& setting) {
-                SCOPED_TRACE(info.name + " " + setting);
-                try {
-                    stage.draw(1, true);
-                    drawn(info.name + " " + setting, stage.picture());
-                } catch (const Error& error) {
-                    ADD_FAILURE() << error.what();
-                }
-            };
-            draw("");
-            for (Knob* knob : stage.demo().knobs()) {
-                const std::string before = knob->text();
-                for (const Option& option : knob->options()) {
-                    knob->parse(option.word);
-                    try {
-                        stage.demo().check();
-                        draw("--" + knob->name() + " " + option.word);
-                    } catch (const Error&) {  // refused, on both
-                    }
-                }
-                knob->parse(before);
+        stage.open(info, 128, 96);
+        const auto draw = [&](const std::string& setting) {
+            SCOPED_TRACE(info.name + " " + setting);
+            try {
+                stage.draw(1, true);
+                drawn(setting, stage.picture());
+            } catch (const Error& error) {
+                ADD_FAILURE() << error.what();
             }
+        };
+        draw("");
+        for (Knob* knob : stage.demo().knobs()) {
+            const std::string before = knob->text();
+            for (const Option& option : knob->options()) {
+                knob->parse(option.word);
+                try {
+                    stage.demo().check();
+                    draw("--" + knob->name() + " " + option.word);
+                } catch (const Error&) {  // refused, on both
+                }
+            }
+            knob->parse(before);
         }
         stage.close();
     };
@@ -187,6 +195,8 @@ TEST(Shaders, draw_the_same_in_es) {
         EXPECT_EQ(compare(right.at(setting), picture).beyond, 0) << setting;
     });
 }
+
+INSTANTIATE_TEST_SUITE_P(, Shaders, testing::ValuesIn(mv::test::demoNames()), mv::test::parameterWord);
 
 // Depths are compared by shaders/include/shadow-map.glsl, which minds what is beyond the map's end.
 TEST(ShaderFiles, compare_depths_in_one_place) {

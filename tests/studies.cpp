@@ -126,6 +126,7 @@ TEST_P(Studies, a_varied_knob_is_judged_as_one_that_is_set) {
     for (const Knob* knob : declared->knobs()) {
         SCOPED_TRACE(knob->name());
         const std::vector<std::string> sweep = knob->sweep(), values{knob->initialText(), sweep.front(), sweep.back()};
+        if (knob->initialText().find(',') != std::string::npos) continue;  // points, which a list cannot have
         std::string vary = knob->name() + "=";
         for (const std::string& value : values) vary += (vary.ends_with('=') ? "" : ",") + value;
         // A few pixels suffice: a reference of other settings is wrong by far.

@@ -1,6 +1,8 @@
 // Every demo, every knob at its ends, its initial value and each of its choices.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <optional>
 #include <set>
 
 #include "mv/gl/beyond_es.h"
@@ -36,40 +38,177 @@ void expectPicture(const std::string& setting) {
     }
 }
 
-TEST_P(Sweep, knobs) {
-    stage();
-    watchBeyondEs();
-    DemoRun run(GetParam());
-    halve();
+// Each value of each knob that a test tries; how many were tried, and how many of them were refused.
+struct Tried {
+    int cases = 1, refused = 0;
+    std::set<std::string> sentences;  // said beside the pictures, or in refusals
+};
+Tried tryKnobs(DemoRun& run) {
     // By index: a range-for over make()->knobs() would read a dead temporary; here the stage keeps the demo alive.
     const std::vector<Knob*>& knobs = run.demo().knobs();
     expectPicture("initial");
-    int cases = 1, refused = 0;
-    strikePose(run.demo(), stage().info());
+    Tried tried;
     for (Knob* knob : knobs) {
         const std::string before = knob->text();
         for (const std::string& value : knob->sweep()) {
             knob->parse(value);
             EXPECT_EQ(knob->text(), value);
-            ++cases;
+            ++tried.cases;
             const std::string refusal = run.refusal();
             if (refusal.empty()) {
                 expectPicture(knob->name() + " = " + value);
+                for (const std::string& message : run.messages()) tried.sentences.insert(message);
             } else {
-                ++refused;
+                ++tried.refused;
+                tried.sentences.insert(refusal);
                 EXPECT_EQ(refusal.rfind("--", 0), 0U) << "a refusal begins with the flag: " << refusal;
                 EXPECT_THROW(stage().draw(1), Error);
             }
         }
         knob->parse(before);
     }
-    EXPECT_LE(refused, cases / 10) << "at least 90 % of the settings draw";
+    EXPECT_LE(tried.refused, tried.cases / 10) << "at least 90 % of the settings draw";
+    return tried;
+}
+
+TEST_P(Sweep, knobs) {
+    stage();
+    watchBeyondEs();
+    DemoRun run(GetParam());
+    halve();
+    const Tried tried = tryKnobs(run);
     // All that ES 3.0 lacks and these frames have used is declared, and nothing else.
     std::set<std::string> declared;
     for (const BeyondEs& lacking : stage().info().needs.beyondEs) declared.insert(lacking.feature);
     EXPECT_EQ(stopWatchingBeyondEs(), declared) << ".needs = {.beyondEs = ...} is not what the demo uses";
-    std::printf("%s on %s: %d settings, %d refused\n", GetParam().c_str(), stage().driver().host.c_str(), cases,
-                refused);
+    std::printf("%s on %s: %d settings, %d refused\n", GetParam().c_str(), stage().driver().host.c_str(), tried.cases,
+                tried.refused);
+}
+
+// What a demo asks for by has(), as if the context lacked it: it draws all the same, does not use it, and says so.
+TEST_P(Sweep, without_what_a_context_may_lack) {
+    stage();
+    const DemoInfo& info = findDemo(GetParam());
+    for (const BeyondEs& lacking : info.needs.beyondEs) {
+        const std::set<std::string> asked{beyond_es::clipControl, beyond_es::floatBlending, beyond_es::clipDistances};
+        if (!asked.contains(lacking.feature)) continue;  // others are asked by isEs(), and met by the ES tests
+        SCOPED_TRACE("without " + lacking.feature);
+        withhold({lacking.feature});
+        watchBeyondEs();
+        {
+            DemoRun run(GetParam());
+            halve();
+            const Tried tried = tryKnobs(run);
+            const bool said = std::any_of(tried.sentences.begin(), tried.sentences.end(), [&](const std::string& one) {
+                return one.find("has no " + lacking.feature) != std::string::npos;
+            });
+            EXPECT_TRUE(said) << "no setting says what it lacks";
+        }
+        EXPECT_FALSE(stopWatchingBeyondEs().contains(lacking.feature));
+        withhold({});
+        stage().close();
+    }
+}
+
+// Each preset is a picture, and no two are alike; it is written as the knobs write their values, and the readouts that its
+// sentence tells are as it tells them.
+TEST_P(Sweep, presets) {
+    DemoRun run(GetParam());
+    const std::vector<Preset>& presets = stage().info().presets;
+    EXPECT_GE(presets.size(), 2U);
+    EXPECT_LE(presets.size(), 6U);
+    std::vector<Picture> pictures;
+    for (const Preset& preset : presets) {
+        applyPreset(run.demo(), preset);
+        EXPECT_TRUE(isAtPreset(run.demo(), preset)) << preset.name << " is not written as the knobs write it";
+        EXPECT_EQ(run.refusal(), "") << preset.name;
+        expectPicture("preset " + preset.name);
+        for (const ExpectedReadout& expected : preset.expect) {
+            const double value = run.readout(expected.readout);
+            EXPECT_TRUE(expected.low <= value && value <= expected.high)
+                << preset.name << " says otherwise: " << expected.readout << " is " << value;
+        }
+        pictures.push_back(stage().picture());
+    }
+    for (std::size_t a = 0; a < pictures.size(); ++a) {
+        for (std::size_t b = a + 1; b < pictures.size(); ++b) {
+            // What is less is not seen at a glance.
+            EXPECT_GT(double(differentPixels(pictures[a], pictures[b])), 0.01 * pictures[a].width * pictures[a].height)
+                << presets[a].name << " and " << presets[b].name << " are too much alike";
+        }
+    }
+    // What a preset leaves unsaid is initial, whatever was set before.
+    if (presets.empty()) return;
+    for (Knob* knob : run.demo().knobs()) knob->parse(knob->sweep().back());
+    applyPreset(run.demo(), presets.front());
+    for (const Knob* knob : run.demo().knobs()) EXPECT_TRUE(knob->isInitial()) << knob->name();
+}
+
+// Knobs that change no picture on purpose.
+const std::set<std::string> unseen{
+    "cube-ortho distance",  // which is the lesson: a parallel view does not depend on it
+    "shadow-map keep",      // what is kept is what would be drawn again
+    "shadow-lights keep",   // the same
+    "shadow-methods keep",  // the same
+};
+
+// In a setting that a knob calls idle it changes no byte of the picture; and a knob that changes none in any of the
+// settings below says so there, or is one of the above. The settings: each preset, and beside the first one each choice and switch.
+TEST_P(Sweep, idle_knobs) {
+    DemoRun run(GetParam(), 160, 120);
+    const std::vector<Knob*>& knobs = run.demo().knobs();
+    std::set<std::string> seen, saidIdle;
+    int cases = 0;
+    const auto drawn = [&]() -> std::optional<Picture> {
+        if (!run.refusal().empty()) return {};
+        stage().draw(1);
+        return stage().picture();
+    };
+    const auto tryAll = [&](const std::string& context) {
+        const auto before = drawn();
+        if (!before) return;
+        for (Knob* knob : knobs) {
+            const std::string reason = run.demo().idleReason(*knob), present = knob->text();
+            if (!reason.empty()) saidIdle.insert(knob->name());
+            if (reason.empty() && seen.count(knob->name()) > 0) continue;
+            for (const std::string& value : knob->sweep()) {
+                if (value == present) continue;
+                knob->parse(value);
+                const auto after = drawn();
+                ++cases;
+                if (!reason.empty()) {
+                    EXPECT_EQ(after, before)
+                        << context << ": --" << knob->name() << " " << value
+                        << " changes the picture, or is refused, and is said to be idle: " << reason;
+                } else if (after && after != before) {
+                    seen.insert(knob->name());
+                }
+                if (reason.empty() && seen.count(knob->name()) > 0) break;
+            }
+            knob->parse(present);
+        }
+    };
+    for (const Preset& preset : stage().info().presets) {
+        applyPreset(run.demo(), preset);
+        tryAll(preset.name);
+        if (&preset != stage().info().presets.data()) continue;
+        for (Knob* knob : knobs) {
+            const std::string present = knob->text();
+            const bool few = !knob->options().empty() || knob->range() == "on | off";
+            for (const std::string& value : few ? knob->sweep() : std::vector<std::string>{}) {
+                if (value == present) continue;
+                knob->parse(value);
+                tryAll(preset.name + " --" + knob->name() + " " + value);
+            }
+            knob->parse(present);
+        }
+    }
+    for (const Knob* knob : knobs) {
+        const std::string name = GetParam() + " " + knob->name();
+        EXPECT_EQ(seen.count(knob->name()), 1 - unseen.count(name))
+            << name << (seen.count(knob->name()) ? " is listed as unseen, and is seen" : " changes no picture");
+    }
+    std::printf("%s: %d cases, %zu knobs idle somewhere\n", GetParam().c_str(), cases, saidIdle.size());
 }
 
 // What stands in the declaration is what the picture depends on.

@@ -13,8 +13,8 @@
 #include "mv/error.h"
 #include "mv/geometry/check.h"
 #include "mv/geometry/ray_caster.h"
-#include "mv/geometry/scenes.h"
 #include "mv/geometry/shapes.h"
+#include "shared/scenes.h"
 #include "support/random.h"
 #include "support/textbook_rays.h"
 

@@ -6,13 +6,13 @@
 
 #include "bench/benches.h"
 #include "mv/error.h"
-#include "mv/geometry/scenes.h"
 #include "mv/gl/gl.h"
 #include "mv/gl/scene_meshes.h"
 #include "mv/math/projection.h"
 #include "mv/math/shadow.h"
 #include "mv/math/transform.h"
 #include "mv/run/render.h"
+#include "shared/scenes.h"
 
 namespace mv::bench {
 namespace {

@@ -16,6 +16,7 @@ constexpr std::array<std::array<int, 2>, 6> turns{{{0, 0}, {0, 40}, {35, 30}, {-
 
 TEST(CubeCull, convex_needs_no_depth) {
     DemoRun run("cube-cull");
+    run.preset("original");
     for (const auto& [spinX, spinY] : turns) {
         run.set("spin-x", spinX).set("spin-y", spinY).set("cull", "both");
         // The axes pierce the cube, so they are what depth decides; the faces alone are compared by their colours.
@@ -40,6 +41,7 @@ TEST(CubeCull, convex_needs_no_depth) {
 
 TEST(CubeCull, front_is_inside) {
     DemoRun run("cube-cull");
+    run.preset("original");
     run.set("spin-x", 20).set("spin-y", 30);
     const Picture outside = run.picture();
     const Picture inside = run.set("cull", "front").picture();
@@ -54,6 +56,7 @@ TEST(CubeCull, front_is_inside) {
 
 TEST(CubeCull, half_to_five_sixths) {
     DemoRun run("cube-cull");
+    run.preset("original");
     std::array<bool, 4> seen{};
     for (const auto& [spinX, spinY] : turns) {
         run.set("spin-x", spinX).set("spin-y", spinY).picture();
@@ -70,6 +73,7 @@ TEST(CubeCull, half_to_five_sixths) {
 
 TEST(CubeCull, eye_inside) {
     DemoRun run("cube-cull");
+    run.preset("original");
     // The page's numbers: the face before the eye is in the view, the others are not.
     run.set("z-dist", 0.3).picture();
     EXPECT_EQ(run.readout("facing"), 0);
@@ -87,6 +91,7 @@ TEST(CubeCull, eye_inside) {
 
 TEST(CubeCull, lines_stay) {
     DemoRun run("cube-cull");
+    run.preset("original");
     const Picture picture = run.set("cull", "both").set("spin-x", 20).set("spin-y", 30).picture();
     EXPECT_EQ(run.readout("surviving"), 0);
     for (const Pixel axis : {Pixel{255, 0, 0}, Pixel{0, 255, 0}, Pixel{0, 0, 255}})

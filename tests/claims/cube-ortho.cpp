@@ -31,6 +31,7 @@ DemoRun& turned(DemoRun& run) { return run.set("spin-x", 30).set("spin-y", 40); 
 
 TEST(CubeOrtho, identity_and_mirror) {
     DemoRun run("cube-ortho");
+    run.preset("original");
     run.picture();
     EXPECT_EQ(run.readout("near"), -1);
     EXPECT_EQ(run.readout("far"), 1);
@@ -46,6 +47,7 @@ TEST(CubeOrtho, identity_and_mirror) {
 
 TEST(CubeOrtho, far_hides_near) {
     DemoRun run("cube-ortho");
+    run.preset("original");
     const Picture near = straight(run).picture();
     EXPECT_EQ(countPixels(near, red), 256L * 256);  // the face at z = +0.5, half the window wide
     EXPECT_EQ(countPixels(near, blue), 0);
@@ -63,6 +65,7 @@ TEST(CubeOrtho, far_hides_near) {
 
 TEST(CubeOrtho, distance_changes_nothing) {
     DemoRun run("cube-ortho");
+    run.preset("original");
     const Picture here = turned(run).picture();
     for (const double distance : {1.0, 2.0, 5.0}) {
         EXPECT_EQ(run.set("distance", distance).picture(), here) << distance;
@@ -75,6 +78,7 @@ TEST(CubeOrtho, distance_changes_nothing) {
 
 TEST(CubeOrtho, box_fills_window) {
     DemoRun run("cube-ortho");
+    run.preset("original");
     straight(run);
     for (const double width : {1.0, 2.0, 4.0, 8.0}) {
         for (const double height : {1.0, 2.0, 4.0}) {
@@ -88,6 +92,7 @@ TEST(CubeOrtho, box_fills_window) {
 
 TEST(CubeOrtho, slab_is_a_hexagon) {
     DemoRun run("cube-ortho");
+    run.preset("original");
     // acos(1/sqrt 3) from the y axis: the diagonal of the cube is the line of sight.
     const double tilt = degrees(std::atan(std::sqrt(0.5)));
     const Picture picture = run.set("depth", 0.05).set("spin-x", tilt).set("spin-y", 45).picture();
@@ -105,6 +110,7 @@ TEST(CubeOrtho, slab_is_a_hexagon) {
 
 TEST(CubeOrtho, minus_in_row_three) {
     DemoRun run("cube-ortho");
+    run.preset("original");
     run.set("distance", 2).picture();
     ASSERT_EQ(run.readout("near"), 1);
     ASSERT_EQ(run.readout("far"), 3);
@@ -123,6 +129,7 @@ TEST(CubeOrtho, minus_in_row_three) {
 
 TEST(CubeOrtho, nothing_is_refused) {
     DemoRun run("cube-ortho", 128, 128);
+    run.preset("original");
     for (const char* knob : {"depth", "width", "height"}) {
         try {
             run.set(knob, 0);

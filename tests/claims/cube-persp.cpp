@@ -49,6 +49,7 @@ std::array<float, 2> cubeDepths(DemoRun& run) {
 
 TEST(CubePersp, same_as_frustum) {
     DemoRun run("cube-persp", 16, 16);
+    run.preset("original");
     for (const double fov : {10.0, 65.0, 120.0}) {
         for (const double aspect : {0.5, 1.0, 2.0}) {
             for (const double near : {0.01, 0.3, 1.4}) {
@@ -78,6 +79,7 @@ TEST(CubePersp, same_as_frustum) {
 
 TEST(CubePersp, fovx_follows) {
     DemoRun run("cube-persp", 16, 16);
+    run.preset("original");
     for (const double fov : {10.0, 65.0, 120.0}) {
         for (const double aspect : {0.5, 1.0, 2.0}) {
             run.set("fov", fov).set("aspect", aspect).picture();
@@ -97,6 +99,7 @@ TEST(CubePersp, fovx_follows) {
 
 TEST(CubePersp, farther_is_smaller) {
     DemoRun run("cube-persp");
+    run.preset("original");
     straight(run);
     for (const double fov : {40.0, 65.0, 100.0}) {
         run.set("fov", fov);
@@ -110,6 +113,7 @@ TEST(CubePersp, farther_is_smaller) {
 
 TEST(CubePersp, near_opens_the_cube) {
     DemoRun run("cube-persp");
+    run.preset("original");
     straight(run);
     const Picture closed = run.set("near", 1.4).picture();
     EXPECT_GT(countPixels(closed, red), 10000);
@@ -121,6 +125,7 @@ TEST(CubePersp, near_opens_the_cube) {
 
 TEST(CubePersp, near_costs_depth) {
     DemoRun run("cube-persp");
+    run.preset("original");
     run.set("spin-x", 30).set("spin-y", 40).picture();  // turned, so that its pixels have different depths
     const double usualStep = run.readout("depth-step");
     const auto usual = cubeDepths(run);
@@ -145,6 +150,7 @@ TEST(CubePersp, near_costs_depth) {
 
 TEST(CubePersp, near_below_far) {
     DemoRun run("cube-persp");
+    run.preset("original");
     run.set("near", 2).set("far", 1.8);
     EXPECT_EQ(run.refusal(), "--near: must be less than --far 1.8, 2");
     EXPECT_THROW(run.picture(), mv::Error);

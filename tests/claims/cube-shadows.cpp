@@ -6,10 +6,10 @@
 
 #include "mv/demo/demo.h"
 #include "mv/geometry/ray_caster.h"
-#include "mv/geometry/scenes.h"
 #include "mv/math/shadow.h"
 #include "mv/math/transform.h"
 #include "mv/run/study.h"
+#include "shared/scenes.h"
 #include "support/demo_run.h"
 
 using namespace mv;
@@ -25,6 +25,7 @@ using Settings = std::map<std::string, std::string>;
 // A view of the room from the right, at a size that is cast fast.
 DemoRun inRoom(const Settings& settings = {}) {
     DemoRun run("cube-shadows", 320, 320);
+    run.preset("original");
     for (const auto& [knob, text] : Settings{{"scene", "room"},
                                              {"theta", "15"},
                                              {"phi", "68"},
@@ -177,6 +178,7 @@ TEST(CubeShadows, cast_by_rays) {
 TEST(CubeShadows, no_shadow_seen_from_the_light) {
     // The original's first picture. Caster and shadow have one outline here, so rounding may leave a pixel on it.
     DemoRun run("cube-shadows");
+    run.preset("original");
     run.set("darkness", 0.5);
     EXPECT_LE(darkened(run).count(), 5);
     run.set("light-theta", 60);
@@ -377,6 +379,8 @@ TEST(CubeShadows, far_from_the_origin) {
     EXPECT_GT(run.readout("place-error"), 5e-4);
 
     DemoRun fresh("cube-shadows");
+
+    fresh.preset("original");
     const StudyRun result = runStudy(stage(), *findDemo("cube-shadows").study, {.timed = false});
     ASSERT_EQ(result.rows.size(), 54U);
     for (const StudyRow& row : result.rows) {

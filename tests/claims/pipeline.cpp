@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "mv/demo/demo.h"
-#include "mv/demo/gpu_product.h"
 #include "mv/run/study.h"
+#include "shared/gpu_product.h"
 #include "support/demo_run.h"
 
 using namespace mv;

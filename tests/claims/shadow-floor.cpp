@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "mv/demo/demo.h"
+#include "mv/math/projection.h"
 #include "mv/math/transform.h"
 #include "support/demo_run.h"
 #include "support/shadow_rays.h"
@@ -47,6 +48,7 @@ std::string onlyMessage(DemoRun& run) {
 
 TEST(ShadowFloor, cast_by_rays) {
     DemoRun run("shadow-floor");
+    run.set("rays", "off");
     struct Case {
         int frame;
         double z, spinX, spinY;
@@ -63,6 +65,7 @@ TEST(ShadowFloor, cast_by_rays) {
 
 TEST(ShadowFloor, marker_at_the_light) {
     DemoRun run("shadow-floor");
+    run.set("rays", "off");
     for (const int frame : {1, 90, 250}) {
         const Picture picture = run.picture(frame);
         vec2 sum(0);
@@ -87,8 +90,36 @@ TEST(ShadowFloor, marker_at_the_light) {
     }
 }
 
+TEST(ShadowFloor, on_one_line) {
+    DemoRun run("shadow-floor");
+    for (const int frame : {1, 60, 200}) {
+        const Picture picture = run.set("rays", "on").picture(frame);
+        const mat4 clipFromWorld = run.matrix("clipFromView") * run.matrix("viewFromWorld");
+        const auto pixelOf = [&](const vec4& point) {
+            return pixelFromNdc(ndcFromClip(clipFromWorld * point), picture.width, picture.height);
+        };
+        const vec2 light = pixelOf({std::sin(0.02 * frame), 2, std::cos(0.02 * frame), 1});
+        for (const vec4& corner : {vec4(-0.5, 0.5, 0.5, 1), vec4(0.5, 0.5, 0.5, 1)}) {
+            const vec2 through = pixelOf(corner), end = pixelOf(run.matrix("shadowFromWorld") * corner);
+            const vec2 along = glm::normalize(end - light), to = through - light;
+            EXPECT_NEAR(along.x * to.y - along.y * to.x, 0, 1e-9);
+            // Orange between light and corner, where there is nothing else
+            for (const double part : {0.2, 0.5, 0.8}) {
+                const vec2 at = light + part * to;
+                bool found = false;
+                for (int up = -1; up <= 1; ++up) {
+                    const Pixel p = picture.at(int(at.x), picture.height - 1 - int(at.y) + up);
+                    found |= p.red > 220 && p.blue < 180;
+                }
+                EXPECT_TRUE(found) << "frame " << frame << " at " << at.x << ", " << at.y;
+            }
+        }
+    }
+}
+
 TEST(ShadowFloor, no_fighting) {
     DemoRun run("shadow-floor");
+    run.set("rays", "off");
     for (const double z : {-10, -4, 4, 10}) {
         for (const double spinX : {0.0, z < 0 ? -80.0 : 80.0}) {  // along the floor, and straight down on it
             run.set("z-dist", z).set("spin-x", spinX);
@@ -101,6 +132,7 @@ TEST(ShadowFloor, no_fighting) {
 
 TEST(ShadowFloor, floor_hides_from_below) {
     DemoRun run("shadow-floor");
+    run.set("rays", "off");
     for (const double spinX : {20, 40, 80}) {
         for (const double z : {-10, -4}) {
             const Picture picture = run.set("z-dist", z).set("spin-x", spinX).picture(30);
@@ -113,6 +145,7 @@ TEST(ShadowFloor, floor_hides_from_below) {
 
 TEST(ShadowFloor, ends_with_the_floor) {
     DemoRun run("shadow-floor");
+    run.set("rays", "off");
     run.set("light-x", -1).set("light-height", 1).set("spin-y", 60);
     const vec3 light = lightAt(20, 1) + vec3(-1, 0, 0);
     for (const bool crop : {true, false}) {
@@ -138,6 +171,7 @@ TEST(ShadowFloor, ends_with_the_floor) {
 
 TEST(ShadowFloor, moved_by_keys) {
     DemoRun run("shadow-floor");
+    run.set("rays", "off");
     run.picture();
     const auto shadowOfMiddle = [&] {
         const vec4 shadow = run.matrix("shadowFromWorld") * vec4(0, 0.5, 0, 1);
@@ -165,6 +199,7 @@ TEST(ShadowFloor, moved_by_keys) {
 
 TEST(ShadowFloor, no_false_shadow) {
     DemoRun run("shadow-floor");
+    run.set("rays", "off");
     run.set("crop", "off").set("spin-x", -20);
     for (const auto& [height, sentence] : {
              std::pair{0.4, "The light is below the square: it casts no shadow on the floor."},        // X11

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "mv/demo/lit_reference.h"
 #include "mv/geometry/light_view.h"
-#include "mv/geometry/scenes.h"
 #include "mv/run/study.h"
+#include "shared/lit_reference.h"
+#include "shared/scenes.h"
 #include "support/demo_run.h"
 
 using namespace mv;
@@ -61,8 +61,7 @@ Judged judge(DemoRun& run, const Place& place, const vec4& light, int only = -1)
     Scene scene = place.make(double(width) / height);
     scene.viewFromWorld = run.matrix("viewFromWorld");
     scene.lights = {{.position = light}};
-    FrameNotes notes;
-    const Reference right = litReference(scene, Frame(1, width, height, notes), {}, {});
+    const Reference right = litReference(scene, FrameInfo(1, width, height), {}, {});
     const std::vector<float> drawn = stage().measure(1);
     Judged result;
     double sum = 0, litPixels = 0;

@@ -47,6 +47,7 @@ double passes() {
 
 TEST(ShadowMethods, exact_on_a_plane) {
     DemoRun run("shadow-methods");
+    run.preset("matrix");
     const StudyRun result = measured("cube on plane");
     for (const char* method : {"matrix", "volumes", "volumes, made anew"}) {
         const StudyRow& row = rowOf(result, method);
@@ -60,8 +61,9 @@ TEST(ShadowMethods, exact_on_a_plane) {
 
 TEST(ShadowMethods, least_work) {
     DemoRun run("shadow-methods");
-    EXPECT_EQ(run.demo().knob("method").initialText(), "matrix");
-    EXPECT_EQ(run.demo().knob("scene").initialText(), "cube-on-plane");
+    run.preset("matrix");
+    EXPECT_EQ(run.demo().knob("method").text(), "matrix");
+    EXPECT_EQ(run.demo().knob("scene").text(), "cube-on-plane");
     const StudyRun result = measured("cube on plane");
     const StudyRow& matrix = rowOf(result, "matrix");
     EXPECT_EQ(countOf(matrix, "passes"), 1);
@@ -84,6 +86,7 @@ TEST(ShadowMethods, least_work) {
 
 TEST(ShadowMethods, bodies_need_more) {
     DemoRun run("shadow-methods");
+    run.preset("matrix");
     const StudyRun result = measured("still life");
     EXPECT_GT(rowOf(result, "matrix").inside.fraction, 0.01);
     EXPECT_EQ(rowOf(result, "volumes").inside.fraction, 0);
@@ -98,6 +101,7 @@ TEST(ShadowMethods, bodies_need_more) {
 
 TEST(ShadowMethods, texels_are_the_error) {
     DemoRun run("shadow-methods");
+    run.preset("matrix");
     for (const char* scene : {"cube on plane", "still life"}) {
         const StudyRun result = measured(scene, "map, 1 tap");
         const auto slope = errorSlope(result, scene, "map, 1 tap");
@@ -109,6 +113,7 @@ TEST(ShadowMethods, texels_are_the_error) {
 
 TEST(ShadowMethods, map_is_kept) {
     DemoRun run("shadow-methods");
+    run.preset("matrix");
     run.set("method", "pcf3");
     EXPECT_EQ(passes(), 2);
     EXPECT_EQ(passes(), 1);
@@ -130,6 +135,7 @@ TEST(ShadowMethods, map_is_kept) {
 
 TEST(ShadowMethods, receiver_left_out) {
     DemoRun run("shadow-methods");
+    run.preset("matrix");
     run.set("method", "map").set("keep", "off").set("show", "difference");
     run.picture();
     const double without = run.readout("different");
@@ -144,6 +150,7 @@ TEST(ShadowMethods, receiver_left_out) {
 
 TEST(ShadowMethods, split) {
     DemoRun run("shadow-methods");
+    run.preset("matrix");
     const int width = 640, height = 480, labels = 40;  // upper rows, with the methods' names
     for (const char* scene : {"cube-on-plane", "still-life"}) {
         run.set("scene", scene).set("against", "off");
@@ -167,6 +174,7 @@ TEST(ShadowMethods, split) {
 
 TEST(ShadowMethods, difference) {
     DemoRun run("shadow-methods");
+    run.preset("matrix");
     run.set("show", "difference").set("against", "volume");
     run.set("method", "volume").picture();
     EXPECT_EQ(run.readout("different"), 0);

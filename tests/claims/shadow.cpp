@@ -51,6 +51,7 @@ std::string onlyMessage(DemoRun& run) {
 
 TEST(Shadow, cast_by_rays) {
     DemoRun run("shadow");
+    run.set("rays", "off");
     struct Case {
         int frame;
         double light, square, tilt;
@@ -66,6 +67,7 @@ TEST(Shadow, cast_by_rays) {
 
 TEST(Shadow, textbook_matrix) {
     DemoRun run("shadow");
+    run.set("rays", "off");
     for (const int frame : {1, 16, 47}) {
         run.set("light-height", 2).picture(frame);
         const vec3 light = lightAt(frame, 2);
@@ -85,6 +87,7 @@ TEST(Shadow, textbook_matrix) {
 
 TEST(Shadow, on_the_ray) {
     DemoRun run("shadow");
+    run.set("rays", "off");
     for (const double tilt : {0, 25, -75}) {
         run.set("tilt", tilt).picture(9);
         const vec3 light = lightAt(9, 2);
@@ -105,6 +108,7 @@ TEST(Shadow, on_the_ray) {
 
 TEST(Shadow, above_the_light) {
     DemoRun run("shadow");
+    run.set("rays", "off");
     const Picture picture = run.set("light-height", 0.3).picture(40);
     EXPECT_EQ(countPixels(picture, black), 0);
     EXPECT_GT(countPixels(picture, red), 1000);
@@ -128,6 +132,7 @@ TEST(Shadow, above_the_light) {
 
 TEST(Shadow, at_the_lights_height) {
     DemoRun run("shadow");
+    run.set("rays", "off");
     const Picture picture = run.set("light-height", 0.5).picture(7);
     EXPECT_EQ(countPixels(picture, black), 0);
     EXPECT_EQ(onlyMessage(run), "The square is as high as the light: its shadow would lie at infinity.");
@@ -143,6 +148,7 @@ TEST(Shadow, at_the_lights_height) {
 
 TEST(Shadow, below_the_floor) {
     DemoRun run("shadow");
+    run.set("rays", "off");
     const Picture picture = run.set("square-height", -0.4).picture(40);
     EXPECT_EQ(countPixels(picture, black), 0);
     EXPECT_EQ(onlyMessage(run), "The square is not above the floor: no shadow of it falls there.");
@@ -165,6 +171,7 @@ TEST(Shadow, below_the_floor) {
 
 TEST(Shadow, light_not_above) {
     DemoRun run("shadow");
+    run.set("rays", "off");
     for (const double height : {0.0, 1e-7, -1e-7, -1.0}) {
         const Picture picture = run.set("light-height", height).picture(40);
         EXPECT_EQ(countPixels(picture, black), 0) << height;
@@ -184,6 +191,7 @@ TEST(Shadow, light_not_above) {
 
 TEST(Shadow, circles_by_index) {
     DemoRun run("shadow");
+    run.set("rays", "off");
     for (const int frame : {0, 1, 63, 100000}) {
         run.picture(frame);
         // Off the diagonal, row i of the matrix is -L_i (0, 1, 0, 0).

@@ -5,9 +5,9 @@
 #include <glm/geometric.hpp>
 
 #include "mv/demo/demo.h"
-#include "mv/geometry/scenes.h"
 #include "mv/math/projection.h"
 #include "mv/run/study.h"
+#include "shared/scenes.h"
 #include "support/demo_run.h"
 
 using namespace mv;
@@ -53,6 +53,7 @@ double rms(const StudyRun& run, const std::string& method, const std::string& pa
 
 TEST(SoftShadows, penumbra_width) {
     DemoRun run("soft-shadows", 64, 48);  // the readout has a picture of its own
+    run.preset("touching");
     run.set("lights", "256");
     struct Case {
         std::string scene;
@@ -76,6 +77,7 @@ TEST(SoftShadows, penumbra_width) {
 
 TEST(SoftShadows, sharp_where_they_touch) {
     DemoRun run("soft-shadows", 1280, 960);
+    run.preset("touching");
     const std::vector<float> lit = litOf(run.set("lights", "256"));
     const mat4 clipFromWorld = run.matrix("clipFromWorld");
     // The cube's upright edge nearest the eye, the lamp, and the way from the edge's shadow to the light, along the floor
@@ -102,6 +104,7 @@ TEST(SoftShadows, sharp_where_they_touch) {
 
 TEST(SoftShadows, points_converge) {
     DemoRun run("soft-shadows");
+    run.preset("touching");
     const StudyRun study = errorsOf(linesNamed({"matrix, float"}));
     double last = 1;
     for (const char* n : {"1", "4", "16", "64", "256", "1024"}) {
@@ -117,6 +120,7 @@ TEST(SoftShadows, points_converge) {
 
 TEST(SoftShadows, eight_bit_floor) {
     DemoRun run("soft-shadows");
+    run.preset("touching");
     const StudyRun study = errorsOf(linesNamed({"matrix, float", "matrix, 8-bit"}));
     const auto floats = [&](const char* n) { return rms(study, "matrix, float", n); };
     const auto bytes = [&](const char* n) { return rms(study, "matrix, 8-bit", n); };
@@ -134,6 +138,7 @@ TEST(SoftShadows, eight_bit_floor) {
 
 TEST(SoftShadows, pcf_does_not_converge) {
     DemoRun run("soft-shadows");
+    run.preset("touching");
     std::vector<StudyLine> lines = linesNamed({"matrix, float"});
     lines.front().values = {"16"};
     for (const char* resolution : {"256", "512", "1024", "2048"}) {
@@ -153,6 +158,7 @@ TEST(SoftShadows, pcf_does_not_converge) {
 
 TEST(SoftShadows, pcss_adapts) {
     DemoRun run("soft-shadows");
+    run.preset("touching");
     run.set("lamp-size", 0.5).set("taps", 15);
     const auto widthOf = [&](const std::string& method, double lifted) {
         run.set("method", method).set("caster-height", lifted).picture();
@@ -171,6 +177,7 @@ TEST(SoftShadows, pcss_adapts) {
 
 TEST(SoftShadows, dark_once) {
     DemoRun run("soft-shadows");
+    run.preset("touching");
     run.set("scene", "table");
     long dark = 0;
     for (const float lit : litOf(run.set("lights", "1"))) {

@@ -88,6 +88,7 @@ constexpr double rounding = 1e-11;
 
 TEST(Stereocube, left_is_red_channel) {
     DemoRun run("stereocube");
+    run.preset("original");
     run.set("spin-x", 20).set("spin-y", 30);
     for (const std::string background : {"white", "black"}) {
         const int paper = paperOf(background);
@@ -110,6 +111,7 @@ TEST(Stereocube, left_is_red_channel) {
 
 TEST(Stereocube, left_is_left) {
     DemoRun run("stereocube");
+    run.preset("original");
     run.picture();
     // The original: red is the eye at x = -0.1, cyan the one at +0.1. They look along +z, so right is -x.
     const mat4 red = lookAt({-0.1, 0, -3}, {0, 0, -1}, {0, 1, 0}), cyan = lookAt({0.1, 0, -3}, {0, 0, -1}, {0, 1, 0});
@@ -137,6 +139,7 @@ TEST(Stereocube, left_is_left) {
 
 TEST(Stereocube, masks_lose_nothing) {
     DemoRun run("stereocube");
+    run.preset("original");
     run.set("spin-x", 20).set("spin-y", 30);
     for (const std::string background : {"white", "black"}) {
         const int paper = paperOf(background);
@@ -155,6 +158,7 @@ TEST(Stereocube, masks_lose_nothing) {
 
 TEST(Stereocube, toe_in_is_crooked) {
     DemoRun run("stereocube");
+    run.preset("original");
     run.set("convergence", 1).picture();
     const double nearest = run.readout("vertical-parallax");
     EXPECT_GT(nearest, 5);
@@ -192,6 +196,7 @@ TEST(Stereocube, toe_in_is_crooked) {
 
 TEST(Stereocube, off_axis_is_level) {
     DemoRun run("stereocube");
+    run.preset("original");
     run.set("stereo", "off-axis");
     for (const double convergence : {0.25, 0.5, 1.0, 3.0, 10.0}) {
         for (const double spin : {0, 33}) {
@@ -213,6 +218,7 @@ TEST(Stereocube, off_axis_is_level) {
 
 TEST(Stereocube, zero_at_convergence) {
     DemoRun run("stereocube");
+    run.preset("original");
     run.set("stereo", "off-axis").set("colors", "masks").set("z-dist", -2.5);
     const Picture picture = run.picture();
     EXPECT_NEAR(run.readout("parallax-min"), 0, rounding);  // the near face, 2 ahead
@@ -226,6 +232,7 @@ TEST(Stereocube, zero_at_convergence) {
 
 TEST(Stereocube, cube_out_of_view) {
     DemoRun run("stereocube");
+    run.preset("original");
     for (const double z : {-0.4, 0.0, 0.3, 2.0}) {
         EXPECT_EQ(run.set("z-dist", z).refusal(),
                   "--z-dist: must leave some of the cube in view of an eye, " + numberText(z));

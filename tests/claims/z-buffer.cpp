@@ -177,6 +177,20 @@ TEST(ZBuffer, depth_as_grey) {
     EXPECT_EQ(run.set("near", near).set("far", 1000 * near).picture().at(32, 32).red, 243);
     // Without the depth test nothing is written.
     EXPECT_EQ(run.set("depth-test", "off").picture().at(32, 32).red, 255);
+    // The curve has the same depth at each distance: drawn there, black, and neither above nor below it.
+    DemoRun curve("z-buffer", 600, 600);
+    curve.set("show", "curve").set("near", 0.1).set("far", 1000);
+    for (const auto& [mapping, depthAt1] : {std::pair{"standard", 1000 / 999.9 * 0.9},
+                                            {"infinite", 0.9},
+                                            {"flipped", 1 - 1000 / 999.9 * 0.9},
+                                            {"logarithmic", std::log(2) / std::log(1001)}}) {
+        const Picture picture = curve.set("mapping", mapping).picture();
+        const double x = 72 + 0.25 * 468, y = 600 - (84 + depthAt1 * (540 - 84));  // 1 is a quarter of the four decades
+        const auto darkAt = [&](double up) { return picture.at(int(x), int(y - up)).red < 100; };
+        EXPECT_TRUE(darkAt(0) || darkAt(1) || darkAt(-1)) << mapping;
+        EXPECT_FALSE(darkAt(8)) << mapping;
+        EXPECT_FALSE(darkAt(-8)) << mapping;
+    }
 }
 
 TEST(ZBuffer, misordered_as_known) {

@@ -13,8 +13,7 @@ constexpr int framesADay = 24 * 3600 * 60;
 [[maybe_unused]] const bool x32 = addRow([] {
     float clock = 0;
     for (int i = 0; i < framesADay; ++i) clock += 1.0f / 60;
-    FrameNotes notes;
-    const double ours = Frame(framesADay, 640, 480, notes).time();
+    const double ours = FrameInfo(framesADay, 640, 480).time();
     return Row{.id = "X32",
                .input = "24 hours at 60 frames a second",
                .measured = "seconds that the clock is off",
@@ -29,12 +28,11 @@ constexpr int framesADay = 24 * 3600 * 60;
 [[maybe_unused]] const bool x32steps = addRow([] {
     float clock = 0;
     double naive = 0, ours = 0;
-    FrameNotes notes;
     for (int i = 1; i <= framesADay; ++i) {
         const float before = clock;
         clock += 1.0f / 60;
         naive = std::max(naive, std::abs(static_cast<double>(clock - before) * 60 - 1));
-        ours = std::max(ours, std::abs((Frame(i, 1, 1, notes).time() - Frame(i - 1, 1, 1, notes).time()) * 60 - 1));
+        ours = std::max(ours, std::abs((FrameInfo(i, 1, 1).time() - FrameInfo(i - 1, 1, 1).time()) * 60 - 1));
     }
     return Row{.id = "X32 steps",
                .input = "each step of those 24 hours",

@@ -2,8 +2,8 @@
 #include <numeric>
 
 #include "extremes/row.h"
-#include "mv/demo/depth_order.h"
 #include "mv/math/projection.h"
+#include "shared/depth_order.h"
 
 using namespace mv;
 using namespace mv::test;

@@ -129,6 +129,7 @@ TEST(CommandLine, refuses_with_the_rule_and_the_nearest_name) {
 TEST(CommandLine, every_pair_of_flags_means_something_or_is_refused) {
     using Words = std::vector<std::string>;
     const std::map<std::string, Words> flags{{"--cull", {"--cull", "front"}},
+                                             {"--preset", {"--preset", "original"}},
                                              {"--shot", {"--shot", "a%d.png"}},
                                              {"--frame", {"--frame", "3"}},
                                              {"--frames", {"--frames", "3..5"}},
@@ -149,6 +150,9 @@ TEST(CommandLine, every_pair_of_flags_means_something_or_is_refused) {
                                              {"--docs", {"--docs", "d"}}};
     // For each flag what it may stand beside; it is enough that one of two says so.
     const std::map<std::string, Words> together{
+        {"--preset",
+         {"--cull", "--shot", "--frame", "--size", "--headless", "--compare", "--report", "--window", "--study",
+          "--audit", "--knobs", "--copyable"}},
         {"--cull",
          {"--shot", "--frame", "--size", "--headless", "--compare", "--report", "--window", "--study", "--audit",
           "--knobs", "--copyable"}},
@@ -208,7 +212,7 @@ TEST(CommandLine, every_pair_of_flags_means_something_or_is_refused) {
             EXPECT_TRUE(bothNamed || demoMissing || oneIdle) << a << " " << b << ": " << said;
         }
     }
-    EXPECT_EQ(understood + refused, 19 * 18);
+    EXPECT_EQ(understood + refused, 20 * 19);
     EXPECT_NE(refusal({"cube-cull", "--gallery", "g"}), "accepted") << "it would be of all demos";
     EXPECT_NE(refusal({"cube-cull", "--audit", "--all"}), "accepted");
 }

@@ -7,7 +7,9 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <vector>
 
+#include "mv/demo/chapters.h"
 #include "mv/run/command_line.h"
 #include "support/temporary_folder.h"
 
@@ -38,6 +40,69 @@ TEST(Docs, the_catalogue_names_every_demo) {
         EXPECT_FALSE(info.chapter.empty());
         EXPECT_GT(info.number, 0);
     }
+}
+
+// One heading a chapter, in the chapters' order; the same order in every list.
+TEST(Docs, chapters_are_grouped) {
+    const std::vector<Chapter> chapters = catalogueByChapter();
+    std::vector<std::string> headings, demos;
+    for (const Chapter& chapter : chapters) {
+        headings.push_back(chapter.name);
+        int last = 0;
+        for (const DemoInfo* info : chapter.demos) {
+            EXPECT_EQ(info->chapter, chapter.name) << info->name;
+            EXPECT_GT(info->number, last) << info->name;
+            last = info->number;
+            demos.push_back(info->name);
+        }
+        EXPECT_GT(last, 0) << chapter.name << ": no chapter is empty";
+    }
+    EXPECT_EQ(headings, std::vector<std::string>(courseChapters.begin(), courseChapters.end()));
+    std::vector<std::string> all;
+    for (const DemoInfo& info : catalogue()) all.push_back(info.name);
+    EXPECT_EQ(demos, all);
+    // The page has these headings, each once, and below them these demos.
+    std::vector<std::string> onPage, demosOnPage;
+    std::istringstream page(cataloguePage());
+    for (std::string line; std::getline(page, line);) {
+        if (line.starts_with("## ")) onPage.push_back(line.substr(3));
+        if (line.starts_with("### [")) demosOnPage.push_back(line.substr(5, line.find(']') - 5));
+    }
+    EXPECT_EQ(onPage, headings);
+    EXPECT_EQ(demosOnPage, all);
+}
+
+TEST(Docs, a_chapter_that_is_none_is_refused) {
+    const std::size_t before = catalogue().size();
+    DemoInfo info;
+    info.name = "stray";
+    info.chapter = "Shadow";
+    try {
+        addDemo(info);
+        FAIL() << "there is no such chapter";
+    } catch (const Error& error) {
+        EXPECT_EQ(std::string(error.what()),
+                  "demo stray: must have no chapter or one of mv/demo/chapters.h ('Viewing and projection', "
+                  "'Stereo and hidden surfaces', 'Shadows'), 'Shadow'");
+    }
+    EXPECT_EQ(catalogue().size(), before);
+    info.chapter = courseChapters.front();
+    EXPECT_EQ(chapterPlace(info), 0U);
+    info.chapter = "";  // as a demo that is made elsewhere has it, which comes last
+    EXPECT_EQ(chapterPlace(info), courseChapters.size());
+}
+
+TEST(Docs, readme_has_all_demos_between_its_markers) {
+    const std::string page = "before\n<!-- demos -->\nold\n<!-- /demos -->\nafter\n", made = readmePage(page);
+    EXPECT_EQ(made.find("old"), std::string::npos);
+    EXPECT_TRUE(made.starts_with("before\n<!-- demos -->\n") && made.ends_with("<!-- /demos -->\nafter\n")) << made;
+    for (const DemoInfo& info : catalogue()) {
+        EXPECT_NE(made.find("| [" + info.name + "](demos/" + info.name + ".md) | " + info.sentence + " |\n"),
+                  std::string::npos)
+            << info.name;
+    }
+    EXPECT_EQ(readmePage(made), made) << "made once, it stays";
+    EXPECT_THROW(readmePage("no markers"), Error);
 }
 
 // README's table of flags says what --help says: the same flags, with values of the same kind.

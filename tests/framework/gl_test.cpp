@@ -268,8 +268,7 @@ TEST_F(Gl, triangles_are_counted_where_they_went) {
 
 TEST_F(Gl, words_stand_in_the_picture) {
     const Target target(200, 40, {}, "words");
-    FrameNotes notes;
-    const Frame frame(1, 200, 40, notes);
+    const FrameInfo frame(1, 200, 40);
     glClearColor(1, 1, 1, 1);
     glClear(GL_COLOR_BUFFER_BIT);
     const Picture empty = target.read();
@@ -290,8 +289,7 @@ TEST_F(Gl, words_stand_in_the_picture) {
 
 TEST_F(Gl, lines_of_words_together_are_the_lines_one_by_one) {
     const Target target(120, 60, {}, "words");
-    FrameNotes notes;
-    const Frame frame(1, 120, 60, notes);
+    const FrameInfo frame(1, 120, 60);
     const std::array lines{TextLine{3, 2, "above"},
                            TextLine{8, 30, "below", {.height = 20, .color = vec4(1, 0, 0, 1)}}};
     glClearColor(0, 1, 1, 1);
@@ -316,8 +314,7 @@ TEST_F(Gl, lines_of_words_together_are_the_lines_one_by_one) {
 // The same lines again cost no upload, the same words elsewhere one of their places; what is kept is bounded.
 TEST_F(Gl, words_that_stay_are_kept) {
     const Target target(120, 60, {}, "words");
-    FrameNotes notes;
-    const Frame frame(1, 120, 60, notes);
+    const FrameInfo frame(1, 120, 60);
     const auto bytesFor = [&](int x, const std::string& text) {
         startAudit();
         beginAuditedFrame(false);
@@ -350,8 +347,7 @@ TEST_F(Gl, words_that_stay_are_kept) {
 // More words than stand beside each other in their texture, and one line that is wider than all of it.
 TEST_F(Gl, many_and_long_lines_are_those_lines) {
     const Target target(900, 400, {}, "words");
-    FrameNotes notes;
-    const Frame frame(1, 900, 400, notes);
+    const FrameInfo frame(1, 900, 400);
     std::vector<TextLine> lines{{5, 5, std::string(100, 'W'), {.height = 12}}};
     for (int i = 0; i < 60; ++i)
         lines.push_back({10 + i % 4 * 200, 30 + i / 4 * 24, "line " + std::to_string(i), {.height = 9 + i % 7}});
@@ -372,10 +368,9 @@ TEST_F(Gl, an_image_is_shown_pixel_by_pixel) {
     image.set(0, 1, {0, 0, 255, 255});
     image.set(2, 1, {255, 255, 255, 255});
     const Target target(8, 5, {}, "image");
-    FrameNotes notes;
     glClearColor(0, 0, 0, 1);
     glClear(GL_COLOR_BUFFER_BIT);
-    showImage(Frame(1, 8, 5, notes), 4, 1, image);
+    showImage(FrameInfo(1, 8, 5), 4, 1, image);
     const Picture shown = target.read();
     EXPECT_EQ(shown.at(4, 1), (Pixel{255, 0, 0, 255})) << "the upper left pixel stays the upper left one";
     EXPECT_EQ(shown.at(6, 1), (Pixel{0, 255, 0, 255}));
@@ -585,8 +580,19 @@ TEST_F(Gl, clip_control_is_called_only_where_it_was_asked_for) {
     allowVersion(33);
     EXPECT_FALSE(clipControlAllowed());
     EXPECT_TRUE(has(errorOf([] { glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE); }), "needs OpenGL 4.5"));
+    EXPECT_TRUE(has(errorOf([] { mv::has(beyond_es::clipControl); }), "what is declared"));
     ASSERT_TRUE(allowClipControl()) << "llvmpipe has it";
     EXPECT_TRUE(clipControlAllowed());
+    takeMissing();
+    EXPECT_TRUE(mv::has(beyond_es::clipControl));
+    EXPECT_TRUE(mv::has(beyond_es::floatBlending));
+    EXPECT_TRUE(takeMissing().empty());
+    withhold({beyond_es::clipControl});
+    EXPECT_FALSE(mv::has(beyond_es::clipControl));
+    EXPECT_TRUE(mv::has(beyond_es::floatBlending));
+    EXPECT_EQ(takeMissing(), std::set<std::string>{beyond_es::clipControl});
+    EXPECT_TRUE(takeMissing().empty()) << "taken once";
+    withhold({});
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     restoreInitialState();
     GLint depth = 0;

@@ -17,6 +17,9 @@ struct Settings : Demo {
     Whole whole{this, "whole", 7, {1, 40}, "a count"};
     Toggle toggle{this, "toggle", false, "a switch"};
     Choice<Fruit> fruit{this, "fruit", Fruit::pear, {{"apple", "red"}, {"pear"}, {"plum"}}, "a fruit"};
+    Real factor{this, "factor", 0.1, {0.01, 100, Scale::logarithmic}, "a number by its factors", "m"};
+    Real small{this, "small", 0, {1e-6, 0.1, Scale::logarithmic, true}, "the same, or nothing"};
+    NumberChoice texels{this, "texels", 512, {1, 512, 1024, 100'000}, "a number of a few"};
     Readout number{this, "number", "a result", "px"};
     void init() override {}
     void draw(const Frame&) override {}
@@ -71,6 +74,7 @@ TEST(Knobs, note_that_they_were_read) {
     notes(settings.whole, [&] { take(settings.whole); });
     notes(settings.toggle, [&] { take(settings.toggle ? 1 : 0); });
     notes(settings.fruit, [&] { take(settings.fruit == Fruit::pear ? 1 : 0); });
+    notes(settings.texels, [&] { take(settings.texels); });
     for (Knob* knob : settings.knobs()) notes(*knob, [&] { (void)knob->text(); });
     notes(settings.real, [&] { take(vec3(0, 0, settings.real).z); });  // which takes a knob by value
     for (Knob* knob : settings.knobs()) knob->forgetRead();
@@ -125,11 +129,89 @@ TEST(Knobs, steps_stop_at_the_ends_and_angles_go_round) {
     EXPECT_EQ(settings.fruit.text(), "plum");
 }
 
+// A number of a few is the number, in the code and however it is typed.
+TEST(Knobs, a_number_choice_gives_its_number) {
+    Settings settings;
+    EXPECT_EQ(settings.texels, 512);
+    for (const char* text : {"1024", "+1024", "1024.0", "1.024e3"}) {
+        settings.texels.reset();
+        settings.texels.parse(text);
+        EXPECT_EQ(settings.texels, 1024) << text;
+        EXPECT_EQ(settings.texels.text(), "1024") << text;
+    }
+    settings.texels.parse("100000");
+    EXPECT_EQ(settings.texels.text(), "1e5");
+    EXPECT_EQ(settings.texels.range(), "1 | 512 | 1024 | 1e5");
+    for (const char* text : {"0", "513", "512.5", "-1", "", "nan", "3"}) {
+        EXPECT_EQ(errorOf(settings.texels, text),
+                  "--texels: must be 1 | 512 | 1024 | 1e5, '" + std::string(text) + "'");
+    }
+    settings.texels.step(1);
+    EXPECT_EQ(settings.texels, 1) << "choices go round";
+    struct Wrong : Settings {
+        NumberChoice wrong{this, "wrong", 2, {1, 4}, "none of its numbers"};
+    };
+    EXPECT_THROW(Wrong(), Error);
+}
+
+// A logarithmic knob goes by equal factors; zero is an end of its own.
+TEST(Knobs, logarithmic_ones_go_by_factors) {
+    Settings settings;
+    EXPECT_EQ(settings.factor.rangeInFull(), "0.01 .. 100 m, logarithmic");
+    EXPECT_EQ(settings.small.rangeInFull(), "0 or 1e-06 .. 0.1, logarithmic");
+    EXPECT_EQ(settings.factor.stepText(0.1, "m"), "\u00D7 1.26") << "a factor has no unit";
+    EXPECT_EQ(settings.real.stepText(0.5, "m"), "+0.5 m");
+    for (int i = 0; i < 20; ++i) EXPECT_TRUE(settings.factor.step(0.1));
+    EXPECT_NEAR(double(settings.factor), 10, 10 * 20 * 5e-4) << "each step is rounded to four digits";
+    for (int i = 0; i < 20; ++i) EXPECT_TRUE(settings.factor.step(-0.1));
+    EXPECT_NEAR(double(settings.factor), 0.1, 0.1 * 40 * 5e-4);
+    EXPECT_TRUE(settings.factor.step(9));
+    EXPECT_EQ(double(settings.factor), 100);
+    EXPECT_FALSE(settings.factor.step(0.1)) << "nothing moves at the end";
+    EXPECT_TRUE(settings.factor.step(-9));
+    EXPECT_EQ(double(settings.factor), 0.01) << "without 0 the low end is the end";
+    EXPECT_FALSE(settings.factor.step(-0.1));
+
+    EXPECT_FALSE(settings.small.step(-1));
+    EXPECT_TRUE(settings.small.step(0.5));
+    EXPECT_EQ(double(settings.small), 1e-6) << "no factor leads away from 0: the first step is to the low end";
+    EXPECT_TRUE(settings.small.step(1));
+    EXPECT_EQ(double(settings.small), 1e-5);
+    EXPECT_TRUE(settings.small.step(-2));
+    EXPECT_EQ(double(settings.small), 1e-6) << "the low end is not jumped over";
+    EXPECT_TRUE(settings.small.step(-0.1));
+    EXPECT_EQ(settings.small.text(), "0");
+    EXPECT_EQ(errorOf(settings.small, "1e-7"), "--small: must be 0 or 1e-06 .. 0.1, '1e-7'");
+    EXPECT_EQ(errorOf(settings.small, "-1"), "--small: must be 0 or 1e-06 .. 0.1, '-1'");
+    EXPECT_EQ(errorOf(settings.small, "0"), "accepted");
+    EXPECT_EQ(errorOf(settings.factor, "0"), "--factor: must be 0.01 .. 100 m, '0'");
+    EXPECT_EQ(settings.factor.sweep(), (std::vector<std::string>{"0.01", "1", "0.1", "100"}));
+    EXPECT_EQ(settings.small.sweep(), (std::vector<std::string>{"0", "1e-06", "0.000316", "0", "0.1"}));
+}
+
+TEST(Knobs, a_logarithmic_range_is_above_0) {
+    struct Wrong : Settings {
+        explicit Wrong(Real::Range range) : wrong(this, "wrong", 0.5, range, "") {}
+        Real wrong;
+    };
+    EXPECT_NO_THROW(Wrong({0.1, 1, Scale::logarithmic}));
+    for (const double low : {0.0, -1.0}) {
+        try {
+            const Wrong wrong({low, 1, Scale::logarithmic});
+            ADD_FAILURE() << "accepted from " << low;
+        } catch (const Error& error) {
+            EXPECT_EQ(std::string(error.what()),
+                      "knob wrong: must have a logarithmic range above 0, " + numberText(low) + " .. 1");
+        }
+    }
+    EXPECT_THROW(Wrong({0.1, 1, Scale::linear, true}), Error) << "0 beside a linear range is no end of its own";
+}
+
 TEST(Knobs, two_demos_share_nothing) {
     Settings a, b;
     a.real.parse("1");
     EXPECT_EQ(double(b.real), 0.5);
-    EXPECT_EQ(a.knobs().size(), 5U);
+    EXPECT_EQ(a.knobs().size(), 8U);
     EXPECT_NE(a.knobs().front(), b.knobs().front());
 }
 

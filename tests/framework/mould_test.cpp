@@ -7,7 +7,6 @@
 
 #include "mv/demo/demo.h"
 #include "mv/demo/made_for.h"
-#include "mv/geometry/scenes.h"
 #include "mv/geometry/shapes.h"
 #include "mv/gl/audit.h"
 #include "mv/gl/gl.h"
@@ -16,6 +15,7 @@
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
 #include "mv/run/stage.h"
+#include "shared/scenes.h"
 #include "support/demo_run.h"
 
 using namespace mv;
@@ -36,7 +36,7 @@ struct Flat final : Demo {
     Program program;
     SceneMeshes meshes;
     void init() override { program = Program::fromText("flat", flatVertex, flatFragment); }
-    Scene scene(const Frame& frame) const override { return cubeOnPlane(frame.aspect()); }
+    Scene scene(const FrameInfo& frame) const override { return cubeOnPlane(frame.aspect()); }
     void draw(const Frame& frame) override {
         const Scene now = seen(frame);
         meshes.follow(now);

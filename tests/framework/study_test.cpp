@@ -59,7 +59,7 @@ struct Step final : Demo {
         glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
         frame.count("cells", cells);
     }
-    Reference reference(const Frame& frame, const std::function<void(double)>& progress) const {
+    Reference reference(const ReferenceFrame& frame, const std::function<void(double)>& progress) const {
         ++references;
         Reference right;
         for (int y = 0; y < frame.height(); ++y) {
@@ -67,14 +67,14 @@ struct Step final : Demo {
         }
         right.regions.assign(right.values.size(), 0);
         progress(1);
-        if (frame.ownError()) right.ownError = 0;
+        if (frame.ownError) right.ownError = 0;
         return right;
     }
 };
 
 template <class T>
 void referenceBy(Study& study) {
-    study.makeReference = [](const Demo& demo, const Frame& frame, const auto& progress) {
+    study.makeReference = [](const Demo& demo, const ReferenceFrame& frame, const auto& progress) {
         return dynamic_cast<const T&>(demo).reference(frame, progress);
     };
 }
@@ -107,7 +107,7 @@ struct Trapezia final : Demo {
         for (int i = 1; i < n; ++i) sum += std::exp(double(i) / n);
         return {sum / n};
     }
-    static Reference reference(const Frame&, const std::function<void(double)>&) {
+    static Reference reference(const ReferenceFrame&, const std::function<void(double)>&) {
         return {.values = {std::exp(1.0) - 1}};
     }
 };
@@ -200,7 +200,7 @@ TEST(StudyRun, a_reference_depends_on_what_it_read) {
         void draw(const Frame&) override {}
         double right() const { return usesB ? double(b) : 0; }
         std::vector<double> values() const override { return {right() + more}; }
-        Reference reference(const Frame&, const std::function<void(double)>&) const {
+        Reference reference(const ReferenceFrame&, const std::function<void(double)>&) const {
             ++*references;
             if (usesB && b > 8) throw Error("--b", "must be at most 8 for a reference", b.text());
             return {.values = {right()}};

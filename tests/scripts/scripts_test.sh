@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# scripts_test.sh CASE SOURCE: one test of ./run, ./test and scripts/, in a scratch tree that has them and, in the place of
-# mvgl, the small project beside this file. Nothing is installed: the scripts are told that every package is there.
+# scripts_test.sh CASE SOURCE BUILD: one test of ./run, ./test and scripts/, in a scratch tree that has them and, in the place of
+# mvgl, the small project beside this file. (BUILD is mvgl's own build folder.) Nothing is installed: the scripts are told that every package is there.
 set -u
-case=$1 source=$2
+case=$1 source=$2 built=$3
 scratch=$(cd "$(mktemp -d)" && pwd -P) || exit 1
 trap 'rm -rf "$scratch"' EXIT
 unset DISPLAY WAYLAND_DISPLAY CXX MAKEFLAGS
@@ -88,14 +88,116 @@ waiting() {
         "exec $(PATH=${PATH#*:} command -v cmake) \"\$@\""
     ./run one --list >out 2>err &
     waitFor test -e configuring
-    ./run two --list >out2 2>err2 &
+    ./run one --list >out2 2>err2 &
     waitFor grep -q waiting err2
     touch go-on
     wait
     says err2 '^note: waiting for another ./run or ./test that is at work in build$'
     says out "one --list"
-    says out2 "two --list"
+    says out2 "one --list"
     silent err2 'Building'
+}
+
+# ./run builds what the named demos need, and the window where one opens.
+needed() {
+    made() { (cd build && find bin lib -type f 2>/dev/null | sort | tr '\n' ' '); }
+    ./run one --list >out 2>err || fail "./run one: $(cat err)"
+    says out "^from $tree: one --list\$"
+    equal "what one demo needs" "bin/one " "$(made)"
+    DISPLAY=:9 ./run one --shot out >out 2>err || fail "./run one --shot: $(cat err)"
+    equal "what a picture needs" "bin/one " "$(made)"
+    DISPLAY=:9 ./run one >out 2>err || fail "./run one on a display: $(cat err)"
+    says out "^from $tree: one\$"
+    equal "what a window needs" "bin/one lib/libwindow-module.so " "$(made)"
+    rm -r build/lib
+    ./run one --window >out 2>err || fail "./run one --window: $(cat err)"
+    equal "a window that is asked for" "bin/one lib/libwindow-module.so " "$(made)"
+    ./run one two --list >out 2>err || fail "./run one two: $(cat err)"
+    equal "two demos" "bin/one bin/two lib/libwindow-module.so " "$(made)"
+    # What is no demo is the launcher's to refuse, which knows them all.
+    for wrong in tow ../demos/one one.cpp; do
+        rm -rf build/bin
+        ./run one "$wrong" --list >out 2>err || fail "./run one $wrong: $(cat err)"
+        says out "^from $tree: $wrong --list\$"
+        equal "all programs for $wrong" "bin/mvgl bin/one bin/two lib/libwindow-module.so " "$(made)"
+    done
+    # Of mvgl itself: no other demo is compiled, no test and no window.
+    ninja -C "$built" -t commands cube-cull >commands || fail "mvgl's build has no target cube-cull"
+    equal "the demos that cube-cull compiles" "cube-cull.cpp" "$(grep -o -e " -c $source/demos/[a-z.-]*[.]cpp" commands | sed 's|.*/||' | xargs)"
+    silent commands ' -c [^ ]*/\(tests\|common/mv/window\)/'
+    ninja -C "$built" -t commands window >commands || fail "mvgl's build has no target window"
+    says commands ' -c [^ ]*/common/mv/window/'
+}
+
+# A demo's name chooses its tests, and no other demo's whose name has it in it.
+only() {
+    sed -i 's/ITEMS one two)/ITEMS one one-more two)/; s/mvgl one one-more two/mvgl one two/; s/\(\$<TARGET_OBJECTS:\)demo-two>/\1demo-one-more> &/' CMakeLists.txt
+    sed 's/"one"/"one-more"/' demos/one.cpp >demos/one-more.cpp
+    ./test --only one >out 2>err || fail "./test --only one: $(cat out err)"
+    equal "a demo" "one " "$(ran)"
+    ./test --only one-more >out 2>err || fail "./test --only one-more: $(cat out err)"
+    equal "another demo" "one-more " "$(ran)"
+    ./test --only on >out 2>err || fail "./test --only on: $(cat out err)"
+    equal "a regular expression" "one one-more " "$(ran)"
+    ./test --only nothing >out 2>err && fail "no test of that name must fail"
+    equal "no test" "" "$(ran)"
+}
+
+# Golden pictures and pages count for the tests that read them.
+reads() {
+    cat >>CMakeLists.txt <<'END'
+foreach(demo IN ITEMS one two)
+  foreach(kind IN ITEMS goldens pages)
+    add_test(NAME ${kind}.${demo} COMMAND test-claims ${kind}.${demo} "${PROJECT_SOURCE_DIR}/runs.log")
+    file(APPEND "${PROJECT_BINARY_DIR}/tests/of-demos.txt" "${kind}.${demo} ${demo} test-claims,bin/mvgl reads:${kind}\n")
+  endforeach()
+endforeach()
+END
+    mkdir tests/goldens
+    printf '# name, demo\none one\none-low one --height 2\ntwo two\n' >tests/goldens/cases.txt
+    for name in one one-low two; do echo "$name" >tests/goldens/$name.png; done
+    echo 'Try `./run two` beside it.' >demos/one.md
+    echo 'Try `./run two`.' >demos/two.md
+    commit
+    everything && ran >/dev/null
+    everything
+    equal "nothing has changed" "shared " "$(ran)"
+    changed() { # WHAT FILE TESTS: with a line more in the file, these run
+        echo "two two-more" >>"$2"
+        everything
+        equal "$1 has changed" "$3" "$(ran)"
+    }
+    changed "a golden picture" tests/goldens/one-low.png "goldens.one goldens.one shared shared "
+    changed "a demo's page" demos/one.md "pages.one pages.one shared shared "
+    changed "a page of what another page starts" demos/two.md "pages.one pages.one pages.two pages.two shared shared "
+    changed "another page" README.md "shared shared "
+    sed -i 's/^two two/two two --spin 3/' tests/goldens/cases.txt
+    everything
+    equal "one line of the pictures' list has changed" "goldens.two goldens.two shared shared " "$(ran)"
+    echo '// more' >>common/mvgl.cpp && sed -i 's/from/From/' common/mvgl.cpp
+    everything
+    equal "a program that the tests start has changed" \
+        "goldens.one goldens.one goldens.two goldens.two pages.one pages.one pages.two pages.two shared shared " "$(ran)"
+}
+
+# The ten longest, the longest first, of both build folders.
+expensive() {
+    (
+        # shellcheck source=/dev/null
+        . scripts/setup.sh && . scripts/passed.sh
+        mkdir -p build/asan
+        for second in 1 9.5 10.25 2 3 4 5 6 7 8; do
+            echo "	<testcase name=\"t.$second\" classname=\"t.$second\" time=\"$second\" status=\"run\">"
+        done >build/tests.xml
+        echo '	<testcase name="left.out" classname="left.out" time="99" status="notrun">' >>build/tests.xml
+        echo '	<testcase name="failed" classname="failed" time="100.5" status="fail">' >build/asan/tests.xml
+        most_expensive "$build" "$build/asan" >out
+    )
+    equal "how many" 10 "$(wc -l <out)"
+    equal "the first" "100.5 s failed (asan)" "$(sed -n 1p out | xargs)"
+    equal "the second" "10.2 s t.10.25" "$(sed -n 2p out | xargs)"
+    equal "the third" "9.5 s t.9.5" "$(sed -n 3p out | xargs)"
+    equal "the last" "2.0 s t.2" "$(sed -n 10p out | xargs)"
 }
 
 analysis() {
@@ -145,6 +247,8 @@ passed() {
     commit
     everything
     equal "first" "one one shared shared two two " "$(ran)" # once more under the sanitizers
+    says out '^the ten most expensive tests'
+    for name in one two; do says out "^ *[0-9.]* s  claims.$name\$" && says out "^ *[0-9.]* s  claims.$name (asan)\$"; done
     everything
     equal "nothing has changed" "shared " "$(ran)"
     says out '^2 tests of demos are left out'
@@ -182,7 +286,7 @@ passed() {
 
 case $case in
     git) git_ ;;
-    flags | moved | waiting | analysis | passed) "$case" ;;
+    flags | moved | waiting | needed | analysis | passed | only | reads | expensive) "$case" ;;
     *) fail "there is no case '$case'" ;;
 esac
 [ $failures -eq 0 ] && echo "passed: $case"

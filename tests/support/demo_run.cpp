@@ -42,6 +42,11 @@ DemoRun& DemoRun::set(const std::string& knob, const std::string& value) {
 
 DemoRun& DemoRun::set(const std::string& knob, double value) { return set(knob, numberText(value)); }
 
+DemoRun& DemoRun::preset(const std::string& name) {
+    applyPreset(demo(), findPreset(stage().info(), name));
+    return *this;
+}
+
 Picture DemoRun::picture(int frame) {
     stage().draw(frame, true);
     return stage().picture();

@@ -22,6 +22,8 @@ class DemoRun {
     explicit DemoRun(const std::string& name, int width = 0, int height = 0);
     DemoRun& set(const std::string& knob, const std::string& value);
     DemoRun& set(const std::string& knob, double value);
+    // Sets all knobs, by the demo's preset of that name.
+    DemoRun& preset(const std::string& name);
     // Draws the frame, readouts too, and returns the picture.
     Picture picture(int frame = 1);
     // A readout of the last picture; a test failure and NaN where it was not measured.

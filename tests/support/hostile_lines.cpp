@@ -7,7 +7,8 @@
 namespace mv::test {
 
 HostileLines::HostileLines(unsigned seed) : random_(seed) {
-    words_ = {"--shot",
+    words_ = {"--preset",
+              "--shot",
               "--frame",
               "--frames",
               "--size",
@@ -57,6 +58,7 @@ HostileLines::HostileLines(unsigned seed) : random_(seed) {
               std::string(5000, 'x')};
     for (const DemoInfo& info : catalogue()) {
         words_.push_back(info.name);
+        for (const Preset& preset : info.presets) words_.push_back(preset.name);
         const auto demo = info.make();
         for (const Knob* knob : demo->knobs()) {
             words_.push_back("--" + knob->name());
@@ -77,6 +79,8 @@ std::vector<std::string> HostileLines::meant() {
     const DemoInfo& info = catalogue()[pick(catalogue().size())];
     const auto demo = info.make();
     std::vector<std::string> line{info.name};
+    if (!info.presets.empty() && pick(3) == 0)
+        line.push_back("--preset=" + info.presets[pick(info.presets.size())].name);
     for (std::size_t i = pick(4); i > 0; --i) {
         const Knob& knob = *demo->knobs()[pick(demo->knobs().size())];
         const std::vector<std::string> values = knob.sweep();

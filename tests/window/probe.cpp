@@ -138,7 +138,7 @@ Study integralStudy() {
     Study study;
     study.quantity = "the integral";
     study.reference = "in closed form";
-    study.makeReference = [](const Demo& demo, const Frame&, const auto& progress) {
+    study.makeReference = [](const Demo& demo, const ReferenceFrame&, const auto& progress) {
         return dynamic_cast<const Integral&>(demo).reference(progress);
     };
     study.scenes = {{"exp", {{"function", "exp"}}}, {"root", {{"function", "root"}}}};
@@ -190,7 +190,7 @@ const bool integralAdded = addDemo<Integral>({
     .name = "integral",
     .sentence = "A demo with a study of errors and times.",
     .lookFor = "",
-    .chapter = "Studies",
+    .chapter = "Shadows",
     .number = 99,
     .width = 400,
     .height = 300,
@@ -202,7 +202,7 @@ const bool probeAdded = addDemo<Probe>({
     .name = "probe",
     .sentence = "Every kind of knob, and a square whose background moves.",
     .lookFor = "The background goes from green to blue once a second.",
-    .chapter = "Probes",
+    .chapter = "Viewing and projection",
     .number = 1,
     .width = 400,
     .height = 300,
@@ -212,7 +212,7 @@ const bool brokenAdded = addDemo<Broken>({
     .name = "broken",
     .sentence = "A demo that cannot be opened.",
     .lookFor = "",
-    .chapter = "Probes",
+    .chapter = "Viewing and projection",
     .number = 2,
 });
 

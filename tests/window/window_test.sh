@@ -102,6 +102,35 @@ slider() {
     clickOn "Reset all"
     awaitReport command "$cubeCull"
     quit
+    # A bar of many decades: its middle is the middle of them, its upper end the last one, and its lower end is 0.
+    start 'mvgl: pipeline' "$(dirname "$cubeCull")/pipeline" --size 400x900
+    read -r x y <<<"$(place offset)"
+    at "$x" "$y" && click
+    atLeast "offset in the middle of 1 .. 1e8" "$(reported offset)" 2e3
+    atMost "offset in the middle of 1 .. 1e8" "$(reported offset)" 2e4
+    at $((x + 40)) "$y" && buttonDown && at $((x + 120)) "$y" && buttonUp
+    awaitReport offset 1e+08
+    at $((x - 40)) "$y" && buttonDown && at $((x - 150)) "$y" && buttonUp
+    awaitReport offset 0
+    quit
+}
+
+preset() { # its button sets every knob, and the copied line makes the same picture
+    start 'mvgl: cube-cull' "$cubeCull" --z-dist -6
+    clickOn "preset front-culled"
+    awaitReport cull front z-dist -4
+    press s
+    quit
+    equal "command" "$cubeCull --cull front" "$(reported command)"
+    sameAsHeadless cube-cull-1.png
+    "$cubeCull" --preset front-culled --shot preset.png
+    cmp cube-cull-1.png preset.png || fail "--preset is not what its button is"
+    # Other flags move from a preset, and the button goes back to it.
+    start 'mvgl: cube-cull' "$cubeCull" --preset original --cull none
+    equal "spin-y and cull of the preset and the flag" "0 none" "$(reported spin-y) $(reported cull)"
+    clickOn "preset original"
+    awaitReport cull back spin-y 0
+    quit
 }
 
 typed() {
@@ -158,14 +187,90 @@ drag() {
     buttonUp
     at 100 100 # no button: nothing turns
     quit
-    equal "spin-y after 40 pixels to the right" -40 "$(reported spin-y)"
-    equal "spin-x after 30 pixels down" 30 "$(reported spin-x)"
+    equal "spin-y after 40 pixels to the right" -10 "$(reported spin-y)"
+    equal "spin-x after 30 pixels down" 50 "$(reported spin-x)"
     # A drag that begins on the panel is the panel's, wherever it goes.
     start 'mvgl: cube-cull' "$cubeCull"
     at 700 20 && buttonDown
     at 300 300 && at 320 300 && buttonUp
     quit
-    equal "spin-y after a drag from the panel" 0 "$(reported spin-y)"
+    equal "spin-y after a drag from the panel" 30 "$(reported spin-y)"
+}
+
+hand() { # what is dragged in the picture itself
+    local folder x y farX farY knob
+    folder=$(dirname "$cubeCull")
+    start 'mvgl: view-volume' "$folder/view-volume"
+    read -r x y <<<"$(place "handle far plane")"
+    at $((x + 40)) $((y + 40)) # beside it
+    awaitReport hovered ""
+    at "$x" "$y"
+    awaitReport hovered "far plane"
+    buttonDown
+    at $((x + 30)) $((y - 10))
+    awaitReport hovered "far plane" # which follows
+    buttonUp
+    atLeast "far after it was dragged away from the camera" "$(reported far)" 33
+    equal "turn, which a drag beside a handle moves" 65 "$(reported turn)"
+    # It is under the pointer: at most two pixels from it, as near as a line comes to it
+    read -r farX farY <<<"$(place "handle far plane")"
+    atMost "distance of the handle across" $(((farX - x - 30) * (farX - x - 30))) 100
+    at $((x + 100)) $((y + 60)) && buttonDown && at $((x + 110)) $((y + 60)) && buttonUp
+    equal "turn after a drag beside the handles" 60 "$(reported turn)"
+    # By keyboard: Tab picks near, then far; the arrows move the one that is picked, and not what the demo has them for
+    press Tab
+    awaitReport hovered "near plane"
+    press Right Right shift+Right
+    atLeast "near after twelve pixels" "$(reported near)" 8.5
+    equal "pan, which the arrows move otherwise" 0 "$(reported pan)"
+    press Escape # lets it go, and only that
+    press Left
+    equal "pan" 5 "$(reported pan)"
+    press s
+    quit
+    sameAsHeadless view-volume-1.png
+    # A light in space, while its circle is paused
+    start 'mvgl: shadow-floor' "$folder/shadow-floor" --frame 30
+    read -r x y <<<"$(place "handle light")"
+    at "$x" "$y" && buttonDown
+    at $((x - 60)) $((y + 25))
+    at $((x - 80)) $((y + 35)) && buttonUp
+    read -r farX farY <<<"$(place "handle light")"
+    atMost "distance of the light from the pointer" $(((farX - x + 80) * (farX - x + 80) + (farY - y - 35) * (farY - y - 35))) 2
+    press s
+    quit
+    for knob in light-x light-z light-height; do
+        reported command | grep -q -- "--$knob " || fail "the light's $knob has not moved: $(reported command)"
+    done
+    sameAsHeadless shadow-floor-30.png
+    # Points: dragged onto their grid, and one more, and one less
+    start 'mvgl: shadow-lights' "$folder/shadow-lights" --scene placed --frame 1 --places 0,1/1.5,0.5
+    read -r x y <<<"$(place "handle light 2")"
+    at "$x" "$y" && buttonDown
+    at $((x - 50)) "$y" && buttonUp
+    [ "$(reported places)" != 0,1/1.5,0.5 ] || fail "the second light has not moved"
+    equal "the first light" 0,1 "$(reported places | cut -d/ -f1)"
+    press Insert # under the mouse; the new one is picked
+    awaitReport hovered "light 3"
+    equal "lights after Insert" 3 "$(reported places | tr / '\n' | wc -l)"
+    press shift+Right
+    press s
+    cp shadow-lights-1.png placed.png
+    clickOn "places -"
+    equal "lights after the button -" 2 "$(reported places | tr / '\n' | wc -l)"
+    clickOn "places +"
+    press Tab Delete # the first one
+    equal "lights after Delete" 2 "$(reported places | tr / '\n' | wc -l)"
+    read -r x y <<<"$(place places)"
+    at "$x" "$y" && click # the value as words is edited when it is clicked
+    press ctrl+a
+    xdotool type --delay 20 "1,1/-1.05,0.5"
+    keysDone 13
+    press Return
+    awaitReport places 1,1/-1.05,0.5
+    press s
+    quit
+    sameAsHeadless shadow-lights-1-2.png
 }
 
 replay() { # as fast as xdotool is: nothing is waited for between two moves
@@ -180,7 +285,7 @@ replay() { # as fast as xdotool is: nothing is waited for between two moves
     turn 4 2
     press s
     quit
-    [ "$(reported spin-y)" != 0 ] || fail "the drags moved nothing"
+    [ "$(reported spin-y)" != 30 ] || fail "the drags moved nothing"
     sameAsHeadless cube-cull-1.png
 }
 
@@ -203,13 +308,14 @@ save() {
 
 clipboard() { # a copied line works where the window was opened from, pasted as it is
     pasted() {
-        start 'mvgl: cube-cull' "$@" --cull front --size 500x1000
+        start 'mvgl: cube-cull' "$@" --cull both --size 500x1000
+        at 700 500 && turn 5 5 # the panel is longer than the window is high
         clickOn "Copy command line"
         local line
         line=$("$(dirname "$launcher")/clipboard")
         quit
         equal "what is pasted is what is reported" "$(reported command)" "$line"
-        equal "what --copyable says" "$line" "$("$@" --cull front --size 500x1000 --copyable)"
+        equal "what --copyable says" "$line" "$("$@" --cull both --size 500x1000 --copyable)"
         sh -c "$line --shot pasted.png" || fail "pasted, '$line' does not run"
         [ -s pasted.png ] || fail "pasted, '$line' makes no picture"
         rm -f pasted.png
@@ -311,7 +417,7 @@ stormOf() { # DEMO
 torn() {
     start 'mvgl: cube-cull' "${sham[@]}" SHAM=torn "$cubeCull"
     press Up
-    resize 700 400 340x400
+    resize 700 600 340x600
     clickOn depth
     awaitReport depth off
     quit
@@ -339,7 +445,7 @@ looksTwiceAsLarge() {
     awaitReport mouse "$((600 / perUnit)),$((600 / perUnit))"
     buttonDown
     xdotool mousemove --window "$window" 640 600
-    awaitReport spin-y "-$((40 / perUnit))"
+    awaitReport spin-y "$((30 - 40 / perUnit))"
     buttonUp
     turn 4 1
     awaitReport z-dist -4.2
@@ -539,7 +645,7 @@ idle() {
 }
 
 compare_() {
-    local settings="--spin-x 20 --spin-y 30"
+    local settings="--spin-x 25 --spin-y 35"
     # shellcheck disable=SC2086
     {
         "$cubeCull" $settings --cull back --shot back.png
@@ -567,7 +673,7 @@ compare_() {
     mv cube-cull-1.png keys.png && sides keys.png 197 200
     quit
     equal "the divider" 0.33 "$(printf %.2f "$(reported divider)")"
-    equal "settings after the line was dragged" "20 30" "$(reported spin-x) $(reported spin-y)"
+    equal "settings after the line was dragged" "25 35" "$(reported spin-x) $(reported spin-y)"
     # Dragging and pushing the line draws neither of the two again.
     equal "demo frames" 2 "$(reported demo_frames)"
     equal "command" "$cubeCull $settings --compare cull=back,front" "$(reported command)"
@@ -580,9 +686,9 @@ compare_() {
     at 100 300 && buttonDown && at 110 300 && buttonUp
     press s
     quit
-    equal "spin-y after a drag far from the line" 20 "$(reported spin-y)"
-    "$cubeCull" --spin-x 20 --spin-y 20 --cull back --shot back.png
-    "$cubeCull" --spin-x 20 --spin-y 20 --cull front --shot front.png
+    equal "spin-y after a drag far from the line" 25 "$(reported spin-y)"
+    "$cubeCull" --spin-x 25 --spin-y 25 --cull back --shot back.png
+    "$cubeCull" --spin-x 25 --spin-y 25 --cull front --shot front.png
     sides cube-cull-1.png 299 302
 }
 
@@ -745,7 +851,7 @@ case $case in
     resize) resizing ;;
     storm) stormOfProbe ;;
     storm.*) stormOf "${case#storm.}" ;;
-    opens | keys | held | slider | typed | choice | wheel | drag | replay | save | clipboard | error | torn | twice | density | paused | reload | idle | study | measure | vanish)
+    opens | keys | held | slider | preset | typed | choice | wheel | drag | hand | replay | save | clipboard | error | torn | twice | density | paused | reload | idle | study | measure | vanish)
         "$case"
         ;;
     *) fail "there is no case '$case'" ;;

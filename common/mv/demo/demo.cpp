@@ -6,6 +6,8 @@
 #include <numeric>
 #include <utility>
 
+#include "mv/demo/chapters.h"
+
 namespace mv {
 
 Readout::Readout(Demo* owner, std::string name, std::string help, std::string unit)
@@ -20,7 +22,7 @@ void Demo::add(Knob* knob) {
     knobs_.push_back(knob);
 }
 
-Scene Demo::scene(const Frame&) const {
+Scene Demo::scene(const FrameInfo&) const {
     throw Error("scene", "must be given by a demo that draws one; this one gives none");
 }
 
@@ -53,6 +55,21 @@ double Demo::number(std::string_view name) const {
     if (const auto read = std::from_chars(text.data(), end, value); read.ec != std::errc{} || read.ptr != end)
         throw Error("--" + std::string(name), "must be a knob whose value is a number", text);
     return value;
+}
+
+std::string Demo::idleReason(const Knob& knob) const {
+    std::vector<const Knob*> unread;
+    for (const Knob* each : knobs_) {
+        if (!each->wasRead()) unread.push_back(each);
+    }
+    std::string reason;
+    for (const Knob::Condition& condition : knob.conditions_) {
+        if (condition.holds()) continue;
+        reason = condition.reason;
+        break;
+    }
+    for (const Knob* each : unread) each->forgetRead();
+    return reason;
 }
 
 bool Demo::press(Key key) {
@@ -101,6 +118,34 @@ void Demo::bindDrag(Knob& across, double perPixelAcross, Knob& down, double perP
 }
 
 void Demo::bindWheel(Knob& knob, double perNotch) { bindings_.push_back({Gesture::wheel, Key{}, &knob, perNotch}); }
+
+void Demo::bindHandle(std::string name, std::vector<Real*> knobs,
+                      std::function<std::optional<vec2>(const FrameInfo&)> where) {
+    Handle handle{.name = std::move(name), .knobs = {knobs.begin(), knobs.end()}};
+    handle.count = [] { return std::size_t{1}; };
+    handle.coordinates = [knobs = std::move(knobs)](std::size_t) {
+        std::vector<Coordinate> coordinates;
+        for (Real* knob : knobs) coordinates.push_back(knob->coordinate());
+        return coordinates;
+    };
+    handle.where = [where = std::move(where)](const FrameInfo& frame, std::size_t) { return where(frame); };
+    handles_.push_back(std::move(handle));
+}
+
+void Demo::bindHandle(std::string name, Points& points,
+                      std::function<std::optional<vec2>(const FrameInfo&, const vec2& value)> where) {
+    Handle handle{.name = std::move(name), .knobs = {&points}};
+    handle.count = [&points] { return points.size(); };
+    handle.coordinates = [&points](std::size_t i) {
+        return std::vector<Coordinate>{points.coordinate(i, 0), points.coordinate(i, 1)};
+    };
+    handle.where = [&points, where = std::move(where)](const FrameInfo& frame, std::size_t i) {
+        return where(frame, points[i]);
+    };
+    handle.add = [&points](std::size_t after) { return points.add(after); };
+    handle.remove = [&points](std::size_t i) { return points.remove(i); };
+    handles_.push_back(std::move(handle));
+}
 
 std::string keyName(Key key) {
     switch (key) {
@@ -162,7 +207,8 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
 }  // namespace
 
 const std::vector<DemoInfo>& catalogue() {
-    for (const auto& [name, unused] : measures()) {
+    for (const auto& measured : measures()) {
+        const std::string& name = measured.first;
         const bool known =
             std::any_of(demos().begin(), demos().end(), [&](const DemoInfo& info) { return info.name == name; });
         if (!known) throw Error("study of " + name, "must measure a demo of this program");
@@ -194,12 +240,14 @@ void addProbedReadouts(Demo& demo, const std::string& name) {
 }
 
 bool addDemo(DemoInfo info) {
+    checkPresets(info);
     auto& all = demos();
     for (const DemoInfo& other : all) {
         if (other.name == info.name) throw Error("demo " + info.name, "must be added once");
     }
     if (const auto found = measures().find(info.name); found != measures().end()) found->second.give(info);
-    const auto place = std::find_if(all.begin(), all.end(), [&](const DemoInfo& d) { return d.number > info.number; });
+    const auto order = [](const DemoInfo& d) { return std::pair(chapterPlace(d), d.number); };
+    const auto place = std::find_if(all.begin(), all.end(), [&](const DemoInfo& d) { return order(d) > order(info); });
     all.insert(place, std::move(info));
     return true;
 }
@@ -212,10 +260,6 @@ const DemoInfo& findDemo(std::string_view name) {
     }
     throw Error("'" + std::string(name) + "'",
                 "is no demo of this program (--list shows them)" + suggestion(name, names));
-}
-
-void strikePose(Demo& demo, const DemoInfo& info) {
-    for (const auto& [name, text] : info.pose) demo.knob(name).parse(text);
 }
 
 void applyKnobs(Demo& demo, const std::vector<KnobSetting>& settings) {

@@ -7,12 +7,14 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "mv/demo/binding.h"
 #include "mv/demo/frame.h"
+#include "mv/demo/handle.h"
 #include "mv/demo/knob.h"
+#include "mv/demo/points.h"
+#include "mv/demo/preset.h"
 #include "mv/demo/readout.h"
 #include "mv/demo/study.h"
 #include "mv/error.h"
@@ -42,7 +44,7 @@ class Demo {
 
     // For a demo that draws a Scene: what it is at the present settings, in the picture that `frame` describes. The one
     // answer for draw(), check(), references and probes.
-    virtual Scene scene(const Frame& frame) const;
+    virtual Scene scene(const FrameInfo& frame) const;
     // The same, through the camera of this picture, which a probe may have put elsewhere: what draw() draws.
     Scene seen(const Frame& frame) const;
     // For a study of values: computes them for the present settings, without GL. This is what is timed.
@@ -51,9 +53,13 @@ class Demo {
     const std::vector<Knob*>& knobs() const { return knobs_; }
     const std::vector<Readout*>& readouts() const { return readouts_; }
     const std::vector<Binding>& bindings() const { return bindings_; }
+    const std::vector<Handle>& handles() const { return handles_; }
 
     // The knob of that name, or Error naming the nearest one.
     Knob& knob(std::string_view name) const;
+    // Why the knob changes nothing in the present settings, by its onlyWhen(); "" where it does something. No knob counts as
+    // read for it.
+    std::string idleReason(const Knob& knob) const;
 
     // The present value of a knob, by name: as a number, or as the text of its flag. Error: no such knob, or no number.
     double number(std::string_view name) const;
@@ -64,28 +70,34 @@ class Demo {
     bool drag(double across, double down);
     bool wheel(double notches);
 
-  protected:
-    // Declared in a demo's constructor; `amount` as in Binding.
+    // Declared in a demo's constructor, or by a member that brings its knobs; `amount` as in Binding.
     void bindKeys(Key less, Key more, Knob& knob, double amount);
     void bindKey(Key key, Knob& knob, std::string text);
     void bindDrag(Knob& across, double perPixelAcross, Knob& down, double perPixelDown);
     void bindWheel(Knob& knob, double perNotch);
+    // Something in the picture that is dragged there; `where` as in Handle.
+    void bindHandle(std::string name, std::vector<Real*> knobs,
+                    std::function<std::optional<vec2>(const FrameInfo&)> where);
+    // One for each of the points; `where` says where the value of one is.
+    void bindHandle(std::string name, Points& points,
+                    std::function<std::optional<vec2>(const FrameInfo&, const vec2& value)> where);
 
   private:
     friend class Knob;
     friend class Readout;
-    friend struct Turntable;
     void add(Knob* knob);
     void add(Readout* readout) { readouts_.push_back(readout); }
 
     std::vector<Knob*> knobs_;
     std::vector<Readout*> readouts_;
     std::vector<Binding> bindings_;
+    std::vector<Handle> handles_;
     std::vector<std::unique_ptr<Readout>> probed_;
     friend void addProbedReadouts(Demo& demo, const std::string& name);
 };
 
-// Something that a demo uses and OpenGL ES 3.0, which is WebGL 2's, lacks.
+// Something that a demo uses and OpenGL ES 3.0, which is WebGL 2's, lacks; older OpenGL may lack it, too (clip control). A demo can ask
+// whether it is there: has() in mv/gl/beyond_es.h.
 struct BeyondEs {
     std::string feature;    // by the name that mv/gl/beyond_es.h finds it by: "clip distances"
     std::string otherwise;  // what the demo does without it, a clause
@@ -113,17 +125,17 @@ struct DemoInfo {
     std::string name;               // kebab-case; the program, the page and the shaders have the same name
     std::string sentence;           // what it shows
     std::string lookFor;            // what to look for, one sentence
-    std::string chapter;            // the heading it stands under
-    int number = 0;                 // its row in the course's catalogue, which orders the lists
+    std::string chapter;            // the heading it stands under: one of mv/demo/chapters.h, or none
+    int number = 0;                 // its row in the course's catalogue, which orders a chapter
     int width = 512, height = 512;  // the original's canvas
     bool animated = false;          // the picture depends on the frame index
     // The colour that the picture is cleared to before each draw, with depth to 1 and the stencil to 0; without one, the
     // demo clears. A measured quantity is cleared to -1, which is nothing to compare, by either.
     std::optional<vec4> background = {};
     Needs needs = {};
-    // Knobs and values that show the demo better than its first picture does (a cube seen straight on): its small pictures
-    // are drawn in this pose, and the sweep test moves one knob at a time from it.
-    std::vector<std::pair<std::string, std::string>> pose = {};
+    // Two to six settings worth a look. The first has none of its own: it is the knobs' initial values, which are to teach
+    // at first sight. Where there is an original, `original` is its first picture.
+    std::vector<Preset> presets = {};
     std::vector<DeclaredWaste> waste = {};
     // What is to be measured, error against run time (--study), and read out: added by NAME.study.cpp.
     std::optional<Study> study = {};
@@ -131,11 +143,12 @@ struct DemoInfo {
     std::function<std::unique_ptr<Demo>()> make = {};
 };
 
-// All demos linked into this program, in the order of their numbers.
+// All demos linked into this program, by chapters and in them by numbers.
 const std::vector<DemoInfo>& catalogue();
 // The demo of that name, or Error naming the nearest one.
 const DemoInfo& findDemo(std::string_view name);
-// Adds a demo; called at file scope by the last line of its file. Two of one name: Error.
+// Adds a demo; called at file scope by the last line of its file. Error: two of one name, a chapter that there is not, or
+// presets that checkPresets() refuses.
 bool addDemo(DemoInfo info);
 // The numbers of that demo's probes become readouts of it, behind its own. For addDemo().
 void addProbedReadouts(Demo& demo, const std::string& name);
@@ -151,8 +164,6 @@ bool addDemo(DemoInfo info) {
 
 // Sets knobs by name. Error: no such knob, or a value that it refuses.
 void applyKnobs(Demo& demo, const std::vector<KnobSetting>& settings);
-// Sets the knobs of the demo's pose.
-void strikePose(Demo& demo, const DemoInfo& info);
 
 // The candidate nearest to `word` by edit distance, or "" where none is near enough to be a slip of the hand.
 std::string nearestName(std::string_view word, const std::vector<std::string>& candidates);

@@ -13,7 +13,7 @@ void Frame::say(std::string message) const { notes_->messages.push_back(std::mov
 
 void Frame::count(std::string name, double amount) const { notes_->counts.emplace_back(std::move(name), amount); }
 
-std::vector<Pane> Frame::panes(int count) const {
+std::vector<Pane> FrameInfo::panes(int count) const {
     if (count < 1) throw Error("panes", "must be 1 or more", std::to_string(count));
     const int columns = static_cast<int>(std::ceil(std::sqrt(count))), rows = (count + columns - 1) / columns;
     const int width = std::max(1, (width_ - columns + 1) / columns), height = std::max(1, (height_ - rows + 1) / rows);

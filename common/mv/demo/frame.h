@@ -26,7 +26,6 @@ struct Camera {
 struct FrameMode {
     bool readouts = false;
     bool measuring = false;
-    bool ownError = false;
     std::optional<Camera> camera = {};
     std::function<void()> bindTarget = {};
 };
@@ -38,16 +37,15 @@ struct Pane {
     double aspect() const { return double(width) / height; }
 };
 
-class Frame {
+// Which picture it is: its number and its size in pixels. What a scene, a reference or words in a picture need to know.
+class FrameInfo {
   public:
-    Frame(int index, int width, int height, FrameNotes& notes, FrameMode mode = {})
-        : index_(index), width_(width), height_(height), mode_(std::move(mode)), notes_(&notes) {}
+    FrameInfo(int index, int width, int height) : index_(index), width_(width), height_(height) {}
 
     // Frame n is the original's picture after n of its steps; the first picture of an original is frame 1.
     int index() const { return index_; }
     // Seconds, index/60: never a clock, so frame n is the same picture in a window, headless and in a test.
     double time() const { return index_ / 60.0; }
-    // The size of the picture in pixels; the viewport covers it.
     int width() const { return width_; }
     int height() const { return height_; }
     double aspect() const { return double(width_) / height_; }
@@ -55,6 +53,17 @@ class Frame {
     // Between them, and where the division leaves a rest, there is a line of single pixels that belongs to none. In a picture
     // too small for that a pane has 1 pixel a side and may lie outside. Refused: a count below 1.
     std::vector<Pane> panes(int count) const;
+
+  private:
+    int index_, width_, height_;
+};
+
+// A picture while it is drawn; the viewport covers all of it.
+class Frame : public FrameInfo {
+  public:
+    Frame(const FrameInfo& info, FrameNotes& notes, FrameMode mode)
+        : FrameInfo(info), mode_(std::move(mode)), notes_(&notes) {}
+
     // Whether anybody reads the readouts of this frame. One that costs draws of its own (a count of triangles, say) is
     // left out where nobody does; the picture is the same either way.
     bool readouts() const { return mode_.readouts; }
@@ -63,8 +72,6 @@ class Frame {
     bool measuring() const { return mode_.measuring; }
     // The camera that a probe looks through; none: the demo's own. Demo::seen() heeds it.
     const std::optional<Camera>& camera() const { return mode_.camera; }
-    // Whether a reference is to find its own error too, which costs more than it does itself.
-    bool ownError() const { return mode_.ownError; }
     // Draws go into the picture again, all of it, after a demo has drawn into a target of its own.
     void bindTarget() const { mode_.bindTarget(); }
 
@@ -77,7 +84,6 @@ class Frame {
     void count(std::string name, double amount) const;
 
   private:
-    int index_, width_, height_;
     FrameMode mode_;
     FrameNotes* notes_;
 };

@@ -1,23 +1,40 @@
 #include "mv/demo/knob.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <utility>
 
 #include "mv/demo/demo.h"
+#include "mv/demo/number.h"
 
 namespace mv {
 namespace {
 
-// Reads the whole of `text` as a number; nan, inf and hexadecimal are no settings.
-template <class Number>
-bool readNumber(std::string_view text, Number& number) {
-    if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);  // which from_chars does not take
-    const auto end = text.data() + text.size();
-    const auto result = std::from_chars(text.data(), end, number);
-    if (result.ec != std::errc() || result.ptr != end) return false;
-    return std::isfinite(static_cast<double>(number));
+// The number nearest to `value` that has so many significant digits.
+double withDigits(double value, int digits) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.*e", digits - 1, value);
+    return std::strtod(text, nullptr);
+}
+
+// "512", "1e6".
+std::string wordOf(int number) {
+    int zeros = 0, rest = number;
+    for (; rest > 0 && rest % 10 == 0; rest /= 10) ++zeros;
+    return rest == 1 && zeros >= 3 ? "1e" + std::to_string(zeros) : std::to_string(number);
+}
+
+std::vector<Option> wordsOf(const std::vector<int>& numbers) {
+    std::vector<Option> options;
+    options.reserve(numbers.size());
+    for (const int number : numbers) options.push_back({wordOf(number)});
+    return options;
+}
+
+int placeOf(int number, const std::vector<int>& numbers) {
+    return static_cast<int>(std::find(numbers.begin(), numbers.end(), number) - numbers.begin());
 }
 
 }  // namespace
@@ -33,6 +50,14 @@ Error Knob::refused(std::string_view text) const {
     return Error("--" + name_, rule, "'" + std::string(text) + "'");
 }
 
+std::string Knob::rangeInFull() const {
+    return range() + (unit_.empty() ? "" : " " + unit_) + (scale() == Scale::logarithmic ? ", logarithmic" : "");
+}
+
+std::string Knob::stepText(double amount, const std::string& unit) const {
+    return (amount > 0 ? "+" : "") + numberText(amount) + (unit.empty() ? "" : " " + unit);
+}
+
 // ---- Real
 
 Real::Real(Demo* owner, std::string name, double initial, Range range, std::string help, std::string unit)
@@ -40,22 +65,52 @@ Real::Real(Demo* owner, std::string name, double initial, Range range, std::stri
       value_(initial),
       initial_(initial),
       range_(range) {
-    if (!(range.low <= initial && initial <= range.high)) throw refused(numberText(initial));
+    const bool logarithmic = range.scale == Scale::logarithmic;
+    if (logarithmic && !(range.low > 0)) {
+        throw Error("knob " + this->name(), "must have a logarithmic range above 0", this->range());
+    }
+    if (range.orZero && !logarithmic) {
+        throw Error("knob " + this->name(), "must be logarithmic to have 0 as an end of its own", this->range());
+    }
+    if (!allowed(initial)) throw refused(numberText(initial));
+}
+
+bool Real::allowed(double number) const {
+    return (range_.low <= number && number <= range_.high) || (range_.orZero && number == 0);
 }
 
 void Real::parse(std::string_view text) {
     double number = 0;
-    if (!readNumber(text, number) || number < range_.low || number > range_.high) throw refused(text);
+    if (!readNumber(text, number) || !allowed(number)) throw refused(text);
     value_ = number == 0 ? 0 : number;  // -0 would print as "-0"
 }
 
-std::string Real::range() const { return numberText(range_.low) + " .. " + numberText(range_.high); }
+std::string Real::range() const {
+    return (range_.orZero ? "0 or " : "") + numberText(range_.low) + " .. " + numberText(range_.high);
+}
 
 std::vector<std::string> Real::sweep() const {
-    return {numberText(range_.low), initialText(), numberText(range_.high)};
+    const std::string low = numberText(range_.low), high = numberText(range_.high);
+    if (range_.scale == Scale::linear) return {low, initialText(), high};
+    const std::string middle = numberText(withDigits(std::sqrt(range_.low) * std::sqrt(range_.high), 3));
+    if (range_.orZero) return {"0", low, middle, initialText(), high};
+    return {low, middle, initialText(), high};
+}
+
+std::string Real::stepText(double amount, const std::string& unit) const {
+    if (range_.scale == Scale::linear) return Knob::stepText(amount, unit);
+    return "\u00D7 " + numberText(withDigits(std::pow(10.0, amount), 3));
 }
 
 bool Real::step(double amount) {
+    if (range_.scale == Scale::logarithmic) {
+        // Below the low end there is 0, where it is allowed; from there the first step leads to the low end again.
+        const bool up = amount > 0;
+        double moved = value_ == 0 ? (up ? range_.low : 0) : withDigits(value_ * std::pow(10.0, amount), 4);
+        if (value_ == range_.low && range_.orZero && amount < 0) moved = 0;
+        if (moved != 0) moved = std::clamp(moved, range_.low, range_.high);
+        return std::exchange(value_, moved) != moved;
+    }
     // Steps of 0.1 or 0.2 are not exact in binary; on a grid of 1e-9 twenty of them lead from -4 to 0 and not to 1e-15.
     const double moved = std::round((value_ + amount) * 1e9) / 1e9;
     const double stopped = std::clamp(moved, range_.low, range_.high);
@@ -64,7 +119,12 @@ bool Real::step(double amount) {
     return true;
 }
 
-bool Real::widget(Panel& panel) { return panel.slider(*this, value_, range_.low, range_.high); }
+bool Real::widget(Panel& panel) { return panel.slider(*this, value_, range_); }
+
+Coordinate Real::coordinate() {
+    const auto set = [this](double value) { value_ = std::clamp(value, range_.low, range_.high) + 0.0; };  // no -0
+    return {[this] { return double(*this); }, set, range_.low, range_.high};
+}
 
 // ---- Angle
 
@@ -76,6 +136,11 @@ bool Angle::step(double amount) {
     value_ = std::fmod(std::round((value_ + amount) * 1e9) / 1e9, 360.0);
     if (value_ == 0) value_ = 0;
     return true;
+}
+
+Coordinate Angle::coordinate() {
+    const auto set = [this](double value) { value_ = std::fmod(value, 360.0) + 0.0; };
+    return {[this] { return double(*this); }, set, range_.low, range_.high};
 }
 
 // ---- Whole
@@ -167,5 +232,18 @@ bool WordChoice::step(double amount) {
 }
 
 bool WordChoice::widget(Panel& panel) { return panel.choose(*this, index_, options_); }
+
+NumberChoice::NumberChoice(Demo* owner, std::string name, int initial, const std::vector<int>& numbers,
+                           std::string help)
+    : WordChoice(owner, std::move(name), placeOf(initial, numbers), wordsOf(numbers), std::move(help)),
+      numbers_(numbers) {}
+
+void NumberChoice::parse(std::string_view text) {
+    double number = 0;
+    const bool read = readNumber(text, number);
+    const auto found = std::find_if(numbers_.begin(), numbers_.end(), [&](int n) { return read && n == number; });
+    if (found == numbers_.end()) throw refused(text);
+    WordChoice::parse(wordOf(*found));
+}
 
 }  // namespace mv

@@ -2,8 +2,10 @@
 // a widget in the window, a row in the documentation and a case in the sweep test.
 #pragma once
 #include <atomic>
+#include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "mv/demo/panel.h"
@@ -16,6 +18,15 @@ class Demo;
 // A knob and the value it is set to, as text.
 struct KnobSetting {
     std::string name, text;
+};
+
+// A number of a knob that a hand in the picture moves (mv/demo/handle.h). `set` stops at the ends; an angle goes on past them, and
+// drops whole turns.
+struct Coordinate {
+    std::function<double()> get;
+    std::function<void(double)> set;
+    double low, high;
+    double grid = 0;  // whole multiples of it alone are values, in the end; 0: all numbers are
 };
 
 // A setting. To add a kind of knob, derive from it and answer these questions; nothing else has to know the new kind.
@@ -37,21 +48,33 @@ class Knob {
     virtual std::string initialText() const = 0;
     // What is allowed, for people: "0.05 .. 10", "none | back | front | both".
     virtual std::string range() const = 0;
-    // The settings a test tries, as texts: the ends of the range and the initial one, or every choice.
+    // The same with its unit, and with "logarithmic" where the knob goes by factors.
+    std::string rangeInFull() const;
+    virtual Scale scale() const { return Scale::linear; }
+    // The settings a test tries, as texts: the ends of the range and the initial one, or every choice. A logarithmic range
+    // adds its middle, and one that allows 0 begins with it.
     virtual std::vector<std::string> sweep() const = 0;
     // Moves the value by `amount` (a key, a drag, a wheel notch). False where the range ends: nothing moved.
     virtual bool step(double amount) = 0;
+    // What a step by `amount` does, for people: "+0.5 m"; of a logarithmic knob its factor.
+    virtual std::string stepText(double amount, const std::string& unit) const;
     // Shows the knob; true when the user changed it.
     virtual bool widget(Panel& panel) = 0;
     // What each option means, for a Choice; empty for the rest.
     virtual std::vector<Option> options() const { return {}; }
+
+    // Said in the demo's constructor: the knob changes nothing in the picture where `holds` is false, because of `reason`, a
+    // clause: "the method keeps no map". The window greys it then, and whoever sets it is told.
+    void onlyWhen(std::function<bool()> holds, std::string reason) {
+        conditions_.push_back({std::move(holds), std::move(reason)});
+    }
 
     bool isInitial() const { return text() == initialText(); }
     void reset() { parse(initialText()); }
 
     // Whether somebody has asked for the value, as text too, since forgetRead(). A thread may ask.
     bool wasRead() const { return read_.load(std::memory_order_relaxed); }
-    void forgetRead() { read_.store(false, std::memory_order_relaxed); }
+    void forgetRead() const { read_.store(false, std::memory_order_relaxed); }
 
   protected:
     // A copy belongs to no demo; it exists so that vec3(0, 0, knob) works, which takes its arguments by value. So it is
@@ -62,16 +85,24 @@ class Knob {
     Error refused(std::string_view text) const;
 
   private:
+    friend class Demo;
+    struct Condition {
+        std::function<bool()> holds;
+        std::string reason;
+    };
     std::string name_, help_, unit_;
+    std::vector<Condition> conditions_;
     mutable std::atomic<bool> read_{false};
 };
 
 // A number. Outside its range it is refused, never clamped.
+//     Real near{this, "near", 0.1, {0.01, 2.5, Scale::logarithmic}, "where the view begins", "m"};
+// A logarithmic one steps by factors, of 10 to the power of `amount`, and its slider has all decades at the same length;
+// Error: its range reaches 0 or below. Where 0 is allowed all the same, as an end of its own below the range's low end,
+// `orZero` says so: {1e-7, 0.1, Scale::logarithmic, true}.
 class Real : public Knob {
   public:
-    struct Range {
-        double low, high;
-    };
+    using Range = NumberRange;
     Real(Demo* owner, std::string name, double initial, Range range, std::string help, std::string unit = "");
     operator double() const {
         noteRead();
@@ -82,11 +113,16 @@ class Real : public Knob {
     void parse(std::string_view text) override;
     std::string initialText() const override { return numberText(initial_); }
     std::string range() const override;
+    Scale scale() const override { return range_.scale; }
     std::vector<std::string> sweep() const override;
     bool step(double amount) override;
+    std::string stepText(double amount, const std::string& unit) const override;
     bool widget(Panel& panel) override;
+    virtual Coordinate coordinate();
 
   protected:
+    bool allowed(double number) const;
+
     double value_;
     double initial_;
     Range range_;
@@ -97,7 +133,10 @@ class Real : public Knob {
 class Angle : public Real {
   public:
     Angle(Demo* owner, std::string name, double initial, std::string help);
+    // Between the ends, which are the same turn as 0, one that is seen.
+    std::vector<std::string> sweep() const override { return {"-360", initialText(), "40", "360"}; }
     bool step(double amount) override;
+    Coordinate coordinate() override;
 };
 
 // A whole number.
@@ -183,6 +222,19 @@ class Choice : public WordChoice {
     Choice(Demo* owner, std::string name, Enum initial, std::vector<Option> options, std::string help)
         : WordChoice(owner, std::move(name), static_cast<int>(initial), std::move(options), std::move(help)) {}
     operator Enum() const { return static_cast<Enum>(index()); }
+};
+
+// A choice of a few whole numbers, which gives the number itself:
+//     NumberChoice resolution{this, "resolution", 512, {256, 512, 1024}, "texels along a side of the map"};
+// A power of ten from 1000 on is written 1e3; on the command line every way to write a number is understood.
+class NumberChoice : public WordChoice {
+  public:
+    NumberChoice(Demo* owner, std::string name, int initial, const std::vector<int>& numbers, std::string help);
+    operator int() const { return numbers_[static_cast<std::size_t>(index())]; }
+    void parse(std::string_view text) override;
+
+  private:
+    std::vector<int> numbers_;
 };
 
 }  // namespace mv

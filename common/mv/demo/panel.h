@@ -13,13 +13,27 @@ struct Option {
     std::string meaning = {};
 };
 
+// How a knob goes through its range: by equal differences, or by equal factors.
+enum class Scale { linear, logarithmic };
+
+// The numbers that a knob allows.
+struct NumberRange {
+    double low, high;
+    Scale scale = Scale::linear;
+    bool orZero = false;  // and 0, which no factor leads to; for a logarithmic range alone
+};
+
 // The widgets a knob can be shown with. Each returns true when the user has just changed `value`.
 class Panel {
   public:
     virtual ~Panel() = default;
-    virtual bool slider(const Knob& knob, double& value, double low, double high) = 0;
+    virtual bool slider(const Knob& knob, double& value, const NumberRange& range) = 0;
     virtual bool slider(const Knob& knob, int& value, int low, int high) = 0;
     virtual bool checkbox(const Knob& knob, bool& value) = 0;
+    // The value as words, which are edited when they are clicked: for any kind of knob.
+    virtual bool words(const Knob& knob) = 0;
+    // A small button after what the row has so far; true when it is pressed.
+    virtual bool button(const Knob& knob, const std::string& label, bool enabled) = 0;
     virtual bool choose(const Knob& knob, int& index, const std::vector<Option>& options) = 0;
 };
 

@@ -33,6 +33,12 @@ struct StudyScene {
     std::vector<KnobSetting> settings = {};
 };
 
+// The picture that a reference is made for, and what else is asked of it.
+struct ReferenceFrame : FrameInfo {
+    ReferenceFrame(const FrameInfo& info, bool withOwnError = false) : FrameInfo(info), ownError(withOwnError) {}
+    bool ownError;  // Reference::ownError is asked for, too, which costs more than the reference itself
+};
+
 // What is right, by the demo's other method. Settings that it reads otherwise (the number of lights, say) get a reference
 // of their own; the knobs that it does not read are what is under study.
 struct Reference {
@@ -71,21 +77,22 @@ struct Study {
     bool ofValues = false;
     // What is right for the demo's present settings, in the picture that `frame` describes (its size and index; not drawn
     // into); made by a method that shares nothing with the one under study. Slow ones report the part that is done.
-    std::function<Reference(const Demo& demo, const Frame& frame, const std::function<void(double part)>& progress)>
+    std::function<Reference(const Demo& demo, const ReferenceFrame& frame,
+                            const std::function<void(double part)>& progress)>
         makeReference = {};
 };
 
 // What a probe may ask.
 class Probing {
   public:
-    Probing(const Demo& demo, const Frame& frame) : demo_(demo), frame_(frame) {}
+    Probing(const Demo& demo, const FrameInfo& frame) : demo_(demo), frame_(frame) {}
     virtual ~Probing() = default;
     Probing(const Probing&) = delete;
     Probing& operator=(const Probing&) = delete;
 
     const Demo& demo() const { return demo_; }
     // The picture that is probed: its size and index.
-    const Frame& frame() const { return frame_; }
+    const FrameInfo& frame() const { return frame_; }
     // The demo's quantity as a study measures it, in width x height pixels, the upper row first; -1 where there is none.
     // With a camera, through that instead of the demo's own (Demo::seen). Empty where the context has no
     // targets of floats (ES 3.0 without EXT_color_buffer_float).
@@ -98,7 +105,7 @@ class Probing {
 
   private:
     const Demo& demo_;
-    const Frame& frame_;
+    FrameInfo frame_;
 };
 
 // A number about the picture that costs draws or rays of its own: a readout that the demo itself knows nothing of.

@@ -4,8 +4,11 @@
 #include <initializer_list>
 #include <utility>
 
+#include "mv/error.h"
+#include "mv/gl/functions.h"
 #include "mv/gl/layer.h"
 #include "mv/gl/state_names.h"
+#include "mv/gl/target.h"
 
 namespace mv {
 namespace {
@@ -89,7 +92,31 @@ EsWatch& watch() {
     return only;
 }
 
+std::set<std::string> missing, withheld;
+
+bool isThere(const std::string& feature) {
+    if (isWithheld(feature)) return false;
+    if (feature == beyond_es::floatTargets) return floatTargets();
+    if (feature == beyond_es::floatBlending) return floatBlending();
+    if (feature != beyond_es::clipControl) return !isEs();
+    if (contextHasClipControl() && !clipControlAllowed())
+        throw Error("has", "must be asked for what is declared in .needs = {.beyondEs = ...}", feature);
+    return clipControlAllowed();
+}
+
 }  // namespace
+
+bool has(const char* feature) {
+    const bool there = isThere(feature);
+    if (!there) missing.insert(feature);
+    return there;
+}
+
+std::set<std::string> takeMissing() { return std::exchange(missing, {}); }
+
+void withhold(std::set<std::string> features) { withheld = std::move(features); }
+
+bool isWithheld(const std::string& feature) { return withheld.contains(feature); }
 
 void layBeyondEs() { Layer<EsWatch>::layOver(watch()); }
 

@@ -238,12 +238,16 @@ void allowVersion(int newest) {
 }
 int allowedVersion() { return allowed; }
 
-bool allowClipControl() {
+bool contextHasClipControl() {
+    if (es || driver.ClipControl == nullptr) return false;
     GLint major = 0, minor = 0;
     glGetIntegerv(GL_MAJOR_VERSION, &major);
     glGetIntegerv(GL_MINOR_VERSION, &minor);
-    const bool there = 10 * major + minor >= 45 || hasExtension("GL_ARB_clip_control");
-    clipControl = !es && there && driver.ClipControl != nullptr;
+    return 10 * major + minor >= 45 || hasExtension("GL_ARB_clip_control");
+}
+
+bool allowClipControl() {
+    clipControl = contextHasClipControl();
     fillTable();
     return clipControl;
 }

@@ -24,8 +24,9 @@ void loadFunctions(const std::function<void*(const char*)>& address);
 // name. Set to what the demo declares, so that a demo that says 3.3 runs on 3.3.
 void allowVersion(int version);
 int allowedVersion();
-// Lets glClipControl be called, too, where the context has it as OpenGL 4.5 or as GL_ARB_clip_control, until the next
-// allowVersion. False: the context lacks it (OpenGL ES always does), the call stays refused, and the demo says so.
+// Whether the context has glClipControl, as OpenGL 4.5 or as GL_ARB_clip_control; OpenGL ES never has it.
+bool contextHasClipControl();
+// Lets it be called, too, where the context has it, until the next allowVersion. False: it has not, and the call stays refused.
 bool allowClipControl();
 bool clipControlAllowed();
 // Lays something more over the table (the audit does), now and whenever the table is filled anew; empty: no more.

@@ -1,6 +1,7 @@
 // All that a demo needs to draw with.
 #pragma once
 #include "mv/gl/depth_map.h"
+#include "mv/gl/drawing.h"
 #include "mv/gl/feedback.h"
 #include "mv/gl/functions.h"
 #include "mv/gl/mesh.h"

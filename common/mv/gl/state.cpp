@@ -195,6 +195,21 @@ void switchOff(GLenum capability) {
     if (found == now.switches.end() ? initiallyOn(capability) : found->second) glDisable(capability);
 }
 
+void setOverlayState(Overlay overlay) {
+    Values wanted = now;
+    for (const GLenum capability : {GL_DEPTH_TEST, GL_STENCIL_TEST, GL_CULL_FACE, GL_POLYGON_OFFSET_FILL}) {
+        wanted.switches.erase(static_cast<GLenum>(capability));
+    }
+    wanted.switches[GL_BLEND] = true;
+    wanted.BlendFuncSeparate = {GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA};
+    if (overlay == Overlay::hiddenByWhatIsNearer) {
+        wanted.switches[GL_DEPTH_TEST] = true;
+        wanted.DepthFunc = {GL_LEQUAL};
+        wanted.DepthMask = {GL_FALSE};
+    }
+    change(wanted);
+}
+
 std::vector<std::string> changedState() {
     const Values initial;
     std::vector<std::string> calls;

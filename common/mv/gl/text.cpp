@@ -31,7 +31,7 @@ TextureObject uploaded(const Coverage& sheet) {
 
 // Appends a rectangle of the picture, pixels from its upper left corner, that shows the sheet from `texel` on; the color
 // alone where there is none.
-void append(MeshData& mesh, const Frame& frame, const glm::ivec4& rectangle, const vec4& color,
+void append(MeshData& mesh, const FrameInfo& frame, const glm::ivec4& rectangle, const vec4& color,
             const std::optional<glm::ivec2>& texel) {
     for (const glm::ivec2& corner : {glm::ivec2(0, 0), {0, 1}, {1, 1}, {0, 0}, {1, 1}, {1, 0}}) {
         const int right = corner.x * rectangle.z, down = corner.y * rectangle.w;
@@ -111,13 +111,9 @@ void main() { fragColor = texture(picture, coordinate); }
 )";
 
 // Sets the state for what lies over a picture; the caller's comes back with its StateScope.
-void setOverlayState() {
+void begin() {
     if (!kept()) kept() = std::make_unique<Kept>();
-    switchOff(GL_DEPTH_TEST);
-    switchOff(GL_CULL_FACE);
-    glEnable(GL_BLEND);
-    // Alpha by itself, so that an opaque picture stays opaque, saved ones too.
-    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    setOverlayState();
 }
 
 bool sameWords(const std::vector<TextLine>& a, std::span<const TextLine> b) {
@@ -143,7 +139,7 @@ std::shared_ptr<const Words> wordsOf(std::span<const TextLine> lines) {
     return words;
 }
 
-Mesh rectanglesOf(const Frame& frame, std::span<const TextLine> lines, const Words& words) {
+Mesh rectanglesOf(const FrameInfo& frame, std::span<const TextLine> lines, const Words& words) {
     MeshData rectangles;
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const glm::ivec4 box(lines[i].x, lines[i].y, words.sizes[i]);
@@ -154,7 +150,7 @@ Mesh rectanglesOf(const Frame& frame, std::span<const TextLine> lines, const Wor
 }
 
 // What draws these lines: kept from an earlier call, or made.
-const Drawn& drawnOf(const Frame& frame, std::span<const TextLine> lines) {
+const Drawn& drawnOf(const FrameInfo& frame, std::span<const TextLine> lines) {
     std::vector<Drawn>& all = kept()->drawn;
     const glm::ivec2 picture(frame.width(), frame.height());
     const auto found = std::find_if(all.begin(), all.end(), [&](const Drawn& drawn) {
@@ -174,18 +170,18 @@ const Drawn& drawnOf(const Frame& frame, std::span<const TextLine> lines) {
 
 }  // namespace
 
-void drawText(const Frame& frame, int x, int y, std::string_view text, const TextStyle& style) {
+void drawText(const FrameInfo& frame, int x, int y, std::string_view text, const TextStyle& style) {
     drawText(frame, std::array{TextLine{x, y, std::string(text), style}});
 }
 
-void drawText(const Frame& frame, std::span<const TextLine> lines) {
+void drawText(const FrameInfo& frame, std::span<const TextLine> lines) {
     if (lines.empty()) return;
     for (const TextLine& line : lines) {
         const int height = line.style.height;
         if (height < 6 || height > 512) throw Error("drawText", "height must be 6 .. 512 px", std::to_string(height));
     }
     const StateScope scope;
-    setOverlayState();
+    begin();
     Program& program = kept()->words;
     if (program.id() == 0) program = Program::fromText("words", wordsVertex, wordsFragment);
     program.use();
@@ -206,9 +202,9 @@ std::string rounded(const char* format, double value) {
 
 int textHeight(const TextStyle& style) { return style.height + 2 * wordPadding; }
 
-void showImage(const Frame& frame, int x, int y, const Picture& picture) {
+void showImage(const FrameInfo& frame, int x, int y, const Picture& picture) {
     const StateScope scope;
-    setOverlayState();
+    begin();
     Program& program = kept()->image;
     if (program.id() == 0) {
         program = Program::fromText("image", quadVertex, quadFragment);

@@ -18,7 +18,7 @@ struct TextStyle {
 
 // Draws a line of UTF-8 text in DejaVu Sans with its upper left corner at (x, y), in pixels from the upper left corner
 // of the picture. Changes the current program, and switches depth test, culling and blending off.
-void drawText(const Frame& frame, int x, int y, std::string_view text, const TextStyle& style = {});
+void drawText(const FrameInfo& frame, int x, int y, std::string_view text, const TextStyle& style = {});
 
 // A line of text for drawText: its upper left corner, in pixels from the upper left corner of the picture.
 struct TextLine {
@@ -30,7 +30,7 @@ struct TextLine {
 
 // The same for several lines, in their order; state is set once for all of them. What the last sixteen different calls
 // have drawn is kept: the same lines again are drawn without an upload, the same words elsewhere with that of their places.
-void drawText(const Frame& frame, std::span<const TextLine> lines);
+void drawText(const FrameInfo& frame, std::span<const TextLine> lines);
 
 // A number as words: printf's format for one double, "%.3f px".
 std::string rounded(const char* format, double value);
@@ -42,7 +42,7 @@ int textHeight(const TextStyle& style = {});
 
 // Draws a picture with its upper left corner at (x, y), one pixel to a pixel, in pixels from the upper left corner.
 // Changes the same state as drawText. The last picture is kept: shown again, it is not uploaded again.
-void showImage(const Frame& frame, int x, int y, const Picture& picture);
+void showImage(const FrameInfo& frame, int x, int y, const Picture& picture);
 
 // Deletes what the above keep between calls: their programs, words and picture; before the context goes.
 void forgetText();

@@ -7,6 +7,7 @@
 #include <CLI/Formatter.hpp>
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
 #include <optional>
 
 namespace mv {
@@ -72,8 +73,7 @@ void readCompare(const std::string& text, const Demo& demo, Command& command) {
 }
 
 std::string knobHelp(const Knob& knob) {
-    std::string text = knob.help() + "; " + knob.range() + (knob.unit().empty() ? "" : " " + knob.unit()) +
-                       ", initially " + knob.initialText();
+    std::string text = knob.help() + "; " + knob.rangeInFull() + ", initially " + knob.initialText();
     for (const Option& option : knob.options()) {
         if (!option.meaning.empty()) text += "\n" + option.word + ": " + option.meaning;
     }
@@ -84,11 +84,13 @@ constexpr const char* knobGroup = "Knobs";  // their heading in the help
 
 // The flags of the command line; each has one line here, and its value is read below. Which go together: flag_table.cpp.
 struct Flags {
-    std::string shot, frame, frames, headless, size, compare, report, knobs, gallery, docs, study, vary;
+    std::string preset, shot, frame, frames, headless, size, compare, report, knobs, gallery, docs, study, vary;
     bool list = false, version = false, copyable = false, audit = false, all = false, window = false;
 };
 
 void declareFlags(CLI::App& app, Flags& flags, bool launcher) {
+    app.add_option("--preset", flags.preset, "begin with these settings; other flags of knobs then move from there")
+        ->type_name("NAME");
     app.add_option("--shot", flags.shot, "write the picture to a PNG file; opens no window")->type_name("FILE");
     app.add_option("--frame", flags.frame, "which frame, at 60 a second; 1 is the original's first picture")
         ->type_name("N");
@@ -178,6 +180,22 @@ UsageError unknown(const CLI::App& app, const std::string& word) {
     return {flag, "is no flag here (--help lists them)" + suggestion(flag, names)};
 }
 
+// The preset's settings go before those that were given, in whatever order the flags stand.
+void startFrom(const Preset& preset, Command& command) {
+    command.preset = preset.name;
+    command.presetKnobs = preset.settings.size();
+    command.knobs.insert(command.knobs.begin(), preset.settings.begin(), preset.settings.end());
+}
+
+// What the help says beneath the flags.
+std::string footerOf(const DemoInfo& info) {
+    std::string text;
+    if (!info.lookFor.empty()) text = "Look for: " + info.lookFor;
+    if (!info.presets.empty()) text += (text.empty() ? "" : "\n\n") + std::string("Presets:");
+    for (const Preset& preset : info.presets) text += "\n  " + preset.name + ": " + preset.lookFor;
+    return text;
+}
+
 Command readFlags(const Flags& flags, Command command, const Demo* demo) {
     if (!flags.frame.empty()) command.firstFrame = command.lastFrame = frameNumber("--frame", flags.frame);
     if (!flags.frames.empty()) readFrames(flags.frames, command);
@@ -203,7 +221,7 @@ Command readFlags(const Flags& flags, Command command, const Demo* demo) {
     const bool wantsDemo = command.action == Action::knobs || command.action == Action::copyable ||
                            command.action == Action::render || command.action == Action::study ||
                            (command.action == Action::audit && !command.all) || !flags.compare.empty() ||
-                           !flags.size.empty() || command.frameGiven;
+                           !flags.preset.empty() || !flags.size.empty() || command.frameGiven;
     if (!demo && wantsDemo) {
         throw UsageError("demo", "must be named first, as in: mvgl cube-cull --shot a.png (--list shows them)");
     }
@@ -256,7 +274,7 @@ Command parseCommandLine(const std::vector<std::string>& arguments) {
     CLI::App app(command.demo ? command.demo->sentence : "mvgl: small OpenGL programs for learning computer graphics.",
                  command.demo ? command.demo->name : "mvgl");
     if (launcher && !command.demo) app.footer("A demo is named first: mvgl cube-cull --help. --list shows them all.");
-    if (command.demo && !command.demo->lookFor.empty()) app.footer("Look for: " + command.demo->lookFor);
+    if (command.demo) app.footer(footerOf(*command.demo));
     app.allow_extras();
     Flags flags;
     declareFlags(app, flags, launcher);
@@ -292,6 +310,7 @@ Command parseCommandLine(const std::vector<std::string>& arguments) {
     if (const auto left = app.remaining(); !left.empty()) throw unknown(app, left.front());
     command.action = actionOf(givenFlags(app, launcher && demo));
     try {
+        if (demo && !flags.preset.empty()) startFrom(findPreset(*command.demo, flags.preset), command);
         if (demo) applyKnobs(*demo, command.knobs);
         return readFlags(flags, command, demo.get());
     } catch (const UsageError&) {
@@ -314,7 +333,9 @@ std::string quotedForShell(const std::string& text) {
 
 std::string startOf(const std::string& program, const DemoInfo& info) {
     if (program.empty()) return info.name;
-    return quotedForShell(program) + (catalogue().size() == 1 ? "" : " " + info.name);
+    // The program of one demo has its name, but where a script such as ./run started it under its own.
+    const bool own = catalogue().size() == 1 && std::filesystem::path(program).filename() == info.name;
+    return quotedForShell(program) + (own ? "" : " " + info.name);
 }
 
 std::string copyableCommand(const std::string& start, const DemoInfo& info, const Demo& demo, int frame, int width,

@@ -23,7 +23,9 @@ enum class ReportForm { none, text, json };
 struct Command {
     Action action = Action::window;
     const DemoInfo* demo = nullptr;  // none: the launcher's menu
-    std::vector<KnobSetting> knobs;
+    std::vector<KnobSetting> knobs;  // those of the preset, then those that were given
+    std::string preset;              // "" for none
+    std::size_t presetKnobs = 0;     // how many of `knobs` are the preset's
     int firstFrame = 1, lastFrame = 1;
     bool frameGiven = false;
     int width = 0, height = 0;  // 0: the original's canvas
@@ -54,8 +56,8 @@ struct ComparedKnob {
 std::string copyableCommand(const std::string& start, const DemoInfo& info, const Demo& demo, int frame, int width,
                             int height, const ComparedKnob& compared = {});
 
-// What to type, where the program was started so, to start that demo: "./run shadow-map", "build/bin/shadow-map" for the
-// program of one demo.
+// What to type, where the program was started so, to start that demo: "./run shadow-map", and "build/bin/shadow-map" where the
+// program is that demo's and has its name.
 std::string startOf(const std::string& program, const DemoInfo& info);
 
 // The text as one word of a shell's command line: in quotes where it is not made of letters, digits and -_./=,:+@%.

@@ -41,8 +41,7 @@ Picture compareSettings(Stage& stage, int index, const std::string& knob, const 
     const TextStyle style = fittedStyle(labels, width, {.background = {1, 1, 1, 1}});
     const int strip = style.height + labelSpace;
     const Target sheet(3 * width + 2 * gap, strip + height, {}, "comparison");
-    FrameNotes notes;
-    const Frame frame(index, sheet.width(), sheet.height(), notes);
+    const FrameInfo frame(index, sheet.width(), sheet.height());
     glClearColor(1, 1, 1, 1);
     glClear(GL_COLOR_BUFFER_BIT);
     for (int i = 0; i < 3; ++i) {

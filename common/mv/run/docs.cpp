@@ -6,6 +6,7 @@
 #include <iostream>
 #include <sstream>
 
+#include "mv/demo/chapters.h"
 #include "mv/image/file.h"
 #include "mv/image/png.h"
 #include "mv/run/audit.h"
@@ -16,10 +17,8 @@
 namespace mv {
 namespace {
 
-std::string signedText(double value) { return (value > 0 ? "+" : "") + numberText(value); }
-
 std::string controlText(const Binding& binding) {
-    std::string effect = "`" + binding.knob->name() + "` " + signedText(binding.amount);
+    std::string effect = "`" + binding.knob->name() + "` " + binding.knob->stepText(binding.amount, "");
     switch (binding.gesture) {
         case Gesture::key:
             if (!binding.text.empty()) effect = "`" + binding.knob->name() + "` = " + binding.text;
@@ -34,6 +33,13 @@ std::string controlText(const Binding& binding) {
     return effect;
 }
 
+std::string controlText(const Handle& handle) {
+    std::string knobs;
+    for (const Knob* knob : handle.knobs) knobs += (knobs.empty() ? "`" : ", `") + knob->name() + "`";
+    return "drag the " + handle.name + " in the picture: " + knobs +
+           (handle.add ? " (Ins and Del: one more, one less)" : "");
+}
+
 std::string tables(const DemoInfo& info) {
     const auto demo = info.make();
     std::string text = "| knob | range | initially | what it does |\n|---|---|---|---|\n";
@@ -42,9 +48,16 @@ std::string tables(const DemoInfo& info) {
         for (const Option& option : knob->options()) {
             if (!option.meaning.empty()) help += "<br>`" + option.word + "`: " + option.meaning;
         }
-        text += "| `--" + knob->name() + "` | " + tableCell(knob->range()) +
-                (knob->unit().empty() ? "" : " " + knob->unit()) + " | " + knob->initialText() + " | " +
+        text += "| `--" + knob->name() + "` | " + tableCell(knob->rangeInFull()) + " | " + knob->initialText() + " | " +
                 tableCell(help) + " |\n";
+    }
+    if (!info.presets.empty()) {
+        text += "\n| preset | what to look for | settings |\n|---|---|---|\n";
+        for (const Preset& preset : info.presets) {
+            const std::string settings = settingsText(preset);
+            text += "| `--preset " + preset.name + "` | " + tableCell(preset.lookFor) + " | " +
+                    (settings.empty() ? "as it opens" : "`" + settings + "`") + " |\n";
+        }
     }
     if (!demo->readouts().empty()) {
         text += "\n| readout | unit | what it says |\n|---|---|---|\n";
@@ -52,15 +65,11 @@ std::string tables(const DemoInfo& info) {
             text += "| `" + readout->name() + "` | " + readout->unit() + " | " + tableCell(readout->help()) + " |\n";
         }
     }
-    if (!demo->bindings().empty()) {
-        text += "\nControls: ";
-        bool first = true;
-        for (const Binding& binding : demo->bindings()) {
-            text += (first ? "" : " · ") + controlText(binding);
-            first = false;
-        }
-        text += ".\n";
-    }
+    std::string controls;
+    const auto add = [&](const std::string& control) { controls += (controls.empty() ? "" : " · ") + control; };
+    for (const Binding& binding : demo->bindings()) add(controlText(binding));
+    for (const Handle& handle : demo->handles()) add(controlText(handle));
+    if (!controls.empty()) text += "\nControls: " + controls + ".\n";
     return text;
 }
 
@@ -78,6 +87,17 @@ std::string needsText(const Needs& needs) {
     return text;
 }
 
+// The page with `text` between its lines <!-- name --> and <!-- /name -->. Error: it lacks one of them.
+std::string withGenerated(const std::string& page, const std::string& file, const std::string& name,
+                          const std::string& text) {
+    const std::string begin = "<!-- " + name + " -->\n", end = "<!-- /" + name + " -->";
+    const auto from = page.find(begin), to = page.find(end);
+    if (from == std::string::npos || to == std::string::npos || to < from) {
+        throw Error(file, "must have the lines <!-- " + name + " --> and <!-- /" + name + " -->");
+    }
+    return page.substr(0, from + begin.size()) + "\n" + text + "\n" + page.substr(to);
+}
+
 // A page, or a study's numbers.
 std::string fileText(const std::string& path) { return readTextFile(path, std::size_t{1} << 24U); }
 
@@ -88,27 +108,31 @@ std::string cataloguePage() {
         "# The demos\n\nGenerated from the declarations in `demos/*.cpp` by `./run --docs`; do not edit.\n"
         "Every demo also understands `--shot`, `--frame`, `--size`, `--compare`, `--report` and the rest of the\n"
         "[command line](../README.md#the-command-line).\n";
-    std::string chapter;
-    for (const DemoInfo& info : catalogue()) {
-        if (info.chapter != chapter) {
-            chapter = info.chapter;
-            text += "\n## " + chapter + "\n";
+    for (const Chapter& chapter : catalogueByChapter()) {
+        text += "\n## " + chapter.name + "\n";
+        for (const DemoInfo* info : chapter.demos) {
+            text += "\n### [" + info->name + "](../demos/" + info->name + ".md)\n\n" + info->sentence +
+                    "\n\nLook for: " + info->lookFor + "\n\nNeeds: " + needsText(info->needs) +
+                    ". Picture: " + std::to_string(info->width) + "x" + std::to_string(info->height) + ", " +
+                    (info->animated ? "60 frames a second" : "drawn when something changes") + ".\n\n" + tables(*info);
         }
-        text += "\n### [" + info.name + "](../demos/" + info.name + ".md)\n\n" + info.sentence +
-                "\n\nLook for: " + info.lookFor + "\n\nNeeds: " + needsText(info.needs) +
-                ". Picture: " + std::to_string(info.width) + "x" + std::to_string(info.height) + ", " +
-                (info.animated ? "60 frames a second" : "drawn when something changes") + ".\n\n" + tables(info);
     }
     return text;
 }
 
 std::string lessonPage(const std::string& page, const DemoInfo& info) {
-    const std::string begin = "<!-- knobs -->\n", end = "<!-- /knobs -->";
-    const auto from = page.find(begin), to = page.find(end);
-    if (from == std::string::npos || to == std::string::npos || to < from) {
-        throw Error("demos/" + info.name + ".md", "must have the lines <!-- knobs --> and <!-- /knobs -->");
+    return withGenerated(page, "demos/" + info.name + ".md", "knobs", tables(info));
+}
+
+std::string readmePage(const std::string& page) {
+    std::string text = "| demo | shows |\n|---|---|\n";
+    for (const Chapter& chapter : catalogueByChapter()) {
+        text += "| **" + chapter.name + "** | |\n";
+        for (const DemoInfo* info : chapter.demos) {
+            text += "| [" + info->name + "](demos/" + info->name + ".md) | " + tableCell(info->sentence) + " |\n";
+        }
     }
-    return page.substr(0, from + begin.size()) + "\n" + tables(info) + "\n" + page.substr(to);
+    return withGenerated(page, "README.md", "demos", text);
 }
 
 Picture pictureStrip() {
@@ -123,7 +147,6 @@ Picture pictureStrip() {
     int index = 0;
     for (const DemoInfo& info : catalogue()) {
         headless.stage.open(info, info.width, info.height);
-        strikePose(headless.stage.demo(), info);
         headless.stage.draw(1);
         const int left = index % columns * (side + gap), top = index / columns * (side + gap);
         ++index;
@@ -159,6 +182,7 @@ void writeDocs(const std::string& root) {
         missing.append(missing.empty() ? "" : ", ").append(page);
     }
     if (!missing.empty()) throw Error("docs in " + root, "each demo must have its page", "missing: " + missing);
+    const std::string readme = readmePage(fileText(root + "/README.md"));
     writeFileAtomically(root + "/docs/demos.md", std::string_view(cataloguePage()));
     std::cout << root << "/docs/demos.md\n";
     for (const DemoInfo& info : catalogue()) {
@@ -166,6 +190,8 @@ void writeDocs(const std::string& root) {
         writeFileAtomically(path, std::string_view(lessonPage(fileText(path), info)));
         std::cout << path << "\n";
     }
+    writeFileAtomically(root + "/README.md", std::string_view(readme));
+    std::cout << root << "/README.md\n";
     writeStudyDocs(root);
     writeFileAtomically(root + "/docs/needs.md", std::string_view(needsPage()));
     std::cout << root << "/docs/needs.md\n";

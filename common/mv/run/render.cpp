@@ -102,7 +102,6 @@ void writeGallery(const std::string& folder) {
     for (const DemoInfo& info : catalogue()) {
         std::fprintf(stderr, "gallery: %s\n", info.name.c_str());
         headless.stage.open(info, info.width, info.height);
-        strikePose(headless.stage.demo(), info);
         headless.stage.draw(1);
         writePng(folder + "/" + info.name + ".png", headless.stage.picture());
         html += "<figure><a href=\"" + info.name + ".png\"><img src=\"" + info.name + ".png\" alt=\"" +

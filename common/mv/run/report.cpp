@@ -58,6 +58,10 @@ std::string reportText(Stage& stage, int index, const FrameTimes& times) {
     text += "knobs    ";
     for (const Knob* knob : stage.demo().knobs()) text += " " + knob->name() + "=" + knob->text();
     text += "\n";
+    for (const Knob* knob : stage.demo().knobs()) {
+        const std::string reason = stage.demo().idleReason(*knob);
+        if (!reason.empty()) text += "idle      " + knob->name() + " (" + reason + ")\n";
+    }
     text += readoutLines(stage.demo());
     text += "counters  " + std::to_string(stage.frameCounters().draws) + " draws, " +
             std::to_string(stage.frameCounters().triangles) + " triangles and " +
@@ -87,6 +91,11 @@ std::string reportJson(Stage& stage, int index, const FrameTimes& times) {
     json["opengl"] = stage.driver().version;
     json["knobs"] = nlohmann::ordered_json::object();
     for (const Knob* knob : stage.demo().knobs()) json["knobs"][knob->name()] = knob->text();
+    json["idle"] = nlohmann::ordered_json::object();
+    for (const Knob* knob : stage.demo().knobs()) {
+        const std::string reason = stage.demo().idleReason(*knob);
+        if (!reason.empty()) json["idle"][knob->name()] = reason;
+    }
     json["readouts"] = nlohmann::ordered_json::object();
     for (const Readout* readout : stage.demo().readouts()) {
         auto& entry = json["readouts"][readout->name()];
@@ -116,19 +125,40 @@ std::string reportJson(Stage& stage, int index, const FrameTimes& times) {
 std::string knobsText(const Demo& demo) {
     std::vector<std::vector<std::string>> rows;
     for (const Knob* knob : demo.knobs()) {
-        rows.push_back({"--" + knob->name(), knob->text(),
-                        knob->range() + (knob->unit().empty() ? "" : " " + knob->unit()), "(" + knob->help() + ")"});
+        const std::string idle = demo.idleReason(*knob);
+        rows.push_back({"--" + knob->name(), knob->text(), knob->rangeInFull(),
+                        "(" + knob->help() + ")" + (idle.empty() ? "" : " idle: " + idle)});
     }
     return aligned(rows, 4);
 }
 
-std::string knobsJson(const Demo& demo) {
-    auto json = nlohmann::ordered_json::array();
+std::string presetsText(const DemoInfo& info) {
+    std::vector<std::vector<std::string>> rows;
+    for (const Preset& preset : info.presets) {
+        const std::string settings = settingsText(preset);
+        rows.push_back({"--preset " + preset.name, settings.empty() ? "the initial values" : settings,
+                        "(" + preset.lookFor + ")"});
+    }
+    return aligned(rows, 3);
+}
+
+std::string knobsJson(const DemoInfo& info, const Demo& demo) {
+    nlohmann::ordered_json json = {{"knobs", nlohmann::ordered_json::array()},
+                                   {"presets", nlohmann::ordered_json::array()}};
     for (const Knob* knob : demo.knobs()) {
-        nlohmann::ordered_json entry = {{"name", knob->name()},           {"value", knob->text()},
-                                        {"initial", knob->initialText()}, {"range", knob->range()},
-                                        {"unit", knob->unit()},           {"help", knob->help()}};
-        json.push_back(std::move(entry));
+        json["knobs"].push_back({{"name", knob->name()},
+                                 {"value", knob->text()},
+                                 {"initial", knob->initialText()},
+                                 {"range", knob->range()},
+                                 {"scale", knob->scale() == Scale::logarithmic ? "logarithmic" : "linear"},
+                                 {"unit", knob->unit()},
+                                 {"help", knob->help()},
+                                 {"idle", demo.idleReason(*knob)}});
+    }
+    for (const Preset& preset : info.presets) {
+        auto settings = nlohmann::ordered_json::object();
+        for (const auto& [name, value] : preset.settings) settings[name] = value;
+        json["presets"].push_back({{"name", preset.name}, {"lookFor", preset.lookFor}, {"settings", settings}});
     }
     return json.dump(2) + "\n";
 }

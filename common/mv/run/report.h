@@ -19,9 +19,12 @@ FrameTimes timeFrames(Stage& stage, int index, int runs, double firstMs);
 std::string reportText(Stage& stage, int index, const FrameTimes& times);
 std::string reportJson(Stage& stage, int index, const FrameTimes& times);
 
-// The knobs of a demo: names, ranges, initial and present values.
+// The knobs of a demo: names, ranges, initial and present values, and why one does nothing now.
 std::string knobsText(const Demo& demo);
-std::string knobsJson(const Demo& demo);
+// Its presets: names, what to look for, settings; "" where it has none.
+std::string presetsText(const DemoInfo& info);
+// Both.
+std::string knobsJson(const DemoInfo& info, const Demo& demo);
 
 // A matrix laid out as on paper, row by row.
 std::string matrixText(const mat4& matrix);

@@ -5,11 +5,13 @@
 #include <filesystem>
 #include <iostream>
 #include <new>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <system_error>
 #include <vector>
 
+#include "mv/demo/chapters.h"
 #include "mv/run/audit.h"
 #include "mv/run/command_line.h"
 #include "mv/run/docs.h"
@@ -27,10 +29,21 @@ void print(const std::string& text) {
     if (!std::cout) throw Error("standard output", "could not be written");
 }
 
+// The demos, each chapter's below its name.
 std::string list() {
     std::vector<std::vector<std::string>> rows;
-    for (const DemoInfo& info : catalogue()) rows.push_back({info.name, info.sentence});
-    return aligned(rows, 2);
+    for (const DemoInfo& info : catalogue()) rows.push_back({"  " + info.name, info.sentence});
+    std::istringstream lines(aligned(rows, 2));
+    std::string text;
+    for (const Chapter& chapter : catalogueByChapter()) {
+        text += chapter.name + "\n";
+        for (std::size_t i = 0; i < chapter.demos.size(); ++i) {
+            std::string line;
+            std::getline(lines, line);
+            text += line + "\n";
+        }
+    }
+    return text;
 }
 
 std::unique_ptr<Demo> demoWithKnobs(const Command& command) {
@@ -40,7 +53,31 @@ std::unique_ptr<Demo> demoWithKnobs(const Command& command) {
     return demo;
 }
 
+// A knob that was given and changes nothing in the settings that are drawn is named, with its reason.
+void noteIdleKnobs(const Command& command) {
+    const bool draws =
+        command.action == Action::render || command.action == Action::window || command.action == Action::audit;
+    if (!draws || !command.demo) return;
+    const auto demo = demoWithKnobs(command);
+    for (std::size_t i = command.presetKnobs; i < command.knobs.size(); ++i) {
+        const Knob& knob = demo->knob(command.knobs[i].name);
+        if (knob.name() == command.compareKnob) continue;
+        std::string reason;
+        // Beside each other two settings are drawn: it is idle in both, or it does something.
+        for (const std::string& value :
+             command.compareKnob.empty() ? std::vector<std::string>{""} : command.compareValues) {
+            if (!value.empty()) demo->knob(command.compareKnob).parse(value);
+            reason = demo->idleReason(knob);
+            if (reason.empty()) break;
+        }
+        if (!reason.empty()) {
+            std::cerr << "note: --" << knob.name() << " does nothing in these settings: " << reason << "\n";
+        }
+    }
+}
+
 void act(const Command& command) {
+    noteIdleKnobs(command);
     switch (command.action) {
         case Action::help:
             return print(command.text);
@@ -50,7 +87,8 @@ void act(const Command& command) {
             return print(list());
         case Action::knobs: {
             const auto demo = demoWithKnobs(command);
-            return print(command.json ? knobsJson(*demo) : knobsText(*demo));
+            const DemoInfo& info = *command.demo;
+            return print(command.json ? knobsJson(info, *demo) : knobsText(*demo) + presetsText(info));
         }
         case Action::copyable: {
             const auto demo = demoWithKnobs(command);

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "mv/gl/audit.h"
+#include "mv/gl/beyond_es.h"
 #include "mv/gl/program.h"
 #include "mv/gl/state.h"
 #include "mv/gl/text.h"
@@ -26,13 +27,21 @@ void clearTarget(const vec4& color, const Needs& needs) {
     glClearColor(0, 0, 0, 0);
 }
 
+// What is said of a feature that these settings need and the context lacks.
+std::string sentenceWithout(const std::string& feature, const DemoInfo& info) {
+    for (const BeyondEs& lacking : info.needs.beyondEs) {
+        if (lacking.feature == feature) return "This driver has no " + feature + ": " + lacking.otherwise + ".";
+    }
+    throw Error("has", "must be asked for what is declared in .needs = {.beyondEs = ...}", feature);
+}
+
 }  // namespace
 
 // What a probe asks, drawn on a stage.
 class StageProbing final : public Probing {
   public:
-    StageProbing(Stage& stage, const Target& drawn, const Frame& frame)
-        : Probing(stage.demo(), frame), stage_(stage), drawn_(drawn) {}
+    StageProbing(Stage& stage, const Target& drawn, int index)
+        : Probing(stage.demo(), {index, drawn.width(), drawn.height()}), stage_(stage), drawn_(drawn) {}
 
     std::vector<float> measured(int width, int height, const std::optional<Camera>& camera) override {
         if (!floatTargets()) return {};
@@ -91,6 +100,9 @@ void Stage::open(const DemoInfo& info, int width, int height) {
     }
     info_ = &info;
     allowVersion(info.needs.gl);
+    for (const BeyondEs& lacking : info.needs.beyondEs) {
+        if (lacking.feature == beyond_es::clipControl && !isWithheld(lacking.feature)) allowClipControl();
+    }
     takeErrors();
     makeTargets(width, height);
     auto demo = info.make();
@@ -117,6 +129,7 @@ void Stage::resize(int width, int height) {
 }
 
 Stage::Drawn Stage::drawInto(const Target& target, int index, FrameMode mode) {
+    takeMissing();
     demo_->check();
     Drawn drawn;
     mode.bindTarget = [&target] { target.bind(); };
@@ -133,7 +146,7 @@ Stage::Drawn Stage::drawInto(const Target& target, int index, FrameMode mode) {
     resetCounters();
     const bool before = setMeasuring(mode.measuring);
     try {
-        const Frame frame(index, target.width(), target.height(), drawn.notes, mode);
+        const Frame frame({index, target.width(), target.height()}, drawn.notes, mode);
         demo_->draw(frame);
         if (!mode.measuring) demo_->annotate(frame);
     } catch (...) {
@@ -142,6 +155,7 @@ Stage::Drawn Stage::drawInto(const Target& target, int index, FrameMode mode) {
         throw;
     }
     setMeasuring(before);
+    for (const std::string& feature : takeMissing()) drawn.notes.messages.push_back(sentenceWithout(feature, *info_));
     drawn.counters = counters();
     if (auditing()) drawn.undone = changedState();
     restoreInitialState();
@@ -163,9 +177,7 @@ void Stage::fitForMeasuring(Target& target, int width, int height) const {
 
 // After the picture, so that its counters and notes are those of the picture alone.
 void Stage::askProbes(const Target& drawn, int index) {
-    FrameNotes unread;
-    const Frame frame(index, drawn.width(), drawn.height(), unread);
-    StageProbing probing(*this, drawn, frame);
+    StageProbing probing(*this, drawn, index);
     for (const Probe& probe : info_->probes) {
         const std::vector<double> values = probe.measure(probing);
         if (!values.empty() && values.size() != probe.numbers.size()) {

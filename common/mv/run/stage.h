@@ -48,6 +48,7 @@ class Stage {
     const Target& front() const { return targets_[shown_]; }
 
     Demo& demo() { return *demo_; }
+    const Demo& demo() const { return *demo_; }
     const DemoInfo& info() const { return *info_; }
     const DriverInfo& driver() const { return driver_; }
 

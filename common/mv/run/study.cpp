@@ -183,10 +183,9 @@ KnownReference referenceHere(const Demo& demo, const Study& study, bool ownError
     if (!study.makeReference) throw Error("study", "must say how its reference is made (Study::makeReference)");
     if (!study.ofValues) demo.check();  // as before each picture; values need none
     for (Knob* knob : demo.knobs()) knob->forgetRead();
-    FrameNotes notes;
     KnownReference known;
     known.reference = study.makeReference(
-        demo, Frame(study.frame, study.width, study.height, notes, {.ownError = ownError}), progress);
+        demo, {FrameInfo(study.frame, study.width, study.height), ownError}, progress);
     for (const Knob* knob : demo.knobs()) {
         if (knob->wasRead()) known.madeOf.push_back({knob->name(), knob->text()});
     }

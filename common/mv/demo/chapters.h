@@ -1,0 +1,32 @@
+// The chapters that demos stand under. Lists of demos, in pages, menu and --list, have them in this order.
+#pragma once
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mv/demo/demo.h"
+
+namespace mv {
+
+// The course's chapters, in its order.
+inline constexpr std::array<std::string_view, 3> courseChapters{
+    "Viewing and projection",
+    "Stereo and hidden surfaces",
+    "Shadows",
+};
+
+// The place of the demo's chapter among them, from 0; after the last for "", which a demo has that is none of the course's.
+// Error: another name; it says which there are.
+std::size_t chapterPlace(const DemoInfo& info);
+
+// Demos that stand under one heading, in the order of their numbers.
+struct Chapter {
+    std::string name;  // "Others" for demos of no chapter
+    std::vector<const DemoInfo*> demos;
+};
+
+// All demos linked into this program; no chapter is without one.
+std::vector<Chapter> catalogueByChapter();
+
+}  // namespace mv

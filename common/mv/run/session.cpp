@@ -1,0 +1,101 @@
+#include "mv/run/session.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "mv/gl/gl.h"
+#include "mv/run/run.h"
+
+namespace mv {
+
+Session::Session(Stage& stage, const DemoInfo& info, const SessionStart& start)
+    : stage_(stage), info_(info), playback_(info.animated, start.frame, start.paused), drawnFrame_(start.frame) {
+    stage_.open(info, start.width, start.height);
+    applyKnobs(stage_.demo(), start.knobs);
+}
+
+std::string Session::set(const std::string& name, const std::string& text) {
+    try {
+        Knob& knob = demo().knob(name);
+        const std::string before = knob.text();
+        knob.parse(text);
+        stale_ |= knob.text() != before;
+        return "";
+    } catch (const Error& error) {
+        return error.what();
+    }
+}
+
+// ---- What the user does
+
+bool Session::press(Key key) {
+    const auto& bindings = demo().bindings();
+    const bool bound = std::any_of(bindings.begin(), bindings.end(), [&](const Binding& binding) {
+        return binding.gesture == Gesture::key && binding.key == key;
+    });
+    if (bound) stale_ |= demo().press(key);
+    return bound;
+}
+
+void Session::pointerDown(double x, double y) {
+    dragging_ = true;
+    dragX_ = x;
+    dragY_ = y;
+}
+
+void Session::pointerMove(double x, double y) {
+    if (!dragging_) return;
+    stale_ |= demo().drag(x - dragX_, y - dragY_);
+    dragX_ = x;
+    dragY_ = y;
+}
+
+void Session::wheel(double notches) { stale_ |= demo().wheel(notches); }
+
+// ---- The picture
+
+void Session::draw(int width, int height, bool readouts, OtherPicture* instead) {
+    if (!due(width, height)) return;
+    stale_ = false;
+    triedWidth_ = width;
+    triedHeight_ = height;
+    try {
+        // before the last picture's buffers go for ones of another size
+        instead ? instead->check(demo()) : demo().check();
+        if (stage_.front().width() != width || stage_.front().height() != height) {
+            hasPicture_ = false;
+            stage_.resize(width, height);
+        }
+        const OtherPicture::Cost cost =
+            instead ? instead->draw(stage_, playback_.frame(), readouts) : drawDemo(readouts);
+        lastMs_ = cost.milliseconds;
+        if (pictures_ == 0) firstMs_ = lastMs_;
+        pictures_ += cost.pictures;
+        drawnFrame_ = playback_.frame();
+        hasPicture_ = true;
+        error_.clear();
+    } catch (const std::exception& error) {
+        error_ = sentenceOf(error, info_.name);
+        takeErrors();
+    }
+}
+
+OtherPicture::Cost Session::drawDemo(bool readouts) {
+    const auto start = std::chrono::steady_clock::now();
+    stage_.draw(playback_.frame(), readouts);
+    glFinish();
+    return {1, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count()};
+}
+
+FrameTimes Session::times(int runs) {
+    if (runs > 0 && error_.empty() && hasPicture_) {
+        try {
+            return timeFrames(stage_, drawnFrame_, runs, firstMs_);
+        } catch (const std::exception& error) {
+            error_ = sentenceOf(error, info_.name);
+        }
+    }
+    return {firstMs_, lastMs_, 0, hasPicture_ ? 1 : 0};
+}
+
+}  // namespace mv

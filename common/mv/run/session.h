@@ -1,0 +1,112 @@
+// A demo as a host shows it, whatever the host is: the window is one, a page in a browser another. The host brings a stage
+// on its context, a size, the time that has passed and what the user does, and shows the picture that comes of them.
+//
+// As data it has knobsJson(session.info(), session.demo()) and, after a picture, session.report().
+#pragma once
+#include <string>
+#include <vector>
+
+#include "mv/run/playback.h"
+#include "mv/run/report.h"
+#include "mv/run/stage.h"
+
+namespace mv {
+
+// What a session begins with, besides the demo.
+struct SessionStart {
+    int width = 0, height = 0;  // of the picture, in pixels
+    std::vector<KnobSetting> knobs = {};
+    int frame = 1;
+    bool paused = false;  // an animated demo stands still at that frame
+};
+
+// What is drawn instead of one picture of the demo: two of its settings, say.
+class OtherPicture {
+  public:
+    struct Cost {
+        int pictures = 1;         // of the demo
+        double milliseconds = 0;  // of one, until the driver was done with it
+    };
+    virtual ~OtherPicture() = default;
+    // Error: as Demo::check.
+    virtual void check(const Demo& demo) = 0;
+    // Error: as Stage::draw.
+    virtual Cost draw(Stage& stage, int index, bool readouts) = 0;
+
+  protected:
+    OtherPicture() = default;
+    OtherPicture(const OtherPicture&) = default;
+    OtherPicture& operator=(const OtherPicture&) = default;
+};
+
+class Session {
+  public:
+    // Opens the demo on the stage, which stays the caller's and outlives it. Error: as Stage::open; a knob that there is
+    // not, or a value that it refuses.
+    Session(Stage& stage, const DemoInfo& info, const SessionStart& start);
+    Session(const Session&) = delete;
+    Session& operator=(const Session&) = delete;
+
+    const DemoInfo& info() const { return info_; }
+    Demo& demo() { return stage_.demo(); }
+    const Demo& demo() const { return stage_.demo(); }
+    Playback& playback() { return playback_; }
+    const Playback& playback() const { return playback_; }
+
+    // Sets a knob. Why not, where there is no such knob or it refuses the value, which then stays as it was; else "".
+    std::string set(const std::string& name, const std::string& text);
+    // The picture is to be drawn anew for something that the session does not see: a knob that a widget moved, a shader.
+    void touch() { stale_ = true; }
+
+    // What the user does. A key of the demo's own; false: the host may take it for itself.
+    bool press(Key key);
+    // A drag that began over the picture; positions in pixels at ordinary density, y downwards.
+    void pointerDown(double x, double y);
+    void pointerMove(double x, double y);
+    void pointerUp() { dragging_ = false; }
+    // Over the picture; notches away from the user.
+    void wheel(double notches);
+
+    // Lets so many seconds pass, as the playback has it.
+    void advance(double seconds) { stale_ |= playback_.advance(seconds); }
+
+    // Whether the picture is not that of the present settings and frame; and whether draw() would draw.
+    bool stale() const { return stale_; }
+    bool due(int width, int height) const { return stale_ || width != triedWidth_ || height != triedHeight_; }
+    // Draws the present settings in that size, or `instead` of them, where due; with `readouts` measures what the demo reads
+    // out. Settings that make no picture leave the last one and an error().
+    void draw(int width, int height, bool readouts, OtherPicture* instead = nullptr);
+
+    // Why the present settings make no picture, in a sentence; "" where they do.
+    const std::string& error() const { return error_; }
+    // Whether the stage's front() has a picture of its present size, and which frame that is.
+    bool hasPicture() const { return hasPicture_; }
+    int drawnFrame() const { return drawnFrame_; }
+    // What the last picture left: matrices, messages, counts.
+    const FrameNotes& notes() const { return stage_.notes(); }
+    // The first and the last picture's time; with `runs`, that of so many more, which it draws.
+    FrameTimes times(int runs = 0);
+    // Settings, readouts, matrices and times as JSON.
+    std::string report(const FrameTimes& times) { return reportJson(stage_, drawnFrame_, times); }
+    long picturesDrawn() const { return pictures_; }
+    double lastMilliseconds() const { return lastMs_; }
+
+  private:
+    OtherPicture::Cost drawDemo(bool readouts);
+
+    Stage& stage_;
+    const DemoInfo& info_;
+    Playback playback_;
+    bool dragging_ = false;
+    double dragX_ = 0, dragY_ = 0;
+
+    bool stale_ = true;        // the picture is not that of the present settings
+    bool hasPicture_ = false;  // the stage has one of its present size
+    int triedWidth_ = 0, triedHeight_ = 0;
+    int drawnFrame_;
+    long pictures_ = 0;
+    double firstMs_ = 0, lastMs_ = 0;
+    std::string error_;
+};
+
+}  // namespace mv

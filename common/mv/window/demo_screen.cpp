@@ -1,0 +1,386 @@
+#include "mv/window/demo_screen.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+
+#include "mv/gl/program.h"
+#include "mv/image/png.h"
+#include "mv/run/run.h"
+#include "mv/window/keys.h"
+#include "mv/window/save.h"
+
+namespace mv {
+namespace {
+
+constexpr double panelUnits = 360;    // pixels at ordinary density
+constexpr double dividerReach = 8;    // pixels at ordinary density: so near to it the mouse takes the divider
+constexpr double dividerStep = 0.02;  // of the picture's width, with [ and ]
+constexpr double reloadSeconds = 0.25;
+
+constexpr ImGuiWindowFlags fixedWindow = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                         ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
+
+// The picture is as large as the command asks for, else as the original's canvas. A frame asked for by number stands still,
+// so that a copied command shows the very picture it was copied from.
+SessionStart startOf(const Command& command) {
+    const bool sizeGiven = command.width > 0;
+    return {.width = sizeGiven ? command.width : command.demo->width,
+            .height = sizeGiven ? command.height : command.demo->height,
+            .knobs = command.knobs,
+            .frame = command.firstFrame,
+            .paused = command.frameGiven};
+}
+
+}  // namespace
+
+DemoScreen::DemoScreen(Window& window, Gui& gui, Stage& stage, const Command& command, bool menu)
+    : window_(window),
+      gui_(gui),
+      stage_(stage),
+      info_(*command.demo),
+      session_(stage, *command.demo, startOf(command)),
+      report_(command.report),
+      program_(command.program),
+      menu_(menu),
+      knobs_(gui, session_),
+      study_(*command.demo, gui),
+      hand_(gui) {
+    const bool sizeGiven = command.width > 0;
+    const int width = stage_.front().width(), height = stage_.front().height();
+    if (!command.compareKnob.empty()) {
+        Knob& knob = session_.demo().knob(command.compareKnob);
+        knob.parse(command.compareValues[0]);
+        comparison_.start(knob, command.compareValues[1]);
+    }
+    // A size that was asked for is meant in pixels; an original's canvas grows with the screen's density, like the panel.
+    const double units = (sizeGiven ? 1 : window_.contentScale()) / window_.size().pixelsPerUnit();
+    const double panel = panelUnits * window_.contentScale() / window_.size().pixelsPerUnit();
+    window_.setTitle("mvgl: " + info_.name);
+    window_.show(static_cast<int>(std::lround(width * units + panel)), static_cast<int>(std::lround(height * units)),
+                 !sizeGiven);
+}
+
+// ---- What the user does
+
+int DemoScreen::pictureWidth() const {
+    if (!panelShown_) return window_.size().pixelWidth();
+    return std::max(0,
+                    window_.size().pixelWidth() - static_cast<int>(std::lround(panelUnits * window_.contentScale())));
+}
+
+bool DemoScreen::overPicture(double x) const {
+    return !gui_.popupOpen() && x * window_.size().pixelsPerUnit() < pictureWidth();
+}
+
+std::optional<double> DemoScreen::dividerX() const {
+    if (!comparison_.drawn() || comparison_.view() != Comparison::View::divider) return {};
+    return comparison_.divider() * comparison_.sideA().picture.width / window_.size().pixelsPerUnit();
+}
+
+bool DemoScreen::overDivider(double x) const {
+    const std::optional<double> divider = dividerX();
+    return divider && overPicture(x) && std::abs(x - *divider) <= dividerReach * double(gui_.scale());
+}
+
+FrameInfo DemoScreen::shownFrame() const {
+    return {session_.playback().frame(), stage_.front().width(), stage_.front().height()};
+}
+
+PictureInWindow DemoScreen::pictureInWindow() const {
+    return {stage_.front().height(), window_.size().pixelsPerUnit()};
+}
+
+void DemoScreen::moveDivider(double x) {
+    if (dividerX()) comparison_.moveDivider(x * window_.size().pixelsPerUnit() / comparison_.sideA().picture.width);
+}
+
+void DemoScreen::handle(const Event& event) {
+    switch (event.kind) {
+        case Event::Kind::key:
+            return onKey(event);
+        case Event::Kind::press:
+            if (event.key != GLFW_MOUSE_BUTTON_LEFT) break;
+            draggingDivider_ = overDivider(event.x);
+            if (overPicture(event.x) && !draggingDivider_ &&
+                !hand_.press(session_.demo(), shownFrame(), pictureInWindow(), event.x, event.y)) {
+                session_.pointerDown(event.x, event.y);
+            } else {
+                session_.pointerUp();
+            }
+            break;
+        case Event::Kind::release:
+            if (event.key != GLFW_MOUSE_BUTTON_LEFT) break;
+            draggingDivider_ = false;
+            hand_.release();
+            session_.pointerUp();
+            break;
+        case Event::Kind::move:
+            if (draggingDivider_) moveDivider(event.x);
+            if (hand_.move(session_.demo(), shownFrame(), pictureInWindow(), event.x, event.y)) session_.touch();
+            session_.pointerMove(event.x, event.y);
+            break;
+        case Event::Kind::wheel:
+            if (overPicture(event.x)) session_.wheel(event.notches);
+            break;
+        case Event::Kind::character:  // not a key: where they are differs from keyboard to keyboard
+            if (gui_.typing() || !dividerX()) break;
+            if (event.codePoint == '[') comparison_.moveDivider(comparison_.divider() - dividerStep);
+            if (event.codePoint == ']') comparison_.moveDivider(comparison_.divider() + dividerStep);
+            break;
+        case Event::Kind::keyUp:
+        case Event::Kind::other:
+            break;
+    }
+}
+
+void DemoScreen::onKey(const Event& event) {
+    // The field first: newer Dear ImGui may give it the keyboard back only frames after a refusal.
+    if (event.key == GLFW_KEY_ESCAPE && knobs_.fieldOpen()) return knobs_.closeField();
+    if (gui_.typing()) return;
+    bool moved = false;
+    if (!gui_.popupOpen() &&
+        hand_.key(session_.demo(), shownFrame(), event.key, (event.modifiers & GLFW_MOD_SHIFT) != 0, moved)) {
+        if (moved) session_.touch();
+        return;
+    }
+    if (event.key == GLFW_KEY_ESCAPE) {
+        if (gui_.popupOpen()) return gui_.closePopup();
+        wish_ = {Wish::Kind::quit};
+        return;
+    }
+    const std::optional<Key> pressed = demoKey(event.key, event.scancode);
+    const bool control = (event.modifiers & GLFW_MOD_CONTROL) != 0;
+    if ((event.modifiers & (GLFW_MOD_ALT | GLFW_MOD_SUPER)) != 0) return;
+    if (pressed && !control && session_.press(*pressed)) return;
+    if (event.repeat) return;
+    if (pressed == key('H')) panelShown_ = !panelShown_;
+    if (pressed == key('S')) save();
+    if (event.key == GLFW_KEY_SPACE) session_.playback().toggle();
+    if (event.key == GLFW_KEY_BACKSPACE && menu_) wish_ = {Wish::Kind::menu};
+}
+
+// ---- Time
+
+bool DemoScreen::advance(double seconds) {
+    bool changed = false;
+    untilReload_ -= seconds;
+    if (untilReload_ <= 0) {
+        untilReload_ = reloadSeconds;
+        const std::vector<std::string> before = shaderErrors_;
+        reloadShaders();
+        changed = before != shaderErrors_;
+    }
+    changed |= study_.advance();
+    if (!study_.measuring()) session_.advance(seconds);  // two that draw would spoil what one measures
+    return changed || pending();
+}
+
+void DemoScreen::reloadShaders() {
+    std::vector<std::string> errors;
+    try {
+        Reloaded reloaded = reloadChangedPrograms();
+        if (reloaded.programs > 0) session_.touch();
+        errors = std::move(reloaded.standing);
+    } catch (const std::exception& error) {
+        errors = {sentenceOf(error, "shaders")};
+    }
+    if (errors == shaderErrors_) return;
+    shaderErrors_ = std::move(errors);
+    // Beside the panel, the terminal the program was started from has it.
+    for (const std::string& error : shaderErrors_) std::cerr << "error: " << error << std::endl;
+    if (shaderErrors_.empty()) std::cerr << "note: the shaders of " << info_.name << " compile again" << std::endl;
+}
+
+// ---- The picture
+
+void DemoScreen::redraw() {
+    // What another part of the window did wrong is not the demo's.
+    for (const std::string& problem : takeErrors()) std::cerr << "window: OpenGL: " << problem << "\n";
+    session_.draw(pictureWidth(), window_.size().pixelHeight(), panelShown_ || report_ != ReportForm::none,
+                  comparison_.on() ? &comparison_ : nullptr);
+}
+
+const Target* DemoScreen::shownTarget() {
+    if (comparison_.drawn()) return &comparison_.sheet();
+    return session_.hasPicture() ? &stage_.front() : nullptr;
+}
+
+void DemoScreen::showPicture() {
+    const Target* shown = shownTarget();
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glViewport(0, 0, window_.size().pixelWidth(), window_.size().pixelHeight());
+    glClearColor(0.2F, 0.2F, 0.2F, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    // The upper left corner stays where it is while a picture of another size is the last good one.
+    if (shown) shown->blitToWindow(0, window_.size().pixelHeight() - shown->height());
+}
+
+void DemoScreen::draw() {
+    if (pictureWidth() > 0 && session_.due(pictureWidth(), window_.size().pixelHeight())) redraw();
+    showPicture();
+    gui_.begin();
+    if (panelShown_) {
+        showPanel();
+    } else {
+        showOverlay();
+    }
+    hand_.show(session_.demo(), shownFrame(), pictureInWindow(), overPicture(double(ImGui::GetMousePos().x)));
+    showDividerHandle();
+    gui_.end();
+}
+
+// ---- The panel
+
+std::vector<Message> DemoScreen::messages() const {
+    std::vector<Message> all;
+    for (const std::string& error : shaderErrors_) all.push_back({error, true});
+    if (!session_.error().empty()) all.push_back({session_.error(), true});
+    if (session_.error().empty()) {
+        const auto notes = comparison_.on() ? comparison_.messages() : session_.notes().messages;
+        for (const std::string& note : notes) all.push_back({note, false});
+    }
+    return all;
+}
+
+void DemoScreen::showPanel() {
+    const auto units = static_cast<float>(1 / window_.size().pixelsPerUnit());
+    const float left = float(pictureWidth()) * units, height = float(window_.size().height());
+    ImGui::SetNextWindowPos({left, 0});
+    ImGui::SetNextWindowSize({float(window_.size().width()) - left, height});
+    ImGui::Begin("panel", nullptr, fixedWindow | ImGuiWindowFlags_NoScrollWithMouse);
+    const std::vector<Message> shown = messages();
+    const float below = messagesHeight(shown, ImGui::GetContentRegionAvail().x, height * 0.5F);
+    // The messages stand at the bottom, always in sight; the rest scrolls above them.
+    ImGui::BeginChild("scroll", {0, below > 0 ? -below - ImGui::GetStyle().ItemSpacing.y : 0}, false,
+                      ImGuiWindowFlags_AlwaysVerticalScrollbar);
+    showPanelContent();
+    ImGui::EndChild();
+    if (below > 0) showMessages(shown, below);
+    ImGui::End();
+}
+
+// With the panel away, what went wrong is still told: over the picture's lower edge.
+void DemoScreen::showOverlay() {
+    const std::vector<Message> shown = messages();
+    if (shown.empty()) return;
+    const auto width = float(window_.size().width()), height = float(window_.size().height());
+    const float padding = ImGui::GetStyle().WindowPadding.x;
+    const float tall = messagesHeight(shown, width - 2 * padding, height * 0.5F) + 2 * padding;
+    ImGui::SetNextWindowPos({0, height - tall});
+    ImGui::SetNextWindowSize({width, tall});
+    ImGui::Begin("overlay", nullptr, fixedWindow);
+    showMessages(shown, 0);
+    ImGui::End();
+}
+
+// A grip on the line between the two pictures; the mouse over it shows which way it goes.
+void DemoScreen::showDividerHandle() {
+    const std::optional<double> divider = dividerX();
+    if (!divider) return;
+    const float scale = gui_.scale(), radius = 11 * scale;
+    const ImVec2 middle{static_cast<float>(*divider), float(window_.size().height()) / 2};
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    list.AddCircleFilled(middle, radius, ImGui::GetColorU32(ImGuiCol_WindowBg));
+    list.AddCircle(middle, radius, ImGui::GetColorU32(ImGuiCol_Text), 0, 1.5F * scale);
+    for (const float side : {-1.0F, 1.0F}) {
+        const float tip = middle.x + side * 7 * scale, foot = middle.x + side * 3 * scale, half = 3.5F * scale;
+        // in the order that ImGui takes for the outside of a triangle
+        list.AddTriangleFilled({tip, middle.y}, {foot, middle.y + side * half}, {foot, middle.y - side * half},
+                               ImGui::GetColorU32(ImGuiCol_Text));
+    }
+    if (draggingDivider_ || overDivider(double(ImGui::GetMousePos().x))) {
+        ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    }
+}
+
+void DemoScreen::showPanelContent() {
+    if (menu_ && button("Back to the menu")) wish_ = {Wish::Kind::menu};
+    ImGui::PushFont(gui_.titleFont());
+    ImGui::TextUnformatted(info_.name.c_str());
+    ImGui::PopFont();
+    wrapped(info_.sentence);
+    if (!info_.lookFor.empty()) wrapped(color::dim, "Look for: " + info_.lookFor);
+
+    Demo& demo = session_.demo();
+    Playback& playback = session_.playback();
+    bool moved = false;
+    if (!info_.presets.empty() && section("Presets") && showPresets(info_, demo)) {
+        knobs_.closeField();
+        moved = true;
+    }
+    if (!demo.knobs().empty() && section("Settings")) moved |= knobs_.show(comparison_);
+    if (!demo.knobs().empty() && section("Compare")) moved |= showComparison(demo, comparison_, gui_);
+    if (playback.animated() && section("Time")) moved |= showTime(playback, gui_.scale());
+    if (!demo.readouts().empty() && section("Readouts")) showReadouts(demo, comparison_);
+    if (study_.any() && section("Error and time")) moved |= study_.show(demo);
+    if (moved) session_.touch();
+    if (!session_.notes().matrices.empty() && section("Matrices")) {
+        if (comparison_.on()) wrapped(color::dim, "of A: " + comparison_.labelA());
+        showMatrices(session_.notes());
+    }
+    if (section("Picture")) showFile();
+    if (section("Keys and mouse")) showControls(demo, info_.animated, menu_, comparison_.on());
+}
+
+std::string DemoScreen::defaultName() const {
+    return info_.name + "-" + std::to_string(session_.drawnFrame()) + ".png";
+}
+
+std::string DemoScreen::commandLine() const {
+    const Target& target = stage_.front();
+    return copyableCommand(startOf(program_, info_), info_, session_.demo(), session_.drawnFrame(), target.width(),
+                           target.height(), comparison_.on() ? comparison_.compared() : ComparedKnob{});
+}
+
+void DemoScreen::showFile() {
+    char text[96];
+    const int width = stage_.front().width(), height = stage_.front().height();
+    if (comparison_.on()) {
+        std::snprintf(text, sizeof text, "%d x %d pixels\na frame: %.2f ms with A, %.2f ms with B", width, height,
+                      comparison_.sideA().milliseconds, comparison_.sideB().milliseconds);
+    } else {
+        std::snprintf(text, sizeof text, "%d x %d pixels, %.2f ms a frame", width, height, session_.lastMilliseconds());
+    }
+    ImGui::TextUnformatted(text);
+    tooltip("the last drawn frame until the driver was done with it, with what its readouts took to measure");
+
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float buttonWidth = ImGui::CalcTextSize("Save picture").x + 2 * style.FramePadding.x;
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - buttonWidth - style.ItemSpacing.x);
+    ImGui::InputTextWithHint("##name", defaultName().c_str(), fileName_.data(), fileName_.size());
+    notePlace("file name");
+    tooltip("the file's name; a file that is there is not replaced, the next free number is taken");
+    ImGui::SameLine();
+    if (button("Save picture", {buttonWidth, 0})) save();
+    if (!saved_.empty()) wrapped(saveFailed_ ? color::error : color::dim, saved_);
+
+    if (button("Copy command line", {ImGui::GetContentRegionAvail().x, 0})) copyCommand();
+    tooltip("the command that makes this very picture, to the clipboard");
+    wrapped(color::dim, commandLine());
+}
+
+void DemoScreen::save() {
+    try {
+        if (session_.stale()) redraw();  // of the settings as they are now, not as they were in the last frame
+        const Target* shown = shownTarget();
+        if (!session_.error().empty() || !shown)
+            throw Error("picture", "must be one of the present settings", session_.error());
+        const auto path = freePicturePath(fileName_[0] != '\0' ? fileName_.data() : defaultName());
+        writePng(path, shown->read());
+        saved_ = "Saved " + path.string();
+        saveFailed_ = false;
+    } catch (const std::exception& error) {
+        saved_ = sentenceOf(error, "picture");
+        saveFailed_ = true;
+        std::cerr << "error: " << saved_ << std::endl;
+    }
+}
+
+void DemoScreen::copyCommand() { window_.copyToClipboard(commandLine()); }
+
+}  // namespace mv

@@ -1,0 +1,83 @@
+// A demo in the window: its picture on the left, its panel on the right.
+#pragma once
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mv/run/command_line.h"
+#include "mv/run/session.h"
+#include "mv/window/comparison.h"
+#include "mv/window/gui.h"
+#include "mv/window/hand.h"
+#include "mv/window/knob_panel.h"
+#include "mv/window/panel_parts.h"
+#include "mv/window/screen.h"
+#include "mv/window/study_section.h"
+
+namespace mv {
+
+class DemoScreen final : public Screen {
+  public:
+    // Opens command.demo on the stage and shows the window at its size. With `menu`, there is a way back to one.
+    // Error: the demo cannot be opened.
+    DemoScreen(Window& window, Gui& gui, Stage& stage, const Command& command, bool menu);
+
+    void handle(const Event& event) override;
+    bool advance(double seconds) override;
+    bool moving() const override { return session_.playback().playing() && !study_.measuring(); }
+    bool pending() const override { return session_.stale() && pictureWidth() > 0; }
+    void draw() override;
+    void report(const WindowState& state) override;
+
+  private:
+    // The picture takes the framebuffer's left part, of this many pixels; the panel the rest.
+    int pictureWidth() const;
+    bool overPicture(double x) const;
+    // In window coordinates; nothing where there is no divider.
+    std::optional<double> dividerX() const;
+    bool overDivider(double x) const;
+    void moveDivider(double x);
+    // The picture that is shown, for its handles.
+    FrameInfo shownFrame() const;
+    PictureInWindow pictureInWindow() const;
+    void onKey(const Event& event);
+    void reloadShaders();
+    void redraw();
+    const Target* shownTarget();  // none: no setting has made a picture yet
+    void showPicture();
+    void showDividerHandle();
+    void showPanel();
+    void showPanelContent();
+    void showOverlay();
+    void showFile();
+    void save();
+    void copyCommand();
+    std::string commandLine() const;
+    std::string defaultName() const;
+    std::vector<Message> messages() const;
+
+    Window& window_;
+    Gui& gui_;
+    Stage& stage_;
+    const DemoInfo& info_;
+    Session session_;
+    ReportForm report_;
+    std::string program_;  // how it was started
+    bool menu_;
+    KnobPanel knobs_;
+    Comparison comparison_;
+    StudySection study_;
+    Hand hand_;
+
+    bool panelShown_ = true;
+    bool draggingDivider_ = false;
+    double untilReload_ = 0;  // seconds
+
+    std::vector<std::string> shaderErrors_;
+    std::array<char, 256> fileName_{};
+    std::string saved_;  // what became of the last saving, and of the last copying
+    bool saveFailed_ = false;
+};
+
+}  // namespace mv

@@ -1,0 +1,210 @@
+#include "mv/window/gui.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <imgui_impl_glfw.h>
+#include <imgui_impl_opengl3.h>
+
+#include <algorithm>
+#include <cfloat>
+#include <cmath>
+
+#include "mv/error.h"
+#include "mv/gl/font.h"
+
+namespace mv {
+namespace {
+
+// Latin, Greek (angles), dashes and quotes, arrows, mathematics, shapes: what sentences about graphics are made of.
+constexpr ImWchar glyphRanges[] = {0x20,   0x17F,  0x370,  0x3FF,  0x2010, 0x2044, 0x2070, 0x209C,
+                                   0x2190, 0x21FF, 0x2200, 0x22FF, 0x25A0, 0x25FF, 0};
+
+ImFont* addFont(double size) {
+    ImFontConfig config;
+    config.FontDataOwnedByAtlas = false;
+    config.OversampleH = 2;
+    const auto bytes = fontFile();
+    // ImGui takes the bytes without const, and without changing them.
+    void* data = const_cast<std::byte*>(bytes.data());
+    return ImGui::GetIO().Fonts->AddFontFromMemoryTTF(data, static_cast<int>(bytes.size()),
+                                                      static_cast<float>(std::round(size)), &config, glyphRanges);
+}
+
+void setColors(ImGuiStyle& style) {
+    ImGui::StyleColorsDark(&style);
+    const auto set = [&](ImGuiCol which, float r, float g, float b, float a = 1) {
+        style.Colors[which] = ImVec4(r, g, b, a);
+    };
+    set(ImGuiCol_WindowBg, 0.118F, 0.129F, 0.149F);
+    set(ImGuiCol_ChildBg, 0, 0, 0, 0);
+    set(ImGuiCol_PopupBg, 0.157F, 0.173F, 0.200F);
+    set(ImGuiCol_Text, 0.925F, 0.937F, 0.957F);
+    set(ImGuiCol_TextDisabled, 0.62F, 0.66F, 0.72F);
+    set(ImGuiCol_Border, 0.275F, 0.302F, 0.345F);
+    set(ImGuiCol_FrameBg, 0.192F, 0.212F, 0.247F);
+    set(ImGuiCol_FrameBgHovered, 0.235F, 0.263F, 0.310F);
+    set(ImGuiCol_FrameBgActive, 0.263F, 0.298F, 0.357F);
+    set(ImGuiCol_SliderGrab, 0.353F, 0.612F, 0.898F);
+    set(ImGuiCol_SliderGrabActive, 0.549F, 0.753F, 1.0F);
+    set(ImGuiCol_CheckMark, 0.549F, 0.753F, 1.0F);
+    set(ImGuiCol_Button, 0.204F, 0.302F, 0.424F);
+    set(ImGuiCol_ButtonHovered, 0.259F, 0.388F, 0.545F);
+    set(ImGuiCol_ButtonActive, 0.306F, 0.463F, 0.651F);
+    set(ImGuiCol_Header, 0.165F, 0.184F, 0.216F);
+    set(ImGuiCol_HeaderHovered, 0.216F, 0.247F, 0.298F);
+    set(ImGuiCol_HeaderActive, 0.243F, 0.282F, 0.345F);
+    set(ImGuiCol_Separator, 0.235F, 0.259F, 0.298F);
+    set(ImGuiCol_ScrollbarBg, 0, 0, 0, 0);
+    set(ImGuiCol_ScrollbarGrab, 0.290F, 0.318F, 0.365F);
+}
+
+}  // namespace
+
+Gui::Gui(Window& window) : window_(window) {
+    IMGUI_CHECKVERSION();
+    ImGui::CreateContext();
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;  // nothing is written into the folder one happens to stand in
+    io.LogFilename = nullptr;
+    io.UserData = &places_;                 // what notePlace() finds without being told of it
+    io.ConfigInputTextCursorBlink = false;  // a blinking bar would have the window drawn for ever
+    ImGui_ImplGlfw_InitForOpenGL(window.handle(), false);
+    ImGui_ImplOpenGL3_Init("#version 330");
+}
+
+Gui::~Gui() {
+    ImGui_ImplOpenGL3_Shutdown();
+    ImGui_ImplGlfw_Shutdown();
+    ImGui::DestroyContext();
+}
+
+void Gui::setLooks() {
+    const double contentScale = window_.contentScale(), pixelsPerUnit = window_.size().pixelsPerUnit();
+    if (contentScale == contentScale_ && pixelsPerUnit == pixelsPerUnit_) return;
+    contentScale_ = contentScale;
+    pixelsPerUnit_ = pixelsPerUnit;
+    scale_ = static_cast<float>(contentScale / pixelsPerUnit);
+
+    ImGuiStyle style;
+    setColors(style);
+    style.WindowRounding = 0;
+    style.WindowBorderSize = 0;
+    style.WindowPadding = {12, 12};
+    style.FramePadding = {8, 4};
+    style.FrameRounding = style.GrabRounding = style.PopupRounding = style.ChildRounding = 4;
+    style.ItemSpacing = {8, 6};
+    style.ItemInnerSpacing = {6, 4};
+    style.ScrollbarSize = 12;
+    style.GrabMinSize = 12;
+    style.ScaleAllSizes(scale_);
+    ImGui::GetStyle() = style;
+
+    // Letters are made for the framebuffer's own pixels and laid out in window coordinates.
+    ImGuiIO& io = ImGui::GetIO();
+    io.Fonts->Clear();
+    ImFont* body = addFont(15 * contentScale);
+    title_ = addFont(20 * contentScale);
+    if (!body || !title_) throw Error("font", "must be a TrueType file");
+    io.FontDefault = body;
+    io.FontGlobalScale = static_cast<float>(1 / pixelsPerUnit);
+    ImGui_ImplOpenGL3_DestroyFontsTexture();  // made again by the next frame
+    ImGui_ImplOpenGL3_CreateFontsTexture();
+}
+
+void Gui::feed(const Event& event) {
+    GLFWwindow* handle = window_.handle();
+    mouseX_ = event.x;
+    mouseY_ = event.y;
+    // Tab goes from handle to handle of the picture; to Dear ImGui it would open the next field for typing
+    if ((event.kind == Event::Kind::key || event.kind == Event::Kind::keyUp) && event.key == GLFW_KEY_TAB) return;
+    switch (event.kind) {
+        case Event::Kind::key:
+            if (!event.repeat) {
+                ImGui_ImplGlfw_KeyCallback(handle, event.key, event.scancode, GLFW_PRESS, event.modifiers);
+            }
+            break;
+        case Event::Kind::keyUp:
+            ImGui_ImplGlfw_KeyCallback(handle, event.key, event.scancode, GLFW_RELEASE, event.modifiers);
+            break;
+        case Event::Kind::character:
+            ImGui_ImplGlfw_CharCallback(handle, event.codePoint);
+            break;
+        case Event::Kind::press:
+        case Event::Kind::release:
+            if (event.key >= 0 && event.key < ImGuiMouseButton_COUNT) {
+                down_[static_cast<std::size_t>(event.key)] = event.kind == Event::Kind::press;
+            }
+            break;
+        case Event::Kind::wheel:
+            ImGui_ImplGlfw_ScrollCallback(handle, event.across, event.notches);
+            break;
+        case Event::Kind::move:
+        case Event::Kind::other:
+            break;
+    }
+}
+
+void Gui::begin() {
+    places_.clear();
+    setLooks();
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui_ImplGlfw_NewFrame();
+    // The backend asks how large the window is, where the mouse is and what is pressed by now; the events of this frame may
+    // not be as far yet.
+    ImGuiIO& io = ImGui::GetIO();
+    const WindowSize& size = window_.size();
+    io.DisplaySize = {static_cast<float>(size.width()), static_cast<float>(size.height())};
+    io.DisplayFramebufferScale = {static_cast<float>(size.pixelsPerUnit()),
+                                  static_cast<float>(size.pixelsPerUnitDown())};
+    const bool here = glfwGetWindowAttrib(window_.handle(), GLFW_HOVERED) != 0;
+    const bool held = std::any_of(down_.begin(), down_.end(), [](bool down) { return down; });
+    io.MousePos =
+        here || held ? ImVec2(static_cast<float>(mouseX_), static_cast<float>(mouseY_)) : ImVec2(-FLT_MAX, -FLT_MAX);
+    std::copy(down_.begin(), down_.end(), io.MouseDown);
+    ImGui::NewFrame();
+}
+
+void Gui::end() {
+    popupOpen_ = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+    closePopup_ = false;
+    ImGui::Render();
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+void notePlace(const std::string& name) {
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    notePlace(name, {low.x, low.y, high.x, high.y});
+}
+
+void notePlace(const std::string& name, const ImVec4& place) {
+    (*static_cast<Places*>(ImGui::GetIO().UserData))[name] = place;
+}
+
+bool button(const char* label, ImVec2 size) {
+    const bool pressed = ImGui::Button(label, size);
+    notePlace(label);
+    return pressed;
+}
+
+void tooltip(const std::string& text) {
+    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(ImGui::GetFontSize() * 20);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+void wrapped(const std::string& text) {
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+}
+
+void wrapped(const ImVec4& color, const std::string& text) {
+    ImGui::PushStyleColor(ImGuiCol_Text, color);
+    wrapped(text);
+    ImGui::PopStyleColor();
+}
+
+}  // namespace mv

@@ -1,0 +1,79 @@
+// Dear ImGui in the window: its start and end, its looks, and its frames.
+#pragma once
+#include <imgui.h>
+
+#include <array>
+#include <map>
+#include <string>
+
+#include "mv/window/window.h"
+
+namespace mv {
+
+// Where the widgets of a frame stand, for those who drive the window by program: name -> upper left and lower right corner
+// in window coordinates.
+using Places = std::map<std::string, ImVec4>;
+
+// Colours of words that mean something.
+namespace color {
+inline const ImVec4 dim{0.62F, 0.66F, 0.72F, 1};
+inline const ImVec4 heading{0.55F, 0.78F, 1.00F, 1};
+inline const ImVec4 note{1.00F, 0.80F, 0.35F, 1};
+inline const ImVec4 error{1.00F, 0.52F, 0.48F, 1};
+inline const ImVec4 noteBack{0.26F, 0.20F, 0.07F, 1};
+inline const ImVec4 errorBack{0.33F, 0.09F, 0.09F, 1};
+}  // namespace color
+
+class Gui {
+  public:
+    // Made after the window, and goes before it.
+    explicit Gui(Window& window);
+    ~Gui();
+    Gui(const Gui&) = delete;
+    Gui& operator=(const Gui&) = delete;
+
+    // Tells the widgets of an event, before the frame it belongs to.
+    void feed(const Event& event);
+    // Between the two stand the widgets of one frame; end() draws them into the window.
+    void begin();
+    void end();
+
+    // Window coordinates for each pixel of a design at ordinary density.
+    float scale() const { return scale_; }
+    ImFont* titleFont() const { return title_; }
+    // The keyboard writes into a field just now.
+    bool typing() const { return ImGui::GetIO().WantTextInput; }
+    // A list hangs open; a click or Escape is for it.
+    bool popupOpen() const { return popupOpen_; }
+    void closePopup() { closePopup_ = true; }
+    // Asked inside of an open list.
+    bool wantsPopupClosed() const { return closePopup_; }
+
+    // Of the widgets of the last frame, as notePlace() was told; --window --report=json prints them.
+    const Places& places() const { return places_; }
+    void forgetPlaces() { places_.clear(); }
+
+  private:
+    void setLooks();
+    Window& window_;
+    ImFont* title_ = nullptr;
+    double mouseX_ = 0, mouseY_ = 0;  // as of the last event
+    std::array<bool, 5> down_{};      // the buttons of the mouse
+    float scale_ = 1;
+    double contentScale_ = 0, pixelsPerUnit_ = 0;  // what the looks were made for
+    bool popupOpen_ = false, closePopup_ = false;
+    Places places_;
+};
+
+// Notes in the Gui's places, under that name, where the last widget stands; or a part of one, in window coordinates.
+void notePlace(const std::string& name);
+void notePlace(const std::string& name, const ImVec4& place);
+// A button whose place is noted under its label.
+bool button(const char* label, ImVec2 size = {0, 0});
+// Words under the last widget while the mouse is on it, also where it is disabled.
+void tooltip(const std::string& text);
+// Words as they are, no wider than the panel.
+void wrapped(const std::string& text);
+void wrapped(const ImVec4& color, const std::string& text);
+
+}  // namespace mv

@@ -1,0 +1,276 @@
+#include "mv/window/knob_panel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+#include "mv/run/words.h"
+
+namespace mv {
+namespace {
+
+// What stands behind the name of the knob that is compared.
+constexpr const char *sideA = " A", *sideB = " B";
+constexpr const char* resetSign = "\u21BA";  // an arrow turning back
+
+std::string trimmed(const std::string& text) {
+    const auto first = text.find_first_not_of(" \t");
+    if (first == std::string::npos) return {};
+    return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+// The value's text with its unit, as a format of printf that prints just that.
+std::string asFormat(const Knob& knob) {
+    std::string format;
+    for (const char c : knob.text() + (knob.unit().empty() ? "" : " " + knob.unit())) {
+        format += c;
+        if (c == '%') format += c;
+    }
+    return format;
+}
+
+// The decimal number nearest to the value with so many digits after the point, and none for a negative number.
+double rounded(double value, int digits) {
+    char text[400];  // the longest double
+    std::snprintf(text, sizeof text, "%.*f", std::max(digits, 0), value);
+    const double number = std::strtod(text, nullptr);
+    return number == 0 ? 0 : number;  // never -0
+}
+
+// The decimal number of three digits nearest to the value, which is as fine as a hand can choose on a logarithmic bar.
+double threeDigits(double value) { return std::strtod(formatted("%.2e", value).c_str(), nullptr); }
+
+}  // namespace
+
+std::string knobTip(const Knob& knob) {
+    std::string tip = knob.help() + "\n" + knob.rangeInFull() + "; initially " + knob.initialText();
+    for (const Option& option : knob.options()) {
+        if (!option.meaning.empty()) tip += "\n" + option.word + ": " + option.meaning;
+    }
+    return tip;
+}
+
+bool KnobPanel::show(Comparison& comparison) {
+    const Demo& demo = session_.demo();
+    float labelWidth = 0;
+    for (const Knob* knob : demo.knobs()) {
+        const std::string label = knob->name() + (knob == comparison.knob() ? sideA : "");
+        labelWidth = std::max(labelWidth, ImGui::CalcTextSize(label.c_str()).x);
+    }
+    // A very long name goes above its widget instead of leaving the widget no room.
+    labelWidth = std::min(labelWidth, ImGui::GetContentRegionAvail().x * 0.4F) + ImGui::GetStyle().ItemSpacing.x;
+    bool moved = false;
+    for (Knob* knob : demo.knobs()) {
+        const bool compared = knob == comparison.knob();
+        ImGui::PushID(knob->name().c_str());
+        moved |= row(demo, *knob, labelWidth, compared ? sideA : "");
+        if (compared) moved |= otherRow(demo, *knob, labelWidth, comparison);
+        ImGui::PopID();
+    }
+    const bool initial = std::all_of(demo.knobs().begin(), demo.knobs().end(), [](Knob* k) { return k->isInitial(); });
+    ImGui::BeginDisabled(initial);
+    if (mv::button("Reset all")) {
+        for (Knob* knob : demo.knobs()) knob->reset();
+        typed_.clear();
+        moved = true;
+    }
+    ImGui::EndDisabled();
+    return moved;
+}
+
+// The widgets are the knob's own, so for the moment it holds the other value.
+bool KnobPanel::otherRow(const Demo& demo, Knob& knob, float labelWidth, Comparison& comparison) {
+    const std::string present = knob.text();
+    knob.parse(comparison.other());
+    ImGui::PushID(sideB);
+    const bool moved = row(demo, knob, labelWidth, sideB);
+    ImGui::PopID();
+    comparison.setOther(knob.text());
+    knob.parse(present);
+    return moved;
+}
+
+bool KnobPanel::row(const Demo& demo, Knob& knob, float labelWidth, const std::string& side) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const std::string idle = demo.idleReason(knob);
+    const std::string tip = knobTip(knob) + (idle.empty() ? "" : "\nIt does nothing now: " + idle + ".");
+    rowName_ = knob.name() + (side == sideB ? sideB : "");
+    const float left = ImGui::GetCursorPosX();
+    ImGui::AlignTextToFramePadding();
+    ImGui::BeginDisabled(!idle.empty());
+    if (side.empty()) {
+        ImGui::TextUnformatted(knob.name().c_str());
+    } else {
+        ImGui::TextColored(color::heading, "%s%s", knob.name().c_str(), side.c_str());
+    }
+    tooltip(tip);
+    if (ImGui::GetItemRectSize().x <= labelWidth) ImGui::SameLine(left + labelWidth);
+
+    const float resetWidth = ImGui::CalcTextSize(resetSign).x + 2 * style.FramePadding.x;
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - resetWidth - style.ItemSpacing.x);
+    const bool typing = typed_ == rowName_;
+    bool moved = typing ? field(knob) : knob.widget(*this);
+    if (!typing) tooltip(tip);
+    ImGui::EndDisabled();
+
+    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - resetWidth);
+    if (knob.isInitial()) {
+        ImGui::Dummy({resetWidth, ImGui::GetFrameHeight()});
+    } else {
+        if (ImGui::Button(resetSign)) {
+            knob.reset();
+            moved = true;
+        }
+        notePlace("reset " + rowName_);
+        tooltip("back to " + knob.initialText());
+    }
+    if (typing && !refusal_.empty()) wrapped(color::error, refusal_);
+    for (const Option& option : knob.options()) {
+        if (option.meaning.empty() || option.word != knob.text()) continue;
+        ImGui::SetCursorPosX(left + labelWidth);
+        wrapped(color::dim, option.meaning);
+    }
+    return moved;
+}
+
+bool KnobPanel::slider(const Knob& knob, double& value, const NumberRange& range) {
+    if (range.scale == Scale::logarithmic) return logarithmicBar(knob, value, range);
+    const double low = range.low, high = range.high;
+    // As fine as a hand can choose on a bar of some 200 pixels; finer values are typed.
+    const double digits = high > low ? -std::floor(std::log10((high - low) / 500)) : 0;
+    return bar(knob, value, low, high, digits);
+}
+
+bool KnobPanel::slider(const Knob& knob, int& value, int low, int high) {
+    double number = value;
+    const bool moved = bar(knob, number, low, high, 0);
+    value = static_cast<int>(number);
+    return moved;
+}
+
+// The bar goes by the logarithm, and over its first twentieth it is 0 where that is allowed.
+bool KnobPanel::logarithmicBar(const Knob& knob, double& value, const NumberRange& range) {
+    const double gap = range.orZero ? 0.05 : 0, decades = std::log10(range.high / range.low);
+    double place = value == 0 ? 0 : gap + (1 - gap) * std::log10(value / range.low) / decades;
+    if (!bar(knob, place, 0, 1, 4)) return false;
+    const double before = value, exponent = (place - gap) / (1 - gap) * decades;
+    value = exponent < 0 ? 0 : std::clamp(threeDigits(range.low * std::pow(10.0, exponent)), range.low, range.high);
+    return value != before;
+}
+
+bool KnobPanel::bar(const Knob& knob, double& value, double low, double high, double digits) {
+    const double before = value;
+    double shown = value;
+    // The format is the text itself, so that the bar shows all digits there are and ImGui rounds nothing.
+    ImGui::SliderScalar("##bar", ImGuiDataType_Double, &shown, &low, &high, asFormat(knob).c_str(),
+                        ImGuiSliderFlags_NoInput);
+    notePlace(rowName_);
+    const bool byHand = ImGui::IsItemHovered() && (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) ||
+                                                   (ImGui::IsItemClicked() && ImGui::GetIO().KeyCtrl));
+    if (byHand) {
+        openField(knob);
+        return false;
+    }
+    if (shown == before || !ImGui::IsItemActive()) return false;
+    value = std::clamp(rounded(shown, static_cast<int>(digits)), low, high);
+    return value != before;
+}
+
+void KnobPanel::openField(const Knob& knob) {
+    typed_ = rowName_;
+    std::snprintf(text_.data(), text_.size(), "%s", knob.text().c_str());
+    refusal_.clear();
+    focusField_ = true;
+}
+
+// A field for a value to be typed. What is out of range is refused with the range, and the field stays.
+bool KnobPanel::field(Knob& knob) {
+    if (focusField_) ImGui::SetKeyboardFocusHere();
+    focusField_ = false;
+    const bool red = !refusal_.empty();
+    if (red) ImGui::PushStyleColor(ImGuiCol_FrameBg, color::errorBack);
+    const bool entered = ImGui::InputText("##field", text_.data(), text_.size(),
+                                          ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+    if (red) ImGui::PopStyleColor();
+    notePlace(rowName_);
+    if (!entered) {
+        if (ImGui::IsItemDeactivated()) typed_.clear();  // Escape, or a click elsewhere: as it was
+        return false;
+    }
+    const std::string before = knob.text();
+    refusal_ = session_.set(knob.name(), trimmed(text_.data()));
+    if (refusal_.empty()) {
+        typed_.clear();
+    } else {
+        focusField_ = true;
+    }
+    return knob.text() != before;
+}
+
+bool KnobPanel::checkbox(const Knob&, bool& value) {
+    const bool moved = ImGui::Checkbox("##box", &value);
+    notePlace(rowName_);
+    return moved;
+}
+
+bool KnobPanel::words(const Knob& knob) {
+    // What does not fit is in the tip; buttons come after it
+    const float width = ImGui::CalcItemWidth() - 2 * (ImGui::GetFrameHeight() + ImGui::GetStyle().ItemSpacing.x);
+    ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_FrameBg));
+    if (ImGui::Button((knob.text() + "##words").c_str(), {width, 0})) openField(knob);
+    ImGui::PopStyleColor();
+    notePlace(rowName_);
+    tooltip(knob.text());
+    return false;
+}
+
+bool KnobPanel::button(const Knob&, const std::string& label, bool enabled) {
+    ImGui::SameLine();
+    ImGui::BeginDisabled(!enabled);
+    const bool pressed = ImGui::Button(label.c_str(), {ImGui::GetFrameHeight(), 0});
+    ImGui::EndDisabled();
+    notePlace(rowName_ + " " + label);
+    return pressed;
+}
+
+bool KnobPanel::choose(const Knob&, int& index, const std::vector<Option>& options) {
+    const Option& present = options[static_cast<std::size_t>(index)];
+    bool moved = false;
+    const bool open = ImGui::BeginCombo("##choice", present.word.c_str());
+    if (!open) notePlace(rowName_);
+    if (open) {
+        ImGui::PushStyleColor(ImGuiCol_Header, ImGui::GetStyleColorVec4(ImGuiCol_Button));
+        float wordWidth = 0;
+        for (const Option& option : options) {
+            wordWidth = std::max(wordWidth, ImGui::CalcTextSize(option.word.c_str()).x);
+        }
+        const float textHeight = ImGui::GetTextLineHeight();
+        for (std::size_t i = 0; i < options.size(); ++i) {
+            const bool chosen = static_cast<int>(i) == index;
+            ImGui::PushID(static_cast<int>(i));
+            const float meaningWidth = ImGui::CalcTextSize(options[i].meaning.c_str()).x;
+            const float gap = options[i].meaning.empty() ? 0 : 2 * ImGui::GetStyle().ItemSpacing.x;
+            // The whole line can be clicked, not only its words.
+            const float width = std::max(wordWidth + gap + meaningWidth, ImGui::GetContentRegionAvail().x);
+            if (ImGui::Selectable("##option", chosen, 0, {width, textHeight}) && !chosen) {
+                index = static_cast<int>(i);
+                moved = true;
+            }
+            notePlace(rowName_ + " " + options[i].word);
+            ImGui::SameLine(ImGui::GetStyle().WindowPadding.x);
+            ImGui::TextUnformatted(options[i].word.c_str());
+            if (!options[i].meaning.empty()) {
+                ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + wordWidth + gap);
+                ImGui::TextDisabled("%s", options[i].meaning.c_str());
+            }
+            ImGui::PopID();
+        }
+        ImGui::PopStyleColor();
+        if (gui_.wantsPopupClosed()) ImGui::CloseCurrentPopup();
+        ImGui::EndCombo();
+    }
+    return moved;
+}
+
+}  // namespace mv

@@ -1,0 +1,54 @@
+// The knobs of a demo as widgets of Dear ImGui.
+#pragma once
+#include <array>
+#include <string>
+
+#include "mv/demo/demo.h"
+#include "mv/run/session.h"
+#include "mv/window/comparison.h"
+#include "mv/window/gui.h"
+
+namespace mv {
+
+class KnobPanel final : public Panel {
+  public:
+    KnobPanel(Gui& gui, Session& session) : gui_(gui), session_(session) {}
+
+    // A row for each knob: name, widget, unit, and a button that sets it back; a second row for the other value of the
+    // one that is compared. True when one was moved.
+    bool show(Comparison& comparison);
+
+    bool slider(const Knob& knob, double& value, const NumberRange& range) override;
+    bool slider(const Knob& knob, int& value, int low, int high) override;
+    bool checkbox(const Knob& knob, bool& value) override;
+    bool words(const Knob& knob) override;
+    bool button(const Knob& knob, const std::string& label, bool enabled) override;
+    bool choose(const Knob& knob, int& index, const std::vector<Option>& options) override;
+
+    // A field for a value to be typed hangs open in the place of a bar; closing it leaves the value as it was.
+    bool fieldOpen() const { return !typed_.empty(); }
+    void closeField() { typed_.clear(); }
+
+  private:
+    bool row(const Demo& demo, Knob& knob, float labelWidth, const std::string& side);
+    bool otherRow(const Demo& demo, Knob& knob, float labelWidth, Comparison& comparison);
+    bool bar(const Knob& knob, double& value, double low, double high, double digits);
+    bool logarithmicBar(const Knob& knob, double& value, const NumberRange& range);
+    bool field(Knob& knob);
+    void openField(const Knob& knob);
+
+    // Of the row that is being made: the knob's name, with " B" for the other value of the one that is compared.
+    std::string rowName_;
+    Gui& gui_;
+    Session& session_;
+    // The row whose value is being typed; "" for none.
+    std::string typed_;
+    std::array<char, 1024> text_{};
+    std::string refusal_;
+    bool focusField_ = false;
+};
+
+// Name, range, unit, initial value: what the mouse over a knob tells.
+std::string knobTip(const Knob& knob);
+
+}  // namespace mv

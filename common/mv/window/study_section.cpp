@@ -1,0 +1,219 @@
+#include "mv/window/study_section.h"
+
+#include <algorithm>
+#include <charconv>
+#include <iostream>
+
+#include "mv/run/run.h"
+#include "mv/run/stage.h"
+#include "mv/run/study.h"
+#include "mv/window/study_view.h"
+
+namespace mv {
+namespace {
+
+constexpr std::size_t largestStudy = 64U << 20;  // bytes of its file
+
+// "study 12/60: doing this" -> 12, 60
+std::optional<std::pair<int, int>> stepOf(const std::string& line) {
+    const std::string start = "study ";
+    if (!line.starts_with(start)) return {};
+    std::pair<int, int> step;
+    const char* end = line.data() + line.size();
+    const auto first = std::from_chars(line.data() + start.size(), end, step.first);
+    if (first.ec != std::errc() || first.ptr == end || *first.ptr != '/') return {};
+    const auto second = std::from_chars(first.ptr + 1, end, step.second);
+    if (second.ec != std::errc() || step.second < 1 || step.first < 0) return {};
+    return step;
+}
+
+}  // namespace
+
+StudySection::StudySection(const DemoInfo& info, Gui& gui) : info_(info), gui_(gui) {
+    try {
+        if (auto run = committedStudy(info.name)) take(std::move(*run), false);
+    } catch (const std::exception& error) {
+        problem_ = sentenceOf(error, "study");
+    }
+}
+
+void StudySection::take(StudyRun run, bool measuredHere) {
+    shown_ = std::move(run);
+    measuredHere_ = measuredHere;
+    scenes_ = scenesOf(*shown_);
+    if (scene_ >= scenes_.size()) scene_ = 0;
+    settings_.clear();
+    const auto demo = info_.make();
+    for (const StudyRow& row : shown_->rows) {
+        auto& settings = settings_.emplace_back(row.settings);
+        try {
+            applyKnobs(*demo, *settings);
+            for (KnobSetting& setting : *settings) setting.text = demo->knob(setting.name).text();
+        } catch (const Error&) {
+            settings.reset();  // a study older than the knobs; the click on it says so
+        }
+    }
+}
+
+// ---- Measuring
+
+void StudySection::start() {
+    problem_.clear();
+    try {
+        measurement_.emplace(info_.name);
+    } catch (const std::exception& error) {
+        measurement_.reset();
+        problem_ = sentenceOf(error, "study");
+    }
+}
+
+bool StudySection::advance() {
+    if (!measurement_) return false;
+    const std::optional<int> ended =
+        measurement_->child.status();  // first: what it wrote before it ended is there then
+    const std::vector<std::string> lines = measurement_->child.takeLines();
+    for (const std::string& line : lines) {
+        if (const auto step = stepOf(line)) {
+            measurement_->done = std::min(1.0, double(step->first) / step->second);
+            measurement_->steps = std::to_string(step->first) + " of " + std::to_string(step->second);
+            measurement_->doing = line.substr(std::min(line.find(": "), line.size() - 2) + 2);
+        } else if (line.starts_with("error: ")) {
+            measurement_->problem = line.substr(7);
+        } else if (line.starts_with("note: ")) {
+            std::cerr << line << std::endl;  // the terminal has these, as without a window
+        }
+    }
+    if (ended) finish(*ended);
+    return ended || !lines.empty();
+}
+
+void StudySection::finish(int status) {
+    // The numbers come before the SVG: where gnuplot is missing they are there all the same.
+    const auto file = measurement_->folder.path() / "study.json";
+    problem_ = measurement_->problem;
+    if (problem_.empty() && status != 0) problem_ = "the measurement ended with status " + std::to_string(status);
+    std::error_code ignored;
+    if (std::filesystem::exists(file, ignored)) {
+        try {
+            take(readStudy(readTextFile(file, largestStudy)), true);
+        } catch (const std::exception& error) {
+            problem_ = sentenceOf(error, "study");
+        }
+    }
+    measurement_.reset();
+}
+
+void StudySection::showMeasurement() {
+    const float width = ImGui::GetContentRegionAvail().x;
+    if (!measurement_) {
+        if (info_.study && button("Measure here", {width, 0})) start();
+        tooltip("runs the study on this machine, in a program of its own without a window");
+        if (measuredHere_ && button("Back to the committed study", {width, 0})) {
+            shown_.reset();
+            measuredHere_ = false;
+            if (auto run = committedStudy(info_.name)) take(std::move(*run), false);
+        }
+        if (!problem_.empty()) wrapped(color::error, problem_);
+        return;
+    }
+    const float cancel = ImGui::CalcTextSize("Cancel").x + 2 * ImGui::GetStyle().FramePadding.x;
+    ImGui::PushStyleColor(ImGuiCol_PlotHistogram, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+    ImGui::ProgressBar(static_cast<float>(measurement_->done), {width - cancel - ImGui::GetStyle().ItemSpacing.x, 0},
+                       measurement_->steps.empty() ? "starting" : measurement_->steps.c_str());
+    ImGui::PopStyleColor();
+    ImGui::SameLine();
+    const bool stop = button("Cancel");
+    if (!measurement_->doing.empty()) wrapped(color::dim, measurement_->doing);
+    if (info_.animated) wrapped(color::dim, "Time stands still here meanwhile, not to disturb it.");
+    if (stop) measurement_.reset();
+}
+
+// ---- The plot
+
+std::optional<std::size_t> StudySection::rowHere(const Demo& demo) const {
+    std::optional<std::size_t> here;
+    if (!shown_ || scenes_.empty()) return here;
+    for (std::size_t i = 0; i < shown_->rows.size(); ++i) {
+        if (shown_->rows[i].scene != scenes_[scene_] || !settings_[i]) continue;
+        const bool same = std::all_of(settings_[i]->begin(), settings_[i]->end(), [&](const KnobSetting& setting) {
+            return demo.knob(setting.name).text() == setting.text;
+        });
+        // Of several, the one that says most.
+        if (same && (!here || settings_[i]->size() > settings_[*here]->size())) here = i;
+    }
+    return here;
+}
+
+std::string StudySection::origin() const {
+    if (!shown_) return "";
+    return (measuredHere_ ? "Measured here: " : "Committed, measured on: ") + machineText(*shown_) + ".";
+}
+
+// The scene to begin with: that of the present settings.
+void StudySection::findScene(const Demo& demo) {
+    sceneFound_ = true;
+    for (scene_ = 0; scene_ < scenes_.size(); ++scene_) {
+        if (rowHere(demo)) return;
+    }
+    scene_ = 0;
+}
+
+std::string StudySection::here(const Demo& demo) const {
+    const auto row = rowHere(demo);
+    return row ? rowName(shown_->rows[*row]) : "";
+}
+
+void StudySection::chooseScene() {
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+    const bool open = ImGui::BeginCombo("##scene", ("Scene: " + scenes_[scene_]).c_str());
+    if (!open) {
+        notePlace("scene");
+        return;
+    }
+    for (std::size_t i = 0; i < scenes_.size(); ++i) {
+        if (ImGui::Selectable(scenes_[i].c_str(), i == scene_)) scene_ = i;
+        notePlace("scene " + scenes_[i]);
+    }
+    if (gui_.wantsPopupClosed()) ImGui::CloseCurrentPopup();
+    ImGui::EndCombo();
+}
+
+void StudySection::showWords(const Demo& demo, std::optional<std::size_t> here) const {
+    if (here) {
+        // The row was measured with all other knobs at their initial values.
+        std::string others;
+        for (const Knob* knob : demo.knobs()) {
+            const auto& set = *settings_[*here];
+            const bool isSet =
+                std::any_of(set.begin(), set.end(), [&](const KnobSetting& s) { return s.name == knob->name(); });
+            if (!isSet && !knob->isInitial()) others += (others.empty() ? "" : ", ") + knob->name();
+        }
+        if (!others.empty()) wrapped(color::note, "Here, but measured with other values of " + others + ".");
+    }
+    for (const StudyRow& row : shown_->rows) {
+        if (row.scene == scenes_[scene_] && !row.ok()) wrapped(color::error, rowName(row) + ": " + row.status);
+    }
+    wrapped(color::dim, "Of: " + shown_->quantity + ". Reference: " + referenceText(*shown_) + ".");
+    wrapped(measuredHere_ ? color::note : color::dim, origin());
+}
+
+bool StudySection::show(Demo& demo) {
+    bool moved = false;
+    if (shown_ && !scenes_.empty()) {
+        if (!sceneFound_) findScene(demo);
+        if (scenes_.size() > 1) chooseScene();
+        const auto here = rowHere(demo);
+        const auto clicked = showStudyPlot(*shown_, scenes_[scene_], here, gui_.scale());
+        if (clicked && settings_[*clicked]) {
+            applyKnobs(demo, *settings_[*clicked]);
+            moved = true;
+        } else if (clicked) {
+            problem_ = rowName(shown_->rows[*clicked]) + ": its settings are no longer what the knobs take";
+        }
+        showWords(demo, here);
+    }
+    showMeasurement();
+    return moved;
+}
+
+}  // namespace mv

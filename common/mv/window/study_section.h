@@ -1,0 +1,63 @@
+// The panel's part about error and time: the demo's study, committed or measured on this machine.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mv/demo/demo.h"
+#include "mv/image/file.h"
+#include "mv/run/study_data.h"
+#include "mv/window/child.h"
+#include "mv/window/gui.h"
+
+namespace mv {
+
+class StudySection {
+  public:
+    StudySection(const DemoInfo& info, Gui& gui);
+
+    // Whether the demo has a study at all.
+    bool any() const { return info_.study.has_value() || shown_.has_value(); }
+    // Listens to a measurement that runs; true when there is something new to show.
+    bool advance();
+    // Shows the plot and the buttons; true when the settings of a point were taken.
+    bool show(Demo& demo);
+
+    bool measuring() const { return measurement_.has_value(); }
+    // Where the study that is shown was measured, in a sentence; "" where none is.
+    std::string origin() const;
+    // The row of the present settings: its name, "" for none.
+    std::string here(const Demo& demo) const;
+
+  private:
+    struct Measurement {
+        ScratchFolder folder{"study"};
+        Child child;
+        double done = 0;  // 0..1
+        std::string steps, doing, problem;
+        explicit Measurement(const std::string& demo)
+            : child({demo, "--study", folder.path().string(), "--headless"}) {}
+    };
+    void take(StudyRun run, bool measuredHere);
+    void start();
+    void finish(int status);
+    std::optional<std::size_t> rowHere(const Demo& demo) const;
+    void findScene(const Demo& demo);
+    void showWords(const Demo& demo, std::optional<std::size_t> here) const;
+    void showMeasurement();
+    void chooseScene();
+
+    const DemoInfo& info_;
+    Gui& gui_;
+    std::optional<StudyRun> shown_;
+    bool measuredHere_ = false;
+    std::vector<std::string> scenes_;
+    std::size_t scene_ = 0;
+    bool sceneFound_ = false;
+    // What the knobs say after a row was set; nothing where they refuse it.
+    std::vector<std::optional<std::vector<KnobSetting>>> settings_;
+    std::optional<Measurement> measurement_;
+    std::string problem_;
+};
+
+}  // namespace mv

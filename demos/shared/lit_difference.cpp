@@ -1,0 +1,57 @@
+#include "shared/lit_difference.h"
+
+#include <cmath>
+
+#include "mv/error.h"
+#include "mv/gl/text.h"
+#include "shared/lit_reference.h"
+#include "shared/measured.h"
+
+namespace mv {
+
+LitDifference::Found LitDifference::show(const Scene& scene, const Frame& frame, const std::function<void()>& draw,
+                                         const std::function<void()>& against) {
+    const std::vector<float> here = drawn(frame, draw);
+    const std::vector<float> there = against ? drawn(frame, against) : byRays(scene, frame);
+    Picture picture(frame.width(), frame.height());
+    double squares = 0;
+    long compared = 0, beyond = 0;
+    for (std::size_t i = 0; i < here.size(); ++i) {
+        const bool counts = here[i] >= 0 && there[i] >= 0;
+        const double difference = counts ? double(here[i]) - double(there[i]) : 0;
+        compared += counts ? 1 : 0;
+        beyond += std::abs(difference) > 0.5 ? 1 : 0;
+        squares += difference * difference;
+        const vec3 grey(counts ? 70 + 60 * double(there[i]) : 40);
+        const vec3 far = difference < 0 ? vec3(255, 60, 30) : vec3(60, 170, 255);
+        const vec3 color = grey + std::abs(difference) * (far - grey);
+        for (int k = 0; k < 3; ++k) {
+            picture.rgba[4 * i + static_cast<std::size_t>(k)] = static_cast<std::uint8_t>(std::lround(color[k]));
+        }
+        picture.rgba[4 * i + 3] = 255;
+    }
+    showImage(frame, 0, 0, picture);
+    if (compared == 0) return {};
+    return {100.0 * double(beyond) / double(compared), std::sqrt(squares / double(compared))};
+}
+
+std::vector<float> LitDifference::drawn(const Frame& frame, const std::function<void()>& draw) {
+    if (!floatTargets()) {
+        throw Error("the difference", "needs targets of floats; this OpenGL ES lacks EXT_color_buffer_float");
+    }
+    target_.fit(frame.width(), frame.height(), {.depth = true, .stencil = true, .color = GL_R32F}, "lit fraction");
+    return drawMeasured(target_, frame, draw);
+}
+
+std::vector<float> LitDifference::byRays(const Scene& scene, const FrameInfo& frame) {
+    const std::tuple wanted(scene.clipFromWorld(), frame.width(), frame.height());
+    if (castFor_ != wanted) rays_ = litReference(scene, frame, {}, {});
+    castFor_ = wanted;
+    std::vector<float> lit(rays_.values.begin(), rays_.values.end());
+    for (std::size_t i = 0; i < lit.size(); ++i) {
+        if (rays_.regions[i] < 0) lit[i] = -1;
+    }
+    return lit;
+}
+
+}  // namespace mv

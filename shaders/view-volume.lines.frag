@@ -1,4 +1,0 @@
-uniform vec4 color;
-out vec4 fragColor;
-
-void main() { fragColor = color; }

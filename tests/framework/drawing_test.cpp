@@ -1,0 +1,175 @@
+// Shapes over a picture: where they are, what hides them, what they leave, and what they cost.
+#include "mv/gl/drawing.h"
+
+#include <gtest/gtest.h>
+
+#include "mv/gl/audit.h"
+#include "mv/gl/gl.h"
+#include "mv/gl/state.h"
+#include "mv/math/transform.h"
+#include "support/demo_run.h"
+
+using namespace mv;
+using namespace mv::test;
+
+namespace {
+
+const vec4 red(1, 0, 0, 1);
+const Pixel redPixel{255, 0, 0, 255}, white{255, 255, 255, 255};
+
+class DrawingTest : public testing::Test {
+  protected:
+    DrawingTest() {
+        stage().close();
+        target = Target(80, 60, {.depth = true}, "picture");
+        glClearColor(1, 1, 1, 1);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        drawing.begin(frame);
+    }
+    ~DrawingTest() override {
+        forgetText();
+        restoreInitialState();
+        EXPECT_TRUE(takeErrors().empty());
+    }
+    Picture drawn() {
+        drawing.draw(frame);
+        return target.read();
+    }
+
+    Target target;
+    FrameNotes notes;
+    Frame frame{{1, 80, 60}, notes, {}};
+    Drawing drawing;
+};
+
+}  // namespace
+
+TEST_F(DrawingTest, a_pane_has_its_own_pixels_and_cuts_what_is_beyond_it) {
+    drawing.in({30, 20, 40, 30});
+    drawing.fill({{5, 2}, {10, 8}}, red);
+    Picture picture = drawn();
+    EXPECT_EQ(countPixels(picture, redPixel), 5 * 6);
+    EXPECT_EQ(picture.at(35, 60 - 1 - 22), redPixel) << "the lower left pixel of the box, from the upper left corner";
+    EXPECT_EQ(picture.at(39, 60 - 1 - 27), redPixel);
+    drawing.begin(frame);
+    drawing.in({30, 20, 40, 30});
+    drawing.fill({{-100, -100}, {100, 100}}, red);
+    drawing.line({-50, 15}, {50, 15}, {.color = vec4(0, 0, 1, 1), .width = 4});
+    drawing.arrow({20, 0}, {20, 90});
+    drawing.point({0, 0}, 20, vec4(0, 1, 0, 1));
+    picture = drawn();
+    EXPECT_EQ(countPixels(picture, white), 80 * 60 - 40 * 30);
+}
+
+TEST_F(DrawingTest, edges_in_space_are_hidden_by_what_is_nearer_and_shapes_are_not) {
+    glEnable(GL_DEPTH_TEST);
+    const Program plain =
+        Program::fromText("plain", "in vec4 position;\nvoid main() { gl_Position = position; }\n",
+                          "out vec4 fragColor;\nvoid main() { fragColor = vec4(0.0, 0.0, 1.0, 1.0); }\n");
+    MeshData wall;  // the left half, half way down
+    wall.positions = {{-1, -1, 0}, {0, -1, 0}, {-1, 1, 0}, {-1, 1, 0}, {0, -1, 0}, {0, 1, 0}};
+    plain.use();
+    const Mesh mesh(wall, "wall");
+    mesh.draw();
+    const auto redIn = [](const Picture& picture, int from, int to) {
+        int count = 0;
+        for (int x = from; x < to; ++x) count += picture.at(x, 30) == redPixel ? 1 : 0;
+        return count;
+    };
+    const Stroke stroke{.color = red, .width = 4};
+    drawing.edge(mat4(1), {-1, 0, 0.5}, {1, 0, 0.5}, stroke);
+    Picture picture = drawn();
+    EXPECT_EQ(redIn(picture, 0, 40), 0);
+    EXPECT_EQ(redIn(picture, 41, 79), 38);
+    // Nearer than the wall it is before it; and it has written no depth, so the farther one is drawn over it again
+    drawing.begin(frame);
+    drawing.edge(mat4(1), {-1, 0, -0.5}, {1, 0, -0.5}, stroke);
+    drawing.edge(mat4(1), {-1, 0, 0.5}, {1, 0, 0.5}, {.color = vec4(0, 1, 0, 1), .width = 4});
+    picture = drawn();
+    EXPECT_EQ(redIn(picture, 1, 39), 38);
+    EXPECT_EQ(redIn(picture, 41, 79), 0);
+    // Beside a tested edge a plain shape is on top all the same
+    drawing.begin(frame);
+    drawing.edge(mat4(1), {-1, 0.5, 0.5}, {1, 0.5, 0.5}, stroke);
+    drawing.fill({{0, 20}, {80, 40}}, red);
+    EXPECT_EQ(redIn(drawn(), 0, 80), 80);
+}
+
+TEST_F(DrawingTest, an_edge_that_passes_the_eye_is_cut_at_near) {
+    // w is -z: from 5 before the eye to 5 behind it
+    mat4 clipFromView(1);
+    clipFromView[2] = vec4(0, 0, -1, -1);
+    clipFromView[3] = vec4(0, 0, -1, 0);
+    drawing.edge(clipFromView, {0, 0, -5}, {1, 0, 5}, {.color = red, .width = 4});
+    const Picture picture = drawn();
+    // x/w = 1 at z = -5/6, w = 5/6: from the middle to the right edge, and nothing on the left
+    EXPECT_EQ(picture.at(60, 30), redPixel);
+    EXPECT_EQ(picture.at(30, 30), white);
+    drawing.begin(frame);
+    drawing.edge(clipFromView, {0, 0, 1}, {1, 0, 5}, {.color = red, .width = 4});
+    drawing.edge(clipFromView, {0, 0, -5}, {0, 0, -5}, {.color = red, .width = 4});
+    EXPECT_EQ(countPixels(drawn(), redPixel), countPixels(picture, redPixel)) << "nothing was added";
+}
+
+TEST_F(DrawingTest, leaves_the_state_as_it_was) {
+    glEnable(GL_CULL_FACE);
+    glCullFace(GL_FRONT_AND_BACK);
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(0, 1e7F);
+    glDepthFunc(GL_NEVER);
+    glClearDepth(0.6);  // between the edge, at 0.5, and where the offset would push it
+    glClear(GL_DEPTH_BUFFER_BIT);
+    const std::vector<std::string> before = changedState();
+    drawing.fill({{0, 0}, {4, 4}}, red);
+    drawing.edge(mat4(1), {-1, 0, 0}, {1, 0, 0}, {.color = red, .width = 4});
+    drawing.text({10, 50}, "words");
+    drawing.draw(frame);
+    EXPECT_EQ(changedState(), before);
+    EXPECT_GT(countPixels(target.read(), redPixel), 100) << "whatever the winding and the depth function were";
+}
+
+TEST_F(DrawingTest, what_stays_is_not_uploaded_again_and_state_is_set_once) {
+    const auto work = [&](double x) {
+        drawing.begin(frame);
+        drawing.fill({{x, 0}, {x + 4, 4}}, red);
+        drawing.text({10, 50}, "words");
+        startAudit();
+        beginAuditedFrame(false);
+        drawing.draw(frame);
+        const FrameWork done = endAuditedFrame();
+        for (const Finding& finding : stopAudit()) {
+            if (finding.kind == waste::unusedBuffer) continue;  // the depths that other tests need
+            ADD_FAILURE() << finding.kind << ": " << finding.what;
+        }
+        return done;
+    };
+    EXPECT_GT(work(3).bytesUploaded, 500);
+    const long objects = liveObjects();
+    const FrameWork again = work(3);
+    EXPECT_EQ(again.bytesUploaded, 4) << "the unit of the words' texture";
+    EXPECT_EQ(again.draws, 2) << "all shapes, and all words";
+    EXPECT_GT(work(5).bytesUploaded, 500);
+    EXPECT_EQ(liveObjects(), objects);
+    // Nothing at all is nothing to draw
+    drawing.begin(frame);
+    const long before = counters().draws;
+    drawing.draw(frame);
+    EXPECT_EQ(counters().draws, before);
+}
+
+TEST_F(DrawingTest, a_plot_has_its_curve_where_its_values_are) {
+    const Plot plot{{{40, 20}, {76, 56}}, {0, 4}, {0, 4}};
+    drawing.axes(plot);
+    drawing.curve(plot, std::array{vec2(-9, 2), vec2(9, 2)}, {.color = red, .width = 4});
+    Picture picture = drawn();
+    EXPECT_EQ(picture.at(60, 60 - 38), redPixel);
+    EXPECT_NE(picture.at(30, 60 - 38), redPixel) << "cut at the box";
+    EXPECT_LT(picture.at(60, 60 - 20).red, 128) << "the axis";
+    drawing.begin(frame);
+    glClear(GL_COLOR_BUFFER_BIT);
+    drawing.pixelGrid({plot.box, {0, 4}, {0, 4}}, {.color = red, .width = 1});
+    drawing.fill({plot.pixel({1, 2}), plot.pixel({2, 3})}, vec4(0, 0, 1, 1));
+    picture = drawn();
+    EXPECT_EQ(picture.at(53, 60 - 1 - 42), (Pixel{0, 0, 255, 255})) << "the pixel (1, 2), magnified nine times";
+    EXPECT_EQ(picture.at(53, 60 - 1 - 33), white);
+}

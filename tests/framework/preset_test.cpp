@@ -1,0 +1,160 @@
+#include "mv/demo/preset.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "mv/demo/demo.h"
+#include "mv/run/command_line.h"
+#include "mv/run/report.h"
+
+using namespace mv;
+
+namespace {
+
+struct Kettle : Demo {
+    Real water{this, "water", 0.5, {0, 2}, "how much", "l"};
+    Toggle lid{this, "lid", true, "on it"};
+    Real heat{this, "heat", 1, {0, 3}, "of the fire"};
+    Kettle() {
+        heat.onlyWhen([this] { return water > 0; }, "an empty kettle is not put on the fire");
+        heat.onlyWhen([this] { return lid; }, "it is not heated without its lid");
+    }
+    void init() override {}
+    void draw(const Frame&) override {}
+};
+
+DemoInfo kettle(std::vector<Preset> presets) {
+    DemoInfo info;
+    info.name = "kettle";
+    info.presets = std::move(presets);
+    info.make = [] { return std::make_unique<Kettle>(); };
+    return info;
+}
+
+const Preset half{"half-full", "It sings."};
+const Preset empty{"empty", "It is silent.", {{"water", "0"}, {"lid", "off"}}};
+
+std::string refusalOf(const std::function<void()>& act) {
+    try {
+        act();
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+}  // namespace
+
+TEST(Presets, set_every_knob) {
+    Kettle demo;
+    demo.heat.parse("3");
+    EXPECT_FALSE(isAtPreset(demo, half));
+    EXPECT_FALSE(isAtPreset(demo, empty));
+    applyPreset(demo, empty);
+    EXPECT_TRUE(isAtPreset(demo, empty));
+    EXPECT_EQ(demo.water.text() + demo.lid.text() + demo.heat.text(), "0off1");
+    applyPreset(demo, half);
+    EXPECT_TRUE(isAtPreset(demo, half));
+    EXPECT_FALSE(isAtPreset(demo, empty));
+    EXPECT_EQ(demo.water.text() + demo.lid.text() + demo.heat.text(), "0.5on1");
+    EXPECT_EQ(settingsText(empty), "--water 0 --lid off");
+    EXPECT_EQ(settingsText(half), "");
+}
+
+TEST(Presets, are_refused_where_they_are_no_presets) {
+    const auto refusal = [](const std::vector<Preset>& presets) {
+        return refusalOf([&] { checkPresets(kettle(presets)); });
+    };
+    EXPECT_EQ(refusal({}), "accepted");
+    EXPECT_EQ(refusal({half, empty}), "accepted");
+    EXPECT_EQ(refusal({empty, half}),
+              "preset 'empty' of kettle: must have no settings: the first preset is the knobs' initial values, "
+              "--water 0 --lid off");
+    EXPECT_EQ(refusal({half, empty, empty}), "preset 'empty' of kettle: must be declared once");
+    EXPECT_EQ(refusal({half, {"full", ""}}), "preset 'full' of kettle: must say what to look for");
+    for (const char* name : {"", "Full", "half full", "-full", "full-", "half--full", "full_up"}) {
+        EXPECT_EQ(
+            refusal({half, {name, "It boils over."}}),
+            "preset '" + std::string(name) + "' of kettle: must have a name of small letters, digits and single -");
+    }
+    // A demo is added with its presets checked.
+    EXPECT_EQ(refusalOf([] { addDemo(kettle({empty})); }).substr(0, 24), "preset 'empty' of kettle");
+    // What a preset sets is a knob, and a value of it.
+    Kettle demo;
+    EXPECT_EQ(refusalOf([&] {
+                  applyPreset(demo, {"x", "x", {{"watr", "1"}}});
+              }),
+              "--watr: is no knob of this demo; did you mean 'water'?");
+    EXPECT_EQ(refusalOf([&] { applyPreset(demo, {"x", "x", {{"water", "3"}}}); }), "--water: must be 0 .. 2 l, '3'");
+}
+
+TEST(Presets, are_found_by_name) {
+    const DemoInfo info = kettle({half, empty});
+    EXPECT_EQ(findPreset(info, "empty").lookFor, "It is silent.");
+    EXPECT_EQ(refusalOf([&] { findPreset(info, "emty"); }),
+              "--preset: must be half-full | empty, 'emty'; did you mean 'empty'?");
+    EXPECT_EQ(refusalOf([&] { findPreset(info, "original"); }), "--preset: must be half-full | empty, 'original'");
+    EXPECT_EQ(refusalOf([] { findPreset(kettle({}), "empty"); }), "--preset: is of no use here: kettle has none");
+}
+
+TEST(Presets, are_listed_with_the_knobs) {
+    const DemoInfo info = kettle({half, empty});
+    const Kettle demo;
+    const std::string text = presetsText(info), json = knobsJson(info, demo);
+    EXPECT_NE(text.find("--preset half-full  the initial values   (It sings.)"), std::string::npos) << text;
+    EXPECT_NE(text.find("--preset empty      --water 0 --lid off  (It is silent.)"), std::string::npos) << text;
+    for (const char* part : {"\"knobs\": [", "\"presets\": [", "\"name\": \"empty\"", "\"lookFor\": \"It is silent.\"",
+                             "\"lid\": \"off\""}) {
+        EXPECT_NE(json.find(part), std::string::npos) << part << "\n" << json;
+    }
+}
+
+// Other flags move from a preset, wherever they stand.
+TEST(Presets, come_before_the_other_flags) {
+    for (const std::vector<std::string>& words :
+         {std::vector<std::string>{"cube-cull", "--preset", "eye-inside", "--z-dist", "2", "--shot", "a.png"},
+          {"cube-cull", "--z-dist", "2", "--shot", "a.png", "--preset=eye-inside"}}) {
+        const Command command = parseCommandLine(words);
+        EXPECT_EQ(command.preset, "eye-inside");
+        const auto demo = command.demo->make();
+        applyKnobs(*demo, command.knobs);
+        EXPECT_EQ(demo->knob("z-dist").text(), "2");
+        EXPECT_EQ(demo->knob("spin-x").text(), "0") << "as the preset says, and not as the demo opens";
+    }
+    EXPECT_EQ(refusalOf([] {
+                  parseCommandLine({"cube-cull", "--preset", "orginal"});
+              }).substr(0, 20),
+              "--preset: must be tu");
+    EXPECT_THROW(parseCommandLine({"cube-cull", "--preset", "orginal"}), UsageError);
+    EXPECT_THROW(parseCommandLine({"--preset", "original"}), UsageError) << "of no demo";
+    EXPECT_NE(parseCommandLine({"cube-cull", "--help"}).text.find("eye-inside: From inside no face"),
+              std::string::npos);
+}
+
+// Where a page of the course exists, its first picture is one word away.
+TEST(Presets, originals_are_kept) {
+    for (const char* demo : {"viewpoints", "cube-ortho", "cube-persp", "stereocube", "cube-cull", "shadow",
+                             "shadow-floor", "cube-shadows", "shadow-map"}) {
+        EXPECT_NO_THROW((void)findPreset(findDemo(demo), "original")) << demo;
+    }
+}
+
+// Why a knob does nothing, in the order in which the reasons were given; and nobody has read a knob for it.
+TEST(IdleKnobs, say_why) {
+    Kettle demo;
+    for (const Knob* knob : demo.knobs()) knob->forgetRead();
+    (void)demo.lid.text();
+    EXPECT_EQ(demo.idleReason(demo.water), "");
+    EXPECT_EQ(demo.idleReason(demo.heat), "");
+    EXPECT_FALSE(demo.water.wasRead()) << "a study would take it for what its reference depends on";
+    EXPECT_TRUE(demo.lid.wasRead()) << "somebody else has";
+    demo.lid.parse("off");
+    EXPECT_EQ(demo.idleReason(demo.heat), "it is not heated without its lid");
+    demo.water.parse("0");
+    EXPECT_EQ(demo.idleReason(demo.heat), "an empty kettle is not put on the fire");
+    const std::string text = knobsText(demo), json = knobsJson(kettle({}), demo);
+    EXPECT_NE(text.find("(of the fire) idle: an empty kettle is not put on the fire"), std::string::npos) << text;
+    EXPECT_NE(json.find("\"idle\": \"an empty kettle is not put on the fire\""), std::string::npos) << json;
+    EXPECT_NE(json.find("\"idle\": \"\""), std::string::npos) << json;
+}

@@ -1,0 +1,1 @@
+int windowOfTheStandIn() { return 0; }
