@@ -184,8 +184,8 @@ KnownReference referenceHere(const Demo& demo, const Study& study, bool ownError
     if (!study.ofValues) demo.check();  // as before each picture; values need none
     for (Knob* knob : demo.knobs()) knob->forgetRead();
     KnownReference known;
-    known.reference = study.makeReference(
-        demo, {FrameInfo(study.frame, study.width, study.height), ownError}, progress);
+    known.reference =
+        study.makeReference(demo, {FrameInfo(study.frame, study.width, study.height), ownError}, progress);
     for (const Knob* knob : demo.knobs()) {
         if (knob->wasRead()) known.madeOf.push_back({knob->name(), knob->text()});
     }
