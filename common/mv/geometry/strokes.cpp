@@ -26,7 +26,7 @@ vec2 turnedLeft(const vec2& direction) { return {-direction.y, direction.x}; }
 vec4 faded(const vec4& color, double part) { return {color.r, color.g, color.b, color.a * part}; }
 
 void addQuad(Painted& painted, const std::array<PaintedVertex, 4>& corners) {
-    for (const std::size_t i : {0, 1, 2, 0, 2, 3}) painted.push_back(corners[i]);
+    for (const std::size_t i : {0U, 1U, 2U, 0U, 2U, 3U}) painted.push_back(corners[i]);
 }
 
 // The strip between two sections: the core in full colour, and a rim on each side that fades.
@@ -37,7 +37,7 @@ void addStrip(Painted& painted, const Section& from, const Section& to, double w
         return PaintedVertex{section.middle + vec3(offsets[i] * section.left, 0),
                              faded(color, parts[i] * section.part * std::min(1.0, width))};
     };
-    for (const std::size_t i : {0, 1, 2}) {
+    for (const std::size_t i : {0U, 1U, 2U}) {
         if (offsets[i] == offsets[i + 1]) continue;
         addQuad(painted, {vertex(from, i), vertex(to, i), vertex(to, i + 1), vertex(from, i + 1)});
     }
