@@ -197,7 +197,7 @@ void switchOff(GLenum capability) {
 
 void setOverlayState(Overlay overlay) {
     Values wanted = now;
-    for (const GLenum capability : {GL_DEPTH_TEST, GL_STENCIL_TEST, GL_CULL_FACE, GL_POLYGON_OFFSET_FILL}) {
+    for (const auto capability : {GL_DEPTH_TEST, GL_STENCIL_TEST, GL_CULL_FACE, GL_POLYGON_OFFSET_FILL}) {
         wanted.switches.erase(static_cast<GLenum>(capability));
     }
     wanted.switches[GL_BLEND] = true;
