@@ -1,5 +1,5 @@
-# mvgl_refuse_inexact_math(): refuses compiler flags that let the compiler change what numbers come out: sums in another order,
-# NaN that is none. Exact predicates, the refusal of NaN and sixty tests rely on them.
+# mvgl_refuse_inexact_math(): refuses compiler flags that let the compiler change what numbers come out: sums in another
+# order, NaN that is none. Exact predicates, the refusal of NaN and sixty tests rely on them.
 function(mvgl_refuse_inexact_math)
   get_property(add_compile_options DIRECTORY PROPERTY COMPILE_OPTIONS)
   set(places CMAKE_CXX_FLAGS add_compile_options)

@@ -106,8 +106,7 @@ struct Pipeline final : Demo {
     }
 
     void draw(const Frame& frame) override {
-        // The view is on the left, the numbers on the right
-        const Pane pane{0, 0, std::max(std::max(1, frame.width() * 2 / 5), frame.width() - textColumn), frame.height()};
+        const Pane pane = viewIn(frame);
         glEnable(GL_SCISSOR_TEST);
         glScissor(pane.x, pane.y, pane.width, pane.height);
         glClearColor(0.92F, 0.95F, 0.98F, 1);
@@ -131,12 +130,11 @@ struct Pipeline final : Demo {
         cube.draw();
         glDepthFunc(GL_ALWAYS);  // the mark is seen through the cube
         corners.draw(std::size_t(vertex), 1);
+    }
 
-        glViewport(0, 0, frame.width(), frame.height());
-        drawing.begin(frame);
-        drawing.in(pane);
-        write(frame, pane, way);
-        drawing.draw(frame);
+    // The view is on the left, the numbers on the right.
+    static Pane viewIn(const FrameInfo& frame) {
+        return {0, 0, std::max(std::max(1, frame.width() * 2 / 5), frame.width() - textColumn), frame.height()};
     }
 
     static vec3 corner(int i) { return half * (2.0 * vec3(i & 1, i >> 1 & 1, i >> 2 & 1) - 1.0); }
@@ -194,11 +192,15 @@ struct Pipeline final : Demo {
     }
 
     // The numbers: the products as the GPU makes them, and by how much they differ from doubles all the way.
-    void write(const Frame& frame, const Pane& pane, const std::vector<Step>& way) {
+    void annotate(const Frame& frame) override {
+        glViewport(0, 0, frame.width(), frame.height());
+        const Pane pane = viewIn(frame);
+        drawing.begin(frame);
+        drawing.in(pane);
         TextColumn text(pane.width + 14, 6, 15);
         fvec4 value(corner(vertex), 1);
         vec4 exact(value);
-        for (const Step& step : way) {
+        for (const Step& step : steps(pane.aspect())) {
             const fvec4 next = gpuProduct(fmat4(step.uploaded), value);
             const vec4 exactNext = step.exact * exact;
             heading(text, step.to + " = " + matrixName(step) + " * " + step.from);
@@ -212,6 +214,7 @@ struct Pipeline final : Demo {
         }
         afterClip(frame, pane, text, vec4(value), exact);
         drawText(frame, text.lines);
+        drawing.draw(frame);
     }
 
     // What GL does after the vertex shader: clip, divide by w, and go to the pixels of the view.

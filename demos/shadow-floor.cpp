@@ -29,6 +29,8 @@ namespace {
 
 const vec4 planeOfShadow(0, 1, 0, 0);  // y = 0
 constexpr double floorSide = 3;
+const std::array<vec3, 4> corners{vec3(-0.5, 0.5, 0.5), vec3(0.5, 0.5, 0.5), vec3(0.5, 0.5, -0.5),
+                                  vec3(-0.5, 0.5, -0.5)};  // of the square
 
 struct ShadowFloor final : Demo {
     Real zDist{this, "z-dist", -4, {-10, 10}, "z of the eye at (1, 1, z), which looks at the origin"};
@@ -87,15 +89,9 @@ struct ShadowFloor final : Demo {
         drawMesh(ball, vec4(1, 0.6, 0, 1), viewFromWorld * translate(light));
 
         // Draw the square flattened onto the floor. It is level, so either all of it casts a shadow or nothing does.
-        const std::array<vec3, 4> corners{vec3(-0.5, 0.5, 0.5), vec3(0.5, 0.5, 0.5), vec3(0.5, 0.5, -0.5),
-                                          vec3(-0.5, 0.5, -0.5)};
         const CasterVerdict verdict = judgeCaster("square", corners, vec4(light, 1), planeOfShadow);
         if (!verdict.sentence.empty()) frame.say(verdict.sentence);
-        if (verdict.casts) drawShadow(frame, light, corners, worldFromSquare);
-        if (!rays) return;
-        drawing.begin(frame);
-        drawLightRays(drawing, clipFromView * viewFromWorld, vec4(light, 1), corners, {&planeOfShadow, 1});
-        drawing.draw(frame);
+        if (verdict.casts) drawShadow(frame, light, worldFromSquare);
     }
 
     vec3 lightIn(const FrameInfo& frame) const {
@@ -107,14 +103,13 @@ struct ShadowFloor final : Demo {
     mat4 viewFromWorld() const { return lookAt(vec3(1, 1, zDist), vec3(0, 0, 0), vec3(0, 1, 0)) * spin.turn(); }
     static mat4 clipFromView(double aspect) { return perspective(60, aspect, 0.2, 100); }
 
-    void drawShadow(const Frame& frame, const vec3& light, const std::array<vec3, 4>& corners,
-                    const mat4& worldFromSquare) {
+    void drawShadow(const Frame& frame, const vec3& light, const mat4& worldFromSquare) {
         const mat4 shadowFromWorld = shadowProjection(vec4(light, 1), planeOfShadow);
         frame.show("shadowFromWorld", shadowFromWorld);
         program.set("shadowFromModel", shadowFromWorld * worldFromSquare);
         program.set("crop", crop);
         drawMesh(plate, vec4(0.2, 0, 0, 1), viewFromWorld() * shadowFromWorld * worldFromSquare);
-        measure(corners, shadowFromWorld);
+        measure(shadowFromWorld);
         if (crop && *onFloor.value() == 0)
             frame.say("The shadow falls beside the floor: with crop off it is seen there.");
     }
@@ -125,7 +120,7 @@ struct ShadowFloor final : Demo {
         mesh.draw();
     }
 
-    void measure(const std::array<vec3, 4>& corners, const mat4& shadowFromWorld) {
+    void measure(const mat4& shadowFromWorld) {
         std::vector<vec4> shadow;
         shadow.reserve(corners.size());
         for (const vec3& corner : corners) shadow.push_back(shadowFromWorld * vec4(corner, 1));
@@ -138,10 +133,19 @@ struct ShadowFloor final : Demo {
     }
 
     static double areaOf(const std::vector<vec4>& homogeneous) {
-        std::vector<vec3> corners;
-        corners.reserve(homogeneous.size());
-        for (const vec4& corner : homogeneous) corners.push_back(vec3(corner) / corner.w);
-        return polygonArea(corners);
+        std::vector<vec3> outline;
+        outline.reserve(homogeneous.size());
+        for (const vec4& corner : homogeneous) outline.push_back(vec3(corner) / corner.w);
+        return polygonArea(outline);
+    }
+
+    // The light's rays through the corners.
+    void annotate(const Frame& frame) override {
+        if (!rays) return;
+        drawing.begin(frame);
+        drawLightRays(drawing, clipFromView(frame.aspect()) * viewFromWorld(), vec4(lightIn(frame), 1), corners,
+                      {&planeOfShadow, 1});
+        drawing.draw(frame);
     }
 };
 

@@ -62,7 +62,7 @@ struct Shadow final : Demo {
         const vec4 light = lightIn(frame);
 
         // Draw the square
-        const mat4 worldFromModel = translate(0, squareHeight, 0) * rotateZ(tilt);
+        const mat4 worldFromModel = this->worldFromModel();
         frame.show("worldFromModel", worldFromModel);
         frame.show("viewFromWorld", viewFromWorld);
         frame.show("clipFromView", clipFromView(frame.aspect()));
@@ -80,14 +80,10 @@ struct Shadow final : Demo {
         const CasterVerdict verdict = judgeCaster("square", corners, light, planeOfShadow);
         if (!verdict.sentence.empty()) frame.say(verdict.sentence);
         if (verdict.casts) drawShadow(frame, light, worldFromModel);
-        if (rays) {
-            drawing.begin(frame);
-            drawLightRays(drawing, clipFromView(frame.aspect()) * viewFromWorld, light, corners, {&planeOfShadow, 1});
-            drawing.draw(frame);
-        }
         if (frame.readouts()) measure(corners, light, verdict.casts);
     }
 
+    mat4 worldFromModel() const { return translate(0, squareHeight, 0) * rotateZ(tilt); }
     // It goes round.
     vec4 lightIn(const FrameInfo& frame) const {
         const double theta = 0.1 * frame.index();
@@ -134,6 +130,15 @@ struct Shadow final : Demo {
             shadow.push_back(vec3(cast) / cast.w);
         }
         area = polygonArea(shadow);
+    }
+
+    // The light's rays through the corners.
+    void annotate(const Frame& frame) override {
+        if (!rays) return;
+        drawing.begin(frame);
+        drawLightRays(drawing, clipFromView(frame.aspect()) * viewFromWorld, lightIn(frame),
+                      cornersOf(worldFromModel()), {&planeOfShadow, 1});
+        drawing.draw(frame);
     }
 };
 

@@ -91,8 +91,8 @@ struct ViewVolume final : Demo {
     Readout ratio{this, "far-over-near", "far/near, by which the planes of a matrix lose digits"};
 
     Program faces;
-    const Scene scene = garden();
-    std::vector<std::array<vec3, 8>> boxes;  // the corners of one around each object, in world space
+    const std::vector<SceneObject> things = garden().objects;  // the house first, then trees
+    std::vector<std::array<vec3, 8>> boxes;                    // the corners of one around each object, in world space
     Mesh house, tree, ground;
     Drawing drawing;
 
@@ -108,10 +108,10 @@ struct ViewVolume final : Demo {
 
     void init() override {
         faces = Program("view-volume");
-        house = Mesh(scene.objects[0].mesh, "house");
-        tree = Mesh(scene.objects[1].mesh, "tree");
+        house = Mesh(things[0].mesh, "house");
+        tree = Mesh(things[1].mesh, "tree");
         ground = Mesh(groundLines(), "ground");
-        for (const SceneObject& object : scene.objects) {
+        for (const SceneObject& object : things) {
             boxes.push_back(boundsOf(object.mesh).corners());
             for (vec3& corner : boxes.back()) corner = vec3(object.worldFromObject * vec4(corner, 1));
         }
@@ -146,9 +146,7 @@ struct ViewVolume final : Demo {
         const std::vector<Pane> panes = frame.panes(2);
         const mat4 clipFromWorld = clipFromCamera() * cameraFromWorld();
         const mat4 outside = outsideFromWorld(panes[0]);
-        const double half = 1.9 / std::min(1.0, panes[1].aspect());
-        const mat4 cubeFromClip =
-            ortho(-half * panes[1].aspect(), half * panes[1].aspect(), -half, half, -4, 4) * turned() * scale(1, 1, -1);
+        const mat4 cubeFromClip = this->cubeFromClip(panes[1]);
         frame.show("clipFromWorld", clipFromWorld);
         frame.show("outsideFromWorld", outside);
         frame.show("cubeFromClip", cubeFromClip);
@@ -156,22 +154,6 @@ struct ViewVolume final : Demo {
         faces.set("clipFromWorld", clipFromWorld);
         drawPane(panes[0], kept, outside, false);
         drawPane(panes[1], kept, cubeFromClip * clipFromWorld, true);
-        glDisable(GL_SCISSOR_TEST);
-
-        glViewport(0, 0, frame.width(), frame.height());
-        drawing.begin(frame);
-        drawing.in(panes[0]);
-        drawFrame(outside * glm::inverse(clipFromWorld));
-        drawSight(outside * glm::inverse(cameraFromWorld()));
-        drawing.text({6, panes[0].height - 6}, "world", {.height = 18});
-        drawing.text({6, 30},
-                     std::to_string(kept.size()) + " drawn, " + std::to_string(boxes.size() - kept.size()) + " culled");
-        drawing.in(panes[1]);
-        drawFrame(cubeFromClip);
-        drawing.text({6, panes[1].height - 6}, "after projection and division", {.height = 18});
-        drawing.text({6, 30}, "near: z = -1", {.color = nearColor});
-        drawing.text({110, 30}, "far: z = 1", {.color = farColor});
-        drawing.draw(frame);
 
         drawn = double(kept.size());
         culled = double(boxes.size() - kept.size());
@@ -202,6 +184,11 @@ struct ViewVolume final : Demo {
     mat4 outsideFromWorld(const Pane& pane) const {
         return perspective(40, pane.aspect(), 1, 200) * translate(0, 0, -68) * turned() * translate(0, -2, 19);
     }
+    // Who looks at the cube, from as far round and up.
+    mat4 cubeFromClip(const Pane& pane) const {
+        const double half = 1.9 / std::min(1.0, pane.aspect());
+        return ortho(-half * pane.aspect(), half * pane.aspect(), -half, half, -4, 4) * turned() * scale(1, 1, -1);
+    }
     // Where the left pane shows the middle of a plane across the view.
     std::optional<vec2> middleAt(const FrameInfo& frame, double distance) const {
         const Pane pane = frame.panes(2)[0];
@@ -225,11 +212,31 @@ struct ViewVolume final : Demo {
         faces.set("paneFromWorld", paneFromWorld);
         faces.set("cutOpen", cutOpen);
         for (const std::size_t i : kept) {
-            faces.set("worldFromObject", scene.objects[i].worldFromObject);
+            faces.set("worldFromObject", things[i].worldFromObject);
             (i == 0 ? house : tree).draw();
         }
         faces.set("worldFromObject", mat4(1));
         ground.draw();
+    }
+
+    // The edges of the view volume and of the cube, and what they are.
+    void annotate(const Frame& frame) override {
+        const std::vector<Pane> panes = frame.panes(2);
+        const mat4 outside = outsideFromWorld(panes[0]);
+        glDisable(GL_SCISSOR_TEST);
+        glViewport(0, 0, frame.width(), frame.height());
+        drawing.begin(frame);
+        drawing.in(panes[0]);
+        drawFrame(outside * glm::inverse(clipFromCamera() * cameraFromWorld()));
+        drawSight(outside * glm::inverse(cameraFromWorld()));
+        drawing.text({6, panes[0].height - 6}, "world", {.height = 18});
+        drawing.text({6, 30}, numberText(*drawn.value()) + " drawn, " + numberText(*culled.value()) + " culled");
+        drawing.in(panes[1]);
+        drawFrame(cubeFromClip(panes[1]));
+        drawing.text({6, panes[1].height - 6}, "after projection and division", {.height = 18});
+        drawing.text({6, 30}, "near: z = -1", {.color = nearColor});
+        drawing.text({110, 30}, "far: z = 1", {.color = farColor});
+        drawing.draw(frame);
     }
 
     // The canonical cube's own edges, or where they come from. Corner i is at 1 where bits 0, 1, 2 of i say so of x, y, z.

@@ -21,6 +21,7 @@
 #include "mv/demo/demo.h"
 #include "mv/gl/beyond_es.h"
 #include "mv/gl/gl.h"
+#include "mv/gl/on_demand.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
 #include "shared/depth_order.h"
@@ -92,7 +93,7 @@ struct ZBuffer final : Demo {
                        "%"};
 
     Program byMatrix, show;
-    std::optional<Program> byLogarithm;
+    OnDemand<Program> byLogarithm{"z-buffer", "logarithmic"};
     Target drawn;
     Mesh plate, cover;
     Drawing drawing;
@@ -143,29 +144,6 @@ struct ZBuffer final : Demo {
         else
             drawn.bindColor(0);
         cover.draw();
-        if (shown == Shown::curve) drawCurve(frame, plates, fmat4(clip));
-    }
-
-    // The depth of each distance between near and far, and of the three things where the eye looks.
-    void drawCurve(const Frame& frame, const std::array<Plate, 3>& plates, const fmat4& clip) {
-        const vec2 size(frame.width(), frame.height());
-        const Plot plot{{size * vec2(0.12, 0.14), size * 0.9}, {near, far, "distance", true}, {0, 1, "depth"}};
-        std::vector<vec2> values;
-        for (int i = 0; i <= 300; ++i) {
-            const double distance = plot.value(glm::mix(plot.box.low, plot.box.high, i / 300.0)).x;
-            values.emplace_back(distance, keptDepth(format, depthOf(clip, float(distance), zeroToOne())));
-        }
-        drawing.begin(frame);
-        drawing.fill({vec2(0), size}, vec4(1, 1, 1, 0.85));
-        drawing.axes(plot);
-        drawing.curve(plot, values, {.width = 2});
-        for (const Plate& thing : plates) {
-            const double distance = -(thing.viewFromPlate * vec4(0.5, 0, 0, 1)).z;
-            if (!(distance >= near && distance <= far)) continue;
-            const float depth = depthOf(clip, float(distance), zeroToOne());
-            drawing.point(plot.pixel({distance, keptDepth(format, depth)}), 9, vec4(thing.color, 1));
-        }
-        drawing.draw(frame);
     }
 
     void drawPlates(const std::array<Plate, 3>& plates, const mat4& clip) {
@@ -180,7 +158,6 @@ struct ZBuffer final : Demo {
         if (opacity < 1) glEnable(GL_BLEND);
         glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
 
-        if (mapping == Mapping::logarithmic && !byLogarithm) byLogarithm.emplace("z-buffer", "logarithmic");
         const Program& program = mapping == Mapping::logarithmic ? *byLogarithm : byMatrix;
         program.use();
         program.set("clipFromView", clip);
@@ -291,6 +268,30 @@ struct ZBuffer final : Demo {
     float depthOf(const fmat4& clip, float distance, bool clipsToOne) const {
         if (mapping == Mapping::logarithmic) return std::log2(1 + distance) / std::log2(1 + float(far));
         return windowDepth(clip, distance, clipsToOne);
+    }
+
+    // The depth of each distance between near and far, and of the three things where the eye looks.
+    void annotate(const Frame& frame) override {
+        if (shown != Shown::curve) return;
+        const fmat4 clip(clipFromView(frame.aspect(), zeroToOne()));
+        const vec2 size(frame.width(), frame.height());
+        const Plot plot{{size * vec2(0.12, 0.14), size * 0.9}, {near, far, "distance", true}, {0, 1, "depth"}};
+        std::vector<vec2> values;
+        for (int i = 0; i <= 300; ++i) {
+            const double distance = plot.value(glm::mix(plot.box.low, plot.box.high, i / 300.0)).x;
+            values.emplace_back(distance, keptDepth(format, depthOf(clip, float(distance), zeroToOne())));
+        }
+        drawing.begin(frame);
+        drawing.fill({vec2(0), size}, vec4(1, 1, 1, 0.85));
+        drawing.axes(plot);
+        drawing.curve(plot, values, {.width = 2});
+        for (const Plate& thing : platesOf()) {
+            const double distance = -(thing.viewFromPlate * vec4(0.5, 0, 0, 1)).z;
+            if (!(distance >= near && distance <= far)) continue;
+            const float depth = depthOf(clip, float(distance), zeroToOne());
+            drawing.point(plot.pixel({distance, keptDepth(format, depth)}), 9, vec4(thing.color, 1));
+        }
+        drawing.draw(frame);
     }
 };
 

@@ -153,7 +153,8 @@ const std::set<std::string> unseen{
 };
 
 // In a setting that a knob calls idle it changes no byte of the picture; and a knob that changes none in any of the
-// settings below says so there, or is one of the above. The settings: each preset, and beside the first one each choice and switch.
+// settings below says so there, or is one of the above. The settings: each preset, and beside the first one each choice
+// and switch.
 TEST_P(Sweep, idle_knobs) {
     DemoRun run(GetParam(), 160, 120);
     const std::vector<Knob*>& knobs = run.demo().knobs();

@@ -44,9 +44,7 @@ std::vector<float> LitDifference::drawn(const Frame& frame, const std::function<
 }
 
 std::vector<float> LitDifference::byRays(const Scene& scene, const FrameInfo& frame) {
-    const std::tuple wanted(scene.clipFromWorld(), frame.width(), frame.height());
-    if (castFor_ != wanted) rays_ = litReference(scene, frame, {}, {});
-    castFor_ = wanted;
+    if (castFor_.changed(scene, frame.width(), frame.height())) rays_ = litReference(scene, frame, {}, {});
     std::vector<float> lit(rays_.values.begin(), rays_.values.end());
     for (std::size_t i = 0; i < lit.size(); ++i) {
         if (rays_.regions[i] < 0) lit[i] = -1;

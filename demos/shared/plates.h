@@ -44,8 +44,8 @@ struct PlateView {
 std::vector<std::optional<vec3>> colorsByRays(std::span<const Plate> plates, const PlateView& view);
 
 // The part, 0..1, of the picture's pixels that differ by more than two levels of 255 from those colours (three blends of
-// half a level each). Not asked: pixels beside one of another colour, where an edge is, or without a colour, and the outermost.
-// Nothing where no pixel is asked. Error: not as many colours as pixels.
+// half a level each). Not asked: pixels beside one of another colour, where an edge is, or without a colour, and the
+// outermost. Nothing where no pixel is asked. Error: not as many colours as pixels.
 std::optional<double> wrongPart(const Picture& picture, const std::vector<std::optional<vec3>>& colors);
 
 }  // namespace mv

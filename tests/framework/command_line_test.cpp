@@ -125,7 +125,8 @@ TEST(CommandLine, refuses_with_the_rule_and_the_nearest_name) {
 }
 
 // A flag that does nothing beside another is refused, and both are named. All pairs, in both orders, against this list of
-// those that mean something together; every other pair is refused. `--help` is not among them: whoever asks for help gets it.
+// those that mean something together; every other pair is refused. `--help` is not among them: whoever asks for help
+// gets it.
 TEST(CommandLine, every_pair_of_flags_means_something_or_is_refused) {
     using Words = std::vector<std::string>;
     const std::map<std::string, Words> flags{{"--cull", {"--cull", "front"}},

@@ -1,12 +1,12 @@
 #include "mv/demo/demo.h"
 
 #include <algorithm>
-#include <charconv>
 #include <map>
 #include <numeric>
 #include <utility>
 
 #include "mv/demo/chapters.h"
+#include "mv/demo/number.h"
 
 namespace mv {
 
@@ -51,9 +51,7 @@ Knob& Demo::knob(std::string_view name) const {
 double Demo::number(std::string_view name) const {
     const std::string text = word(name);
     double value = 0;
-    const auto end = text.data() + text.size();
-    if (const auto read = std::from_chars(text.data(), end, value); read.ec != std::errc{} || read.ptr != end)
-        throw Error("--" + std::string(name), "must be a knob whose value is a number", text);
+    if (!readNumber(text, value)) throw Error("--" + std::string(name), "must be a knob whose value is a number", text);
     return value;
 }
 

@@ -96,8 +96,8 @@ class Demo {
     friend void addProbedReadouts(Demo& demo, const std::string& name);
 };
 
-// Something that a demo uses and OpenGL ES 3.0, which is WebGL 2's, lacks; older OpenGL may lack it, too (clip control). A demo can ask
-// whether it is there: has() in mv/gl/beyond_es.h.
+// Something that a demo uses and OpenGL ES 3.0, which is WebGL 2's, lacks; older OpenGL may lack it, too (clip
+// control). A demo can ask whether it is there: has() in mv/gl/beyond_es.h.
 struct BeyondEs {
     std::string feature;    // by the name that mv/gl/beyond_es.h finds it by: "clip distances"
     std::string otherwise;  // what the demo does without it, a clause

@@ -50,8 +50,8 @@ class FrameInfo {
     int height() const { return height_; }
     double aspect() const { return double(width_) / height_; }
     // The picture divided into panes of one size, row by row from the upper left, in as many columns as rows or one more.
-    // Between them, and where the division leaves a rest, there is a line of single pixels that belongs to none. In a picture
-    // too small for that a pane has 1 pixel a side and may lie outside. Refused: a count below 1.
+    // Between them, and where the division leaves a rest, there is a line of single pixels that belongs to none. In a
+    // picture too small for that a pane has 1 pixel a side and may lie outside. Refused: a count below 1.
     std::vector<Pane> panes(int count) const;
 
   private:

@@ -20,13 +20,13 @@ struct KnobSetting {
     std::string name, text;
 };
 
-// A number of a knob that a hand in the picture moves (mv/demo/handle.h). `set` stops at the ends; an angle goes on past them, and
-// drops whole turns.
+// A number of a knob that a hand in the picture moves (mv/demo/handle.h). `set` stops at the ends; an angle goes on
+// past them, and drops whole turns.
 struct Coordinate {
     std::function<double()> get;
     std::function<void(double)> set;
     double low, high;
-    double grid = 0;  // whole multiples of it alone are values, in the end; 0: all numbers are
+    double grid = 0;  // the value ends as a multiple of this; 0: any number
 };
 
 // A setting. To add a kind of knob, derive from it and answer these questions; nothing else has to know the new kind.

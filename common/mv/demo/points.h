@@ -10,7 +10,10 @@
 
 namespace mv {
 
-// On the command line x,y/x,y/x,y. Outside its limits, and beside its grid, a point is refused.
+// On the command line x,y/x,y/x,y. Outside its limits, and beside its grid, a point is refused. It is dragged only where the
+// demo's constructor also says where a point is in the picture:
+//     Points lights{this, "lights", {{1, 2}}, {{-4, -4}, {4, 4}, 1, 8, 0.01}, "x,z of each light"};
+//     bindHandle("light", lights, [this](const FrameInfo& frame, const vec2& at) { return placeOf(at, frame); });
 class Points : public Knob {
   public:
     struct Limits {
@@ -32,7 +35,8 @@ class Points : public Knob {
     void parse(std::string_view text) override;
     std::string initialText() const override { return textOf(initial_); }
     std::string range() const override;
-    // As few points as there may be, in the low corner; the initial ones; and as many as there may be, from corner to corner.
+    // As few points as there may be, in the low corner; the initial ones; and as many as there may be, from corner to
+    // corner.
     std::vector<std::string> sweep() const override;
     // Moves all of them along x.
     bool step(double amount) override;

@@ -15,11 +15,11 @@ enum class Primitive { triangles, triangleStrip, triangleFan, lines, points };
 // are taken in order) or name a position each. validate() in mv/geometry/check.h holds a mesh to this.
 struct MeshData {
     Primitive primitive = Primitive::triangles;
-    std::vector<fvec3> positions;
-    std::vector<fvec3> normals;
-    std::vector<fvec4> colors;
-    std::vector<fvec2> texCoords;
-    std::vector<std::uint32_t> indices;
+    std::vector<fvec3> positions = {};
+    std::vector<fvec3> normals = {};
+    std::vector<fvec4> colors = {};
+    std::vector<fvec2> texCoords = {};
+    std::vector<std::uint32_t> indices = {};
     bool operator==(const MeshData&) const = default;
 };
 

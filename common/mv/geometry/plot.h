@@ -14,20 +14,22 @@ struct Axis {
     bool logarithmic = false;
 };
 
-// A part of a picture, in pixels, and the frame that is declared for it. The middle of the pixel (i, j) of a magnified picture is
-// the value (i + 0.5, j + 0.5).
+// A part of a picture, in pixels, and the frame that is declared for it. The middle of the pixel (i, j) of a magnified
+// picture is the value (i + 0.5, j + 0.5).
 struct Plot {
     Box box;
     Axis x, y;
-    // Where a value is drawn, and the value that is drawn there; each is the other's inverse. Values beyond an end are drawn beyond
-    // the box. Refused: an axis whose ends are one, and a value or an end that is not above 0 on a logarithmic one.
+    // Where a value is drawn, and the value that is drawn there; each is the other's inverse. Values beyond an end are
+    // drawn beyond the box. Refused: an axis whose ends are one, and a value or an end that is not above 0 on a
+    // logarithmic one.
     vec2 pixel(const vec2& value) const;
     vec2 value(const vec2& pixel) const;
 };
 
-// Round numbers from low to high, both included: multiples of 1, 2 or 5 times a power of ten, as many as there can be up to `most`.
-// On a logarithmic axis powers of ten, of each second or third decade where there would be too many. Either may leave none.
-// Refused: ends that are not finite or not in order, most below 1, and a logarithmic axis that does not begin above 0.
+// Round numbers from low to high, both included: multiples of 1, 2 or 5 times a power of ten, as many as there can be
+// up to `most`. On a logarithmic axis powers of ten, of each second or third decade where there would be too many.
+// Either may leave none. Refused: ends that are not finite or not in order, most below 1, and a logarithmic axis that
+// does not begin above 0.
 std::vector<double> ticks(const Axis& axis, int most);
 
 // A tick's number as words: six digits at most, "1e+06" as "1e6".

@@ -19,6 +19,7 @@ struct SceneObject {
     vec3 color{0.8, 0.8, 0.8};
     bool casts = true;     // throws a shadow
     bool receives = true;  // shows shadows
+    bool operator==(const SceneObject&) const = default;
 };
 
 // A light that is a point (w = 1), at infinity (w = 0: the direction towards it), or the parallelogram
@@ -29,6 +30,7 @@ struct SceneLight {
     vec3 color{1, 1, 1};
     vec3 halfU{0, 0, 0}, halfV{0, 0, 0};
     std::optional<vec3> aim = {};
+    bool operator==(const SceneLight&) const = default;
 };
 
 // Which object of a scene: what moves one or asks about one says its name, not its number.
@@ -44,6 +46,7 @@ struct Scene {
     mat4 viewFromWorld{1};
     mat4 clipFromView{1};
     mat4 clipFromWorld() const { return clipFromView * viewFromWorld; }
+    bool operator==(const Scene&) const = default;
 };
 
 // Where what casts stands: with the light's place, all that the shadow map or the shadow volumes of a scene are made for.

@@ -13,8 +13,8 @@
 namespace mv {
 namespace {
 
-// A cut across a line: where its middle is, which way its left side lies (as long as the mitre makes it), and how much of the
-// colour there is.
+// A cut across a line: where its middle is, which way its left side lies (as long as the mitre makes it), and how much
+// of the colour there is.
 struct Section {
     vec3 middle;
     vec2 left;

@@ -1,9 +1,9 @@
 // Lines and filled shapes of the plane as triangles whose rims fade over one pixel: smooth edges without multisampling, and
 // lines of any width where glLineWidth draws one pixel, as browsers do.
 //
-// x and y are pixels; y up or down, as the caller likes. z is the depth that GL gets, -1 .. 1, and follows a line from end to
-// end. A rim lies half a pixel to both sides of the edge, so a rectangle with whole coordinates has sharp edges, and a line of
-// width 1 is sharp where its middle is half a pixel from a whole number.
+// x and y are pixels; y up or down, as the caller likes. z is the depth that GL gets, -1 .. 1, and follows a line from
+// end to end. A rim lies half a pixel to both sides of the edge, so a rectangle with whole coordinates has sharp edges,
+// and a line of width 1 is sharp where its middle is half a pixel from a whole number.
 #pragma once
 #include <cstddef>
 #include <span>
@@ -21,13 +21,14 @@ struct PaintedVertex {
 // Three a triangle, of either winding.
 using Painted = std::vector<PaintedVertex>;
 
-// Appends a line of that width in pixels through the points. Corners are mitred up to a turn of 90 degrees, and rounded where
-// they turn further. A point equal to the one before it in x and y is passed over; a line of one place has no triangles. A width
-// below 1 is drawn 1 wide, and so much fainter. Refused: a width that is not above 0, NaN and infinity.
+// Appends a line of that width in pixels through the points. Corners are mitred up to a turn of 90 degrees, and rounded
+// where they turn further. A point equal to the one before it in x and y is passed over; a line of one place has no
+// triangles. A width below 1 is drawn 1 wide, and so much fainter. Refused: a width that is not above 0, NaN and
+// infinity.
 void strokeLine(Painted& painted, std::span<const vec3> points, double width, const vec4& color);
 
-// Appends a convex polygon, in either winding. One that is thinner than a pixel is drawn up to a pixel wide. Fewer than three
-// corners, or no area: no triangles. Refused: NaN and infinity.
+// Appends a convex polygon, in either winding. One that is thinner than a pixel is drawn up to a pixel wide. Fewer than
+// three corners, or no area: no triangles. Refused: NaN and infinity.
 void fillConvex(Painted& painted, std::span<const vec2> corners, double depth, const vec4& color);
 
 // The corners of a circle, as many as leave no corner to be seen (it is less than a tenth of a pixel off), eight at least.
@@ -42,7 +43,8 @@ struct Box {
     }
 };
 
-// Cuts the triangles from the vertex numbered `first` on to the box; colours and depths at the cuts are those that were there.
+// Cuts the triangles from the vertex numbered `first` on to the box; colours and depths at the cuts are those that were
+// there.
 void cutTo(Painted& painted, std::size_t first, const Box& box);
 
 }  // namespace mv

@@ -212,9 +212,9 @@ class Recorder {
         known->second = value;
         pending_.insert(key);
     }
-    // What was uploaded is known by its bytes and by the label of where it went, not by the object's number: an object that is
-    // made anew in each frame and filled with the same is as needless as one that is filled again. Two objects that live
-    // beside each other may well hold the same.
+    // What was uploaded is known by its bytes and by the label of where it went, not by the object's number: an object
+    // that is made anew in each frame and filled with the same is as needless as one that is filled again. Two objects
+    // that live beside each other may well hold the same.
     using Content = std::tuple<std::string, long, std::size_t>;  // where to, how many bytes, and their hash
     struct Holders {
         std::set<GLuint> objects;

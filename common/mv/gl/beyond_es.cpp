@@ -99,9 +99,10 @@ bool isThere(const std::string& feature) {
     if (feature == beyond_es::floatTargets) return floatTargets();
     if (feature == beyond_es::floatBlending) return floatBlending();
     if (feature != beyond_es::clipControl) return !isEs();
-    if (contextHasClipControl() && !clipControlAllowed())
+    if (clipControlAllowed()) return true;
+    if (contextHasClipControl())
         throw Error("has", "must be asked for what is declared in .needs = {.beyondEs = ...}", feature);
-    return clipControlAllowed();
+    return false;
 }
 
 }  // namespace

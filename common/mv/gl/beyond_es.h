@@ -27,11 +27,12 @@ inline constexpr const char* all[] = {
     stencilReadBack, countingQueries, indexedFeedback, expandedFeedback, geometryShaders, tessellation};
 }  // namespace beyond_es
 
-// Whether the context has one of these: OpenGL ES has few of them, OpenGL 3.3 all but clip control, which came with 4.5 (or with
-// GL_ARB_clip_control). A demo asks where its settings need it; what was asked for in vain the framework says beside the picture, by the
-// words of DemoInfo::needs.beyondEs. Error: clip control is there, and was not declared.
+// Whether the context has one of these. OpenGL ES has few of them; OpenGL 3.3 has all but clip control, which came with 4.5
+// (or with GL_ARB_clip_control). A demo asks at the point where its settings need the feature. Where the answer is no, the
+// framework says so beside the picture, in the words of DemoInfo::needs.beyondEs.
+// Error: clip control is there, but the demo did not declare it.
 bool has(const char* feature);
-// What was asked for in vain since the last call.
+// The features that has() answered with no since the last call.
 std::set<std::string> takeMissing();
 // For tests: from now on, and for the demos that are opened from now on, these are as if the context lacked them.
 void withhold(std::set<std::string> features);

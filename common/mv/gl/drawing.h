@@ -19,17 +19,18 @@ struct Stroke {
     double width = 1.5;  // px; edges are smooth (mv/geometry/strokes.h)
 };
 
-// A member of a demo. Shapes are collected, and drawn together by one call of draw(), words on top of them. What has not changed
-// since the last draw() is not uploaded again.
-//     drawing.begin(frame);
-//     drawing.in(pane);
+// A member of a demo. Shapes are collected, and drawn together by one call of draw(), words on top of them. What has
+// not changed since the last draw() is not uploaded again.
+//     drawing.begin(frame);                              // first: what was collected before is forgotten
+//     drawing.in(pane);                                  // only where a picture has panes; before the shapes of the pane
 //     drawing.arrow({20, 20}, {60, 20}, {.color = red});
-//     drawing.draw(frame);
+//     drawing.draw(frame);                               // last, and in annotate() where only people need it
 class Drawing {
   public:
     // Nothing is collected yet; the pane is the whole picture.
     void begin(const Frame& frame);
-    // What follows is in this pane, x and y in pixels from its lower left corner; what is beyond its edges is cut off, but for words.
+    // What follows is in this pane, x and y in pixels from its lower left corner; what is beyond its edges is cut off,
+    // but for words.
     void in(const Pane& pane);
 
     void line(std::span<const vec2> points, const Stroke& stroke = {});
@@ -48,12 +49,12 @@ class Drawing {
               const TextStyle& style = {});
     void textAround(const vec2& middle, const std::string& words, const TextStyle& style = {});
 
-    // A straight line in space, through the pane's projection: cut at near and far, and hidden by what was drawn before it and is
-    // nearer. It writes no depth.
+    // A straight line in space, through the pane's projection: cut at near and far, and hidden by what was drawn before
+    // it and is nearer. It writes no depth.
     void edge(const mat4& clipFromModel, const vec3& from, const vec3& to, const Stroke& stroke = {});
 
-    // The frame of a plot, with a tick for each round number that has room, its number, and the names of its axes: below it and to
-    // its left, for which 40 pixels are needed.
+    // The frame of a plot, with a tick for each round number that has room, its number, and the names of its axes:
+    // below it and to its left, for which 40 pixels are needed.
     void axes(const Plot& plot, const Stroke& stroke = {});
     // A curve through those values, cut at the box of the plot.
     void curve(const Plot& plot, std::span<const vec2> values, const Stroke& stroke = {});

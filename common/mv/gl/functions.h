@@ -26,7 +26,8 @@ void allowVersion(int version);
 int allowedVersion();
 // Whether the context has glClipControl, as OpenGL 4.5 or as GL_ARB_clip_control; OpenGL ES never has it.
 bool contextHasClipControl();
-// Lets it be called, too, where the context has it, until the next allowVersion. False: it has not, and the call stays refused.
+// Lets it be called, too, where the context has it, until the next allowVersion. False: it has not, and the call stays
+// refused.
 bool allowClipControl();
 bool clipControlAllowed();
 // Lays something more over the table (the audit does), now and whenever the table is filled anew; empty: no more.

@@ -17,9 +17,9 @@ int restoreInitialState();
 // Switches off what is on; what is off is left alone.
 void switchOff(unsigned capability);
 
-// Sets what lies over a picture needs, and of that only what is not so already: blended by alpha, with the alpha of the picture by
-// itself, so that an opaque one stays opaque; without culling, polygon offset, stencil and depth test. Or with the depth test, which
-// lets equal depths pass and writes none.
+// Sets what lies over a picture needs, and of that only what is not so already: blended by alpha, with the alpha of the
+// picture by itself, so that an opaque one stays opaque; without culling, polygon offset, stencil and depth test. Or
+// with the depth test, which lets equal depths pass and writes none.
 enum class Overlay { onTop, hiddenByWhatIsNearer };
 void setOverlayState(Overlay overlay = Overlay::onTop);
 

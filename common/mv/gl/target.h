@@ -38,8 +38,8 @@ class Target {
     int height() const { return height_; }
     const Buffers& buffers() const { return buffers_; }
 
-    // Makes it anew, as the constructor does, unless it has this size and these buffers already. True where it was made: then
-    // nothing is drawn in it yet, and it is the one that is bound.
+    // Makes it anew, as the constructor does, unless it has this size and these buffers already. True where it was
+    // made: then nothing is drawn in it yet, and it is the one that is bound.
     bool fit(int width, int height, const Buffers& buffers, const std::string& label = "target");
 
     // Draws go here from now on, the viewport covering all of it.
@@ -51,7 +51,8 @@ class Target {
     void bindDepth(int unit) const;
     // The colours as a picture, samples resolved. Leaves the target bound.
     Picture read() const;
-    // Red as numbers, those of 8 bits from 0 to 1, the upper row first, for a target without samples. Leaves the target bound.
+    // Red as numbers, those of 8 bits from 0 to 1, the upper row first, for a target without samples. Leaves the target
+    // bound.
     std::vector<float> readRed() const;
     // Copies the colours to the window's framebuffer with the lower left corner at (x, y), and leaves that bound.
     void blitToWindow(int x, int y) const;

@@ -6,9 +6,10 @@
 namespace mv {
 
 // As long as this lives, TERM, INT and HUP remove the file or folder at `path`, with all that is in it, before they end the
-// process as they would have done; and so does exit(), whoever calls it. A signal that the program handles or ignores is left
-// as it is. What KILL and crashes leave, nobody removes, nor what another thread makes in that very moment. Two dozen paths at
-// once; a further one, or one of 4096 bytes, is not noted. In the ordinary case who has made the file removes it.
+// process as they would have done; and so does exit(), whoever calls it. A signal that the program handles or ignores
+// is left as it is. What KILL and crashes leave, nobody removes, nor what another thread makes in that very moment. Two
+// dozen paths at once; a further one, or one of 4096 bytes, is not noted. In the ordinary case who has made the file
+// removes it.
 class RemovedOnSignal {
   public:
     explicit RemovedOnSignal(const std::filesystem::path& path);

@@ -18,8 +18,8 @@ std::string lessonPage(const std::string& page, const DemoInfo& info);
 // Error: the markers are missing.
 std::string readmePage(const std::string& page);
 
-// Writes docs/demos.md, the tables of demos/*.md and README.md, the pages and plots of docs/errors-and-times and docs/strip.png into a
-// source tree. Error: demos without a page, all of them, before anything is written; and what
+// Writes docs/demos.md, the tables of demos/*.md and README.md, the pages and plots of docs/errors-and-times and
+// docs/strip.png into a source tree. Error: demos without a page, all of them, before anything is written; and what
 // lessonPage and readmePage refuse.
 void writeDocs(const std::string& root);
 

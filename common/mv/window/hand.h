@@ -30,9 +30,9 @@ class Hand {
     void release() { held_.reset(); }
     bool holds() const { return held_.has_value(); }
 
-    // Tab picks one handle after the other, and then none; the arrows move the one that is picked by a pixel, by ten with Shift;
-    // Escape lets it go. Insert makes one more after the one that is picked or under the mouse, where there can be more, and
-    // Delete takes that one away. True when the key was for this.
+    // Tab picks one handle after the other, and then none; the arrows move the one that is picked by a pixel, by ten
+    // with Shift; Escape lets it go. Insert makes one more after the one that is picked or under the mouse, where there
+    // can be more, and Delete takes that one away. True when the key was for this.
     bool key(Demo& demo, const FrameInfo& frame, int glfwKey, bool shift, bool& moved);
 
     // Rings round the handles while the mouse is over the picture or one is picked, and a hand for the mouse that is on one.
