@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -39,6 +40,17 @@ std::set<std::string> matches(const std::string& text, const std::regex& pattern
     return found;
 }
 
+// "cube-cull" as "CubeCull".
+std::string camelCase(const std::string& name) {
+    std::string text;
+    bool begins = true;
+    for (const char c : name) {
+        if (c != '-') text += begins ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
+        begins = c == '-';
+    }
+    return text;
+}
+
 // The links of a page lead to files that are there.
 void expectLinksLead(const fs::path& page) {
     const auto targets = matches(fileText(page), std::regex(R"(\]\(([^)#]+)[^)]*\))"));
@@ -56,8 +68,8 @@ class OfDemo : public testing::TestWithParam<std::string> {};
 TEST_P(OfDemo, each_claim_has_a_test_and_each_test_a_claim) {
     const auto claims =
         matches(fileText(source / "demos" / (GetParam() + ".cpp")), std::regex(R"(// - \[([a-z0-9-]+)\])"));
-    const auto tests =
-        matches(fileText(source / "tests/claims" / (GetParam() + ".cpp")), std::regex(R"(TEST\(\w+, (\w+)\))"));
+    const std::string text = fileText(source / "tests/claims" / (GetParam() + ".cpp"));
+    const auto tests = matches(text, std::regex(R"(TEST\(\w+, (\w+)\))"));
     std::set<std::string> ids;
     for (std::string id : tests) {
         std::replace(id.begin(), id.end(), '_', '-');
@@ -65,6 +77,8 @@ TEST_P(OfDemo, each_claim_has_a_test_and_each_test_a_claim) {
     }
     EXPECT_FALSE(claims.empty());
     EXPECT_EQ(claims, ids);
+    // By the suite's name `./test --only NAME` and a reader find them: cube-cull has CubeCull.
+    EXPECT_EQ(matches(text, std::regex(R"(TEST\((\w+), \w+\))")), std::set<std::string>{camelCase(GetParam())});
 }
 
 TEST_P(OfDemo, the_page_has_fresh_tables_and_links_that_lead_somewhere) {

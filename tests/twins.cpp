@@ -2,6 +2,7 @@
 // wrong, and so must not match. Nor may a twin differ everywhere: that would be a control that anything passes.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 
 #include "mv/image/compare.h"
@@ -30,6 +31,7 @@ TEST_P(Twin, does_not_match) {
     ASSERT_FALSE(name.empty()) << "tests/twins/" << GetParam() << ".txt must begin with: golden <name>";
     for (const GoldenCase& golden : goldenCases()) {
         if (golden.name != name) continue;
+        ASSERT_TRUE(std::filesystem::exists(goldenFile(name))) << "./test --update-goldens draws it";
         const Picture drawn = drawCase(golden);
         EXPECT_TRUE(mismatch(name, drawn, false)) << "the broken twin matches its golden picture";
         const double fraction = compare(loadPicture(goldenFile(name)), drawn).fraction;

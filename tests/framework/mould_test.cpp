@@ -15,6 +15,7 @@
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
 #include "mv/run/stage.h"
+#include "shared/lit_difference.h"
 #include "shared/scenes.h"
 #include "support/demo_run.h"
 
@@ -160,6 +161,50 @@ TEST(SceneMeshes, upload_what_has_changed_and_nothing_else) {
     EXPECT_THROW((void)meshes.of(scene), Error);
     meshes.follow(scene);
     EXPECT_EQ(meshes.of(scene).size(), 2U);
+}
+
+// The plane, with the cube or without it, all in full light and compared with rays.
+struct Unshaded final : Demo {
+    Toggle cube{this, "cube", true, "a cube stands on the plane"};
+    Readout different{this, "different", "pixels that rays find in shadow", "%"};
+    Program program;
+    SceneMeshes meshes;
+    LitDifference difference;
+    void init() override { program = Program::fromText("flat", flatVertex, flatFragment); }
+    void draw(const Frame& frame) override {
+        Scene now = cubeOnPlane(frame.aspect());
+        if (!cube) now.objects.erase(now.objects.begin() + static_cast<std::ptrdiff_t>(cubeOnThePlane.index));
+        meshes.follow(now);
+        const auto lit = [&] {
+            glEnable(GL_DEPTH_TEST);
+            program.use();
+            program.set("level", 1.0);
+            for (const auto& [object, mesh] : meshes.of(now)) {
+                program.set("clipFromObject", now.clipFromWorld() * object.worldFromObject);
+                mesh.draw();
+            }
+        };
+        different = difference.show(now, frame, lit).beyondHalf;
+    }
+};
+
+// The camera is the same in both; so the rays must be cast for the scene, and not for the camera.
+TEST(LitDifference, casts_its_rays_anew_for_another_scene) {
+    DemoInfo info;
+    info.name = "unshaded";
+    info.background = vec4(0, 0, 0, 1);
+    info.needs.depth = true;
+    info.make = [] { return std::make_unique<Unshaded>(); };
+    stage().open(info, 64, 48);
+    const auto different = [](const char* cube) {
+        stage().demo().knob("cube").parse(cube);
+        stage().draw(1, true);
+        return *stage().demo().readouts().front()->value();
+    };
+    EXPECT_GT(different("on"), 1) << "the cube throws a shadow";
+    EXPECT_EQ(different("off"), 0) << "nothing is left that throws one";
+    EXPECT_GT(different("on"), 1);
+    stage().close();
 }
 
 TEST(MadeFor, is_changed_by_each_of_its_values) {
