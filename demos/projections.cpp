@@ -217,12 +217,12 @@ struct Projections final : Demo {
             measured[axis] = std::hypot(drawn.x, drawn.y) / metre;
             raise(off, std::abs(measured[axis] - view.shortening[axis]));
             const std::string text = axisNames[axis] + rounded(" %.3f", measured[axis]);
-            drawing.text({x, 28}, text, {.color = axisColors[axis]});
+            drawing.text({x, pane.height - 26}, text, {.color = axisColors[axis]});
             x += textWidth(text) + 4;
             if (measured[axis] < 1e-9) continue;  // seen end on
             drawing.arrow(corner, corner + 2.0 * drawn, {.color = axisColors[axis], .width = 2});
-            const vec2 beside = vec2(-drawn.y, drawn.x) * (11 / std::hypot(drawn.x, drawn.y));
-            drawing.textAround(corner + 2.0 * drawn + beside, axisNames[axis],
+            const vec2 beyond = drawn * (10 / std::hypot(drawn.x, drawn.y));
+            drawing.textAround(corner + 2.0 * drawn + beyond, axisNames[axis],
                                {.height = 13, .color = axisColors[axis]});
         }
         if (view.name != "yours") return;
