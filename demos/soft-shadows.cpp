@@ -4,7 +4,8 @@
 // - [penumbra-width] Dark to lit takes the lamp's size times the caster's height over the lamp's height above it.
 // - [sharp-where-they-touch] The shadow of an upright edge is sharp at its foot and grows softer on the way out.
 // - [points-converge] Summed in float, the error of N points falls with a slope of -0.5 to -1 in N.
-// - [eight-bit-floor] Summed in 8 bits it stays about 1e-3, and of 1024 points, each less than a step, nothing is left.
+// - [eight-bit-floor] Summed in 8 bits up to 256 points are as right as in float, and it ends there, at about 1e-3: a
+//   share of 1/1024 is less than half a step, and is refused.
 // - [pcf-does-not-converge] No kernel and no map brings a blur of fixed size below the error of 16 points.
 // - [pcss-adapts] Lifting the caster widens the penumbra of pcss as it should, and hardly that of pcf.
 // - [dark-once] Where the shadows of two casters overlap, a point of the lamp is taken away once.
@@ -68,9 +69,8 @@ struct SoftShadows final : Demo {
     SoftShadows() {
         bindWheel(casterHeight, 0.05);
         bindKeys(Key::left, Key::right, lampSize, 0.05);
-        const auto byPoints = [this] { return method == Method::matrix || method == Method::maps; };
-        lights.onlyWhen(byPoints, "this method has one map, from the lamp's middle");
-        taps.onlyWhen([byPoints] { return !byPoints(); }, "only pcf and pcss average looks at a map");
+        lights.onlyWhen([this] { return byPoints(); }, "this method has one map, from the lamp's middle");
+        taps.onlyWhen([this] { return !byPoints(); }, "only pcf and pcss average looks at a map");
         resolution.onlyWhen([this] { return method != Method::matrix; }, "a shadow matrix has no texels");
     }
 
@@ -85,19 +85,16 @@ struct SoftShadows final : Demo {
         meshes.follow(now);
         const SceneLight& lamp = now.lights.front();
         const vec3 middle(lamp.position);
-        const bool byPoints = method == Method::matrix || method == Method::maps;
         const std::vector<vec3> points =
-            byPoints ? lampPoints(lamp, int(std::lround(std::sqrt(double(lights)))), 15) : std::vector{middle};
+            byPoints() ? lampPoints(lamp, int(std::lround(std::sqrt(double(lights)))), 15) : std::vector{middle};
         const double share = 1.0 / double(points.size());
         frame.count("points", double(points.size()));
-        if (byPoints && !inFloats() && share * 255 < 0.5)
-            frame.say("In 8 bits a point's share of the lamp rounds to 0: no shadow is left.");
 
         // 1. Add up how dark each pixel is
         glEnable(GL_CULL_FACE);
         glEnable(GL_DEPTH_TEST);
         glBlendFunc(GL_ONE, GL_ONE);
-        if (!byPoints) keepMap(middle);
+        if (!byPoints()) keepMap(middle);
         const Target& darkness = begin(frame);
         switch (method) {
             case Method::matrix:
@@ -252,6 +249,8 @@ struct SoftShadows final : Demo {
         mesh.draw();
     }
 
+    bool byPoints() const { return method == Method::matrix || method == Method::maps; }
+
     bool inFloats() const {
         return sum == Sum::floats && has(beyond_es::floatTargets) && has(beyond_es::floatBlending);
     }
@@ -261,6 +260,12 @@ struct SoftShadows final : Demo {
         if (place == Place::table && casterHeight > 0.65)
             throw Error("--caster-height", "must be at most 0.65 in scene table, to stay below the lamp",
                         casterHeight.text());
+        if (byPoints() && lights > 256 && !inFloats())
+            throw Error(
+                "--lights",
+                "must be at most 256 where shadows are added up in 8 bits, whose step is 1/255: a share of less "
+                "than half a step rounds to nothing (--accumulate float has finer ones)",
+                lights.text());
     }
 
     Scene scene(const FrameInfo& frame) const override {
@@ -300,9 +305,6 @@ const bool added = addDemo<SoftShadows>({
             {"few-points",
              "Four points of the lamp: four hard shadows, one over the other.",
              {{"lights", "4"}, {"caster-height", "0.5"}}},
-            {"eight-bits",
-             "1024 shares of the light are each rounded to nothing: there is no shadow.",
-             {{"lights", "1024"}, {"accumulate", "8-bit"}}},
             {"blurred",
              "A blur of fixed size is as soft at the foot of a leg as at the far edge of the shadow.",
              {{"scene", "table"}, {"method", "pcf"}, {"lamp-size", "0.5"}, {"caster-height", "0"}}},

@@ -23,7 +23,7 @@ StudyRow compareWithRays(int frame = 1) {
     study.frame = frame;
     StudyRow row = runStudy(stage(), study, {.timed = false}).rows.at(0);
     EXPECT_EQ(row.status, "ok");
-    EXPECT_GT(row.inside.n, 10000);
+    EXPECT_GT(row.awayFromEdges.n, 10000);
     return row;
 }
 
@@ -43,11 +43,18 @@ TEST(ShadowLights, right_by_rays) {
         const char *scene, *lights;
         int frame;
     };
-    for (const Case& c : {Case{"lamps", "3", 1}, {"lamps", "3", 100}, {"circle", "1", 1}, {"circle", "5", 40}}) {
+    for (const Case& c : {Case{"lamps", "3", 1},
+                          {"lamps", "3", 100},
+                          {"circle", "1", 1},
+                          {"circle", "5", 40},
+                          {"circle", "8", 1},
+                          {"circle", "8", 40}}) {
         run.set("scene", c.scene).set("lights", c.lights).set("method", "volumes");
         const std::string what = std::string(c.scene) + " " + c.lights;
-        // Some pixel in ten thousand may lie on an edge that is no pixel wide: the band does not know of it.
-        EXPECT_LT(compareWithRays(c.frame).inside.fraction, 1e-4) << what;
+        // A light that grazes a surface by some degrees has the side of a volume nearer to it than a step of its depth: the
+        // study, which has four times the pixels, finds none with 1, 2, 4 or 8 lights and one with 7.
+        const StudyError away = compareWithRays(c.frame).awayFromEdges;
+        EXPECT_LE(away.fraction * double(away.n), 1.01) << what;
         // The larger the map, the fewer are wrong: about half as many for twice as large.
         run.set("method", "maps");
         const double coarse = (run.set("resolution", "256"), compareWithRays(c.frame)).all.fraction;

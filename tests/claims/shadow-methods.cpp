@@ -51,12 +51,12 @@ TEST(ShadowMethods, exact_on_a_plane) {
     const StudyRun result = measured("cube on plane");
     for (const char* method : {"matrix", "volumes", "volumes, made anew"}) {
         const StudyRow& row = rowOf(result, method);
-        EXPECT_EQ(row.inside.fraction, 0) << method;
+        EXPECT_EQ(row.awayFromEdges.fraction, 0) << method;
         // In the band of one pixel at the edges the GPU's rounding decides against the rays' in a few of 60 000.
         EXPECT_LE(row.all.fraction * double(row.all.n), 3) << method;
     }
     // The measure sees a shadow that is missing.
-    EXPECT_GT(rowOf(result, "no shadow").inside.fraction, 0.02);
+    EXPECT_GT(rowOf(result, "no shadow").awayFromEdges.fraction, 0.02);
 }
 
 TEST(ShadowMethods, least_work) {
@@ -88,10 +88,10 @@ TEST(ShadowMethods, bodies_need_more) {
     DemoRun run("shadow-methods");
     run.preset("matrix");
     const StudyRun result = measured("still life");
-    EXPECT_GT(rowOf(result, "matrix").inside.fraction, 0.01);
-    EXPECT_EQ(rowOf(result, "volumes").inside.fraction, 0);
+    EXPECT_GT(rowOf(result, "matrix").awayFromEdges.fraction, 0.01);
+    EXPECT_EQ(rowOf(result, "volumes").awayFromEdges.fraction, 0);
     // Right on floor and wall alone it is still far better than no shadow.
-    EXPECT_LT(rowOf(result, "matrix").inside.fraction, 0.4 * rowOf(result, "no shadow").inside.fraction);
+    EXPECT_LT(rowOf(result, "matrix").awayFromEdges.fraction, 0.4 * rowOf(result, "no shadow").awayFromEdges.fraction);
     run.set("scene", "still-life").picture();
     ASSERT_EQ(run.messages().size(), 1U);
     EXPECT_NE(run.messages()[0].find("no body has a shadow"), std::string::npos);

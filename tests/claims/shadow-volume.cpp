@@ -26,7 +26,7 @@ StudyRow compareWithRays() {
     study.height = 240;
     StudyRow row = runStudy(stage(), study, {.timed = false}).rows.at(0);
     EXPECT_EQ(row.status, "ok");
-    EXPECT_GT(row.inside.n, 10000);  // so that 0 wrong is not 0 of nothing
+    EXPECT_GT(row.awayFromEdges.n, 10000);  // so that 0 wrong is not 0 of nothing
     return row;
 }
 
@@ -82,7 +82,7 @@ TEST(ShadowVolume, exact) {
     for (const char* scene : {"cube", "still-life", "nested"}) {
         for (const char* method : {"z-fail", "z-pass"}) {
             const StudyRow row = (run.set("scene", scene).set("method", method), compareWithRays());
-            EXPECT_EQ(row.inside.fraction, 0) << scene << ", " << method;
+            EXPECT_EQ(row.awayFromEdges.fraction, 0) << scene << ", " << method;
             // In the band, a pixel's middle within rounding of the edge; there are some hundreds of pixels.
             EXPECT_LT(row.all.fraction, 1e-3) << scene << ", " << method;
         }
@@ -91,7 +91,7 @@ TEST(ShadowVolume, exact) {
     run.set("method", "z-fail").set("scene", "still-life");
     for (const auto& [spinX, spinY] : {std::pair{-20.0, 40.0}, {10, -60}, {50, 0}}) {
         const StudyRow row = (run.set("spin-x", spinX).set("spin-y", spinY), compareWithRays());
-        EXPECT_EQ(row.inside.fraction, 0) << spinX << ", " << spinY;
+        EXPECT_EQ(row.awayFromEdges.fraction, 0) << spinX << ", " << spinY;
     }
 }
 
@@ -100,11 +100,11 @@ TEST(ShadowVolume, eye_in_volume) {
     DemoRun run("shadow-volume");
     for (const char* scene : {"cube", "still-life"}) {
         run.set("scene", scene).set("eye", "in-volume");
-        EXPECT_EQ((run.set("method", "z-fail"), compareWithRays()).inside.fraction, 0) << scene;
-        EXPECT_EQ((run.set("method", "z-pass-started"), compareWithRays()).inside.fraction, 0) << scene;
+        EXPECT_EQ((run.set("method", "z-fail"), compareWithRays()).awayFromEdges.fraction, 0) << scene;
+        EXPECT_EQ((run.set("method", "z-pass-started"), compareWithRays()).awayFromEdges.fraction, 0) << scene;
         EXPECT_TRUE(run.messages().empty());
         // One too few everywhere: what is lit counts -1, which is 255, and what is behind one caster 0.
-        EXPECT_GT((run.set("method", "z-pass"), compareWithRays()).inside.fraction, 0.9) << scene;
+        EXPECT_GT((run.set("method", "z-pass"), compareWithRays()).awayFromEdges.fraction, 0.9) << scene;
         run.picture();
         EXPECT_EQ(run.readout("stencil-max"), 255);
         EXPECT_GT(run.readout("wrong"), 90);
@@ -120,7 +120,7 @@ TEST(ShadowVolume, silhouette_is_enough) {
     EXPECT_EQ(countOf(outline, "volume triangles"), 2 * 6 + 4 + 8);  // sides, light cap, dark cap: light on two faces
     const StudyRow each = (run.set("silhouette", "off"), compareWithRays());
     EXPECT_EQ(countOf(each, "volume triangles"), 8 * 4);  // a prism each
-    EXPECT_EQ(each.inside.fraction, 0);
+    EXPECT_EQ(each.awayFromEdges.fraction, 0);
     run.set("show", "shadow");
     const Picture byTriangles = run.picture();
     EXPECT_EQ(run.readout("extruded-edges"), 12);
@@ -132,7 +132,7 @@ TEST(ShadowVolume, silhouette_is_enough) {
     const double few = countOf(compareWithRays(), "volume triangles");
     const StudyRow many = (run.set("silhouette", "off"), compareWithRays());
     EXPECT_GT(countOf(many, "volume triangles"), 3 * few);
-    EXPECT_LT(many.inside.fraction, 5e-4);  // 1e-4 measured
+    EXPECT_LT(many.awayFromEdges.fraction, 5e-4);  // 1e-4 measured
 }
 
 TEST(ShadowVolume, counts_are_rays) {
@@ -180,7 +180,7 @@ TEST(ShadowVolume, three_hundred_shells) {
     run.set("scene", "nested");
     for (const int shells : {255, 256, 300}) {
         run.set("shells", shells).set("groups", "on").set("show", "shadow");
-        EXPECT_EQ(compareWithRays().inside.fraction, 0) << shells;
+        EXPECT_EQ(compareWithRays().awayFromEdges.fraction, 0) << shells;
         run.picture();
         EXPECT_TRUE(run.messages().empty());
         const double dark = run.readout("shadow-pixels");
@@ -199,12 +199,12 @@ TEST(ShadowVolume, three_hundred_shells) {
         const StudyRow row = compareWithRays();
         EXPECT_GT(row.all.fraction, 0);
         if (shells == 256) {
-            EXPECT_GT(row.inside.fraction, 1e-3);  // a hole as large as the innermost box's shadow
+            EXPECT_GT(row.awayFromEdges.fraction, 1e-3);  // a hole as large as the innermost box's shadow
         }
     }
     // And with the eye in all of them.
     run.set("shells", 300).set("groups", "on").set("eye", "in-volume").set("method", "z-pass-started");
-    EXPECT_EQ(compareWithRays().inside.fraction, 0);
+    EXPECT_EQ(compareWithRays().awayFromEdges.fraction, 0);
 }
 
 TEST(ShadowVolume, light_anywhere) {
@@ -215,7 +215,7 @@ TEST(ShadowVolume, light_anywhere) {
             for (const double turn : {0.0, 75.0, -60.0}) {
                 for (const double height : {0.3, 1.0}) {
                     run.set("at-infinity", atInfinity).set("light-turn", turn).set("light-height", height);
-                    EXPECT_EQ(compareWithRays().inside.fraction, 0)
+                    EXPECT_EQ(compareWithRays().awayFromEdges.fraction, 0)
                         << scene << ", " << atInfinity << ", " << turn << ", " << height;
                 }
             }

@@ -125,15 +125,18 @@ TEST(SoftShadows, eight_bit_floor) {
     const auto floats = [&](const char* n) { return rms(study, "matrix, float", n); };
     const auto bytes = [&](const char* n) { return rms(study, "matrix, 8-bit", n); };
     EXPECT_NEAR(bytes("4"), floats("4"), 0.1 * floats("4"));  // few points: the sum's rounding does not show
-    for (const char* n : {"1", "4", "16", "64", "256", "1024"}) EXPECT_GT(bytes(n), 0.7e-3) << n;
+    // 256 shares of 1/256 are rounded to 1/255 each, and their sum is cut off at 1: a darkness is too large by 1/256 at
+    // most. In the 4 % of the pixels that are dark that is 0.0008 of all, beside the 0.001 that 256 points are wrong by:
+    // together 1.28 times that.
+    for (const char* n : {"16", "64", "256"}) EXPECT_NEAR(bytes(n), floats(n), 0.3 * floats(n)) << n;
+    EXPECT_GT(bytes("256"), 0.7e-3);
     EXPECT_LT(floats("1024"), 0.6e-3);
-    // 255/1024 rounds to 0.
-    EXPECT_GT(bytes("1024"), 0.1);
-    for (const float lit : litOf(run.set("lights", "1024").set("accumulate", "8-bit"))) {
-        ASSERT_TRUE(lit == 1 || lit == -1) << lit;
-    }
-    ASSERT_EQ(run.messages().size(), 1U);
-    EXPECT_EQ(run.messages().front().rfind("In 8 bits", 0), 0U);
+    // 255/1024 of a step rounds to 0: refused by every method that adds points up, and by no other.
+    run.set("accumulate", "8-bit").set("lights", "1024");
+    for (const char* method : {"matrix", "maps"}) EXPECT_THROW(run.set("method", method).picture(), Error) << method;
+    for (const char* method : {"pcf", "pcss"}) EXPECT_NO_THROW(run.set("method", method).picture()) << method;
+    EXPECT_NO_THROW(run.set("method", "matrix").set("lights", "256").picture());
+    EXPECT_NO_THROW(run.set("accumulate", "float").set("lights", "1024").picture());
 }
 
 TEST(SoftShadows, pcf_does_not_converge) {

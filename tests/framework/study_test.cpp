@@ -161,8 +161,8 @@ TEST(StudyRun, errors_are_what_they_are_by_hand) {
     EXPECT_DOUBLE_EQ(four.all.rms, std::sqrt(0.05));
     EXPECT_EQ(four.all.max, 1);
     // The band are the two columns at the edge, of which the left one is wrong.
-    EXPECT_EQ(four.inside.n, 4000 - 8);
-    EXPECT_DOUBLE_EQ(four.inside.fraction, 196.0 / 3992);
+    EXPECT_EQ(four.awayFromEdges.n, 4000 - 8);
+    EXPECT_DOUBLE_EQ(four.awayFromEdges.fraction, 196.0 / 3992);
     EXPECT_EQ(four.unmatched, 0);
 }
 

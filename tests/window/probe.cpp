@@ -171,8 +171,8 @@ std::string committedIntegral() {
                 const double strips = n.empty() ? 10000 : std::stod(n);
                 const double power = line.method == "simpson" ? -4 : -2;
                 row.all.rms = row.all.max = n.empty() ? 0 : std::pow(strips, scene.name == "exp" ? power : -1.5) / 10;
-                row.all.n = row.inside.n = 1;
-                row.inside = row.all;
+                row.all.n = row.awayFromEdges.n = 1;
+                row.awayFromEdges = row.all;
                 row.msMedian = 1e-3 * strips * (line.method == "simpson" ? 1.1 : 1);
                 row.msMad = row.msMedian / 50;
                 row.rounds = 7;

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "mv/demo/claim.h"
 #include "mv/demo/frame.h"
 #include "mv/demo/knob.h"
 #include "mv/image/picture.h"
@@ -71,8 +72,8 @@ struct Study {
     double wrongBeyond = 0.5;
     int width = 640, height = 480;  // of the picture measured
     int frame = 1;
-    // What the study says, in two sentences, for its page.
-    std::string says = {};
+    // What the study says, for its page: a test evaluates its claims on the committed rows.
+    std::vector<Saying> says = {};
     // True: the demo's values() are compared and timed, without GL. False: pictures, drawn with frame.measuring().
     bool ofValues = false;
     // What is right for the demo's present settings, in the picture that `frame` describes (its size and index; not drawn

@@ -81,29 +81,29 @@ void measureErrors(StudyRow& row, const std::vector<double>& values, const Refer
                     std::to_string(values.size()));
     }
     const std::vector<double>& averages = reference.averages.empty() ? reference.values : reference.averages;
-    ErrorSum all, inside;
-    long unmatchedInside = 0;
+    ErrorSum all, awayFromEdges;
+    long unmatchedAwayFromEdges = 0;
     for (std::size_t i = 0; i < values.size(); ++i) {
         if (!std::isfinite(values[i])) throw Error("value " + std::to_string(i), "must be finite");
         const bool wanted = reference.regions.empty() || reference.regions[i] >= 0;
         const bool given = study.ofValues || values[i] > noValue;
         if (wanted != given) {
             ++row.unmatched;
-            if (!band[i]) ++unmatchedInside;
+            if (!band[i]) ++unmatchedAwayFromEdges;
         }
         if (!wanted || !given) continue;
         const double difference = std::abs(values[i] - averages[i]);
         const bool wrong = std::abs(values[i] - reference.values[i]) > study.wrongBeyond;
         all.add(difference, wrong);
-        if (!band[i]) inside.add(difference, wrong);
+        if (!band[i]) awayFromEdges.add(difference, wrong);
     }
     row.all = all.result();
-    row.inside = inside.result();
+    row.awayFromEdges = awayFromEdges.result();
     if (all.n == 0) throw Error("study", "must have values to compare, and has none");
-    if (unmatchedInside > 0) {
+    if (unmatchedAwayFromEdges > 0) {
         throw Error("study",
-                    "must draw its quantity in the pixels that the reference counts; beside the edges these differ",
-                    std::to_string(unmatchedInside));
+                    "must draw its quantity in the pixels that the reference counts; away from edges these differ",
+                    std::to_string(unmatchedAwayFromEdges));
     }
 }
 

@@ -30,34 +30,16 @@ Json errorJson(const StudyError& error) {
             {"n", error.n}};
 }
 
-std::optional<double> number(const std::string& text) {
-    double value = 0;
-    const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (result.ec != std::errc() || result.ptr != text.data() + text.size()) return {};
-    return value;
-}
-
 // Slope of log y over log parameter, by least squares.
 std::optional<double> slope(const StudyRun& run, const std::string& scene, const std::string& method,
                             const std::function<double(const StudyRow&)>& y) {
     std::vector<std::pair<double, double>> points;
     for (const StudyRow& row : run.rows) {
         if (row.scene != scene || row.method != method || !row.ok()) continue;
-        const auto parameter = number(row.parameter);
-        if (parameter && *parameter > 0 && y(row) > 0) points.emplace_back(std::log(*parameter), std::log(y(row)));
+        const auto parameter = parameterOf(row);
+        if (parameter && *parameter > 0 && y(row) > 0) points.emplace_back(*parameter, y(row));
     }
-    if (points.size() < 3) return {};
-    double meanX = 0, meanY = 0, xx = 0, xy = 0;
-    for (const auto& [x, value] : points) {
-        meanX += x / double(points.size());
-        meanY += value / double(points.size());
-    }
-    for (const auto& [x, value] : points) {
-        xx += (x - meanX) * (x - meanX);
-        xy += (x - meanX) * (value - meanY);
-    }
-    if (xx == 0) return {};
-    return xy / xx;
+    return logarithmicSlope(points);
 }
 
 std::string csvField(const std::string& text) {
@@ -71,6 +53,29 @@ std::string csvField(const std::string& text) {
 }
 
 }  // namespace
+
+std::optional<double> parameterOf(const StudyRow& row) {
+    const std::string& text = row.parameter;
+    double value = 0;
+    const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (result.ec != std::errc() || result.ptr != text.data() + text.size()) return {};
+    return value;
+}
+
+std::optional<double> logarithmicSlope(const std::vector<std::pair<double, double>>& points) {
+    if (points.size() < 3) return {};
+    double meanX = 0, meanY = 0, xx = 0, xy = 0;
+    for (const auto& [x, y] : points) {
+        meanX += std::log(x) / double(points.size());
+        meanY += std::log(y) / double(points.size());
+    }
+    for (const auto& [x, y] : points) {
+        xx += (std::log(x) - meanX) * (std::log(x) - meanX);
+        xy += (std::log(x) - meanX) * (std::log(y) - meanY);
+    }
+    if (xx == 0) return {};
+    return xy / xx;
+}
 
 std::optional<double> errorSlope(const StudyRun& run, const std::string& scene, const std::string& method) {
     return slope(run, scene, method, [&](const StudyRow& row) { return run.shownError(row); });
@@ -118,7 +123,7 @@ std::string studyJson(const StudyRun& run) {
         for (const auto& [name, text] : row.settings) entry["settings"][name] = text;
         entry["status"] = row.status;
         entry["all"] = errorJson(row.all);
-        entry["inside"] = errorJson(row.inside);
+        entry["away_from_edges"] = errorJson(row.awayFromEdges);
         entry["unmatched"] = row.unmatched;
         entry["ms_median"] = rounded(row.msMedian);
         entry["ms_mad"] = rounded(row.msMad);
@@ -133,7 +138,8 @@ std::string studyJson(const StudyRun& run) {
 
 std::string studyCsv(const StudyRun& run) {
     std::string text =
-        "scene,method,parameter,err_rms,err_max,err_frac,inside_rms,inside_max,inside_frac,ms_median,ms_mad,n,rounds,"
+        "scene,method,parameter,err_rms,err_max,err_frac,away_from_edges_rms,away_from_edges_max,away_from_edges_frac,"
+        "ms_median,ms_mad,n,rounds,"
         "unmatched,ops,best,reference,status\n";
     for (const StudyRow& row : run.rows) {
         std::string ops;
@@ -145,7 +151,7 @@ std::string studyCsv(const StudyRun& run) {
         add(row.scene);
         add(row.method);
         add(row.parameter);
-        for (const StudyError* error : {&row.all, &row.inside}) {
+        for (const StudyError* error : {&row.all, &row.awayFromEdges}) {
             addNumber(error->rms);
             addNumber(error->max);
             addNumber(error->fraction);
@@ -205,7 +211,7 @@ StudyRun readStudy(const std::string& text) {
             for (const auto& [name, value] : in(entry, "settings").items()) row.settings.push_back({name, value});
             row.status = in(entry, "status");
             row.all = errorIn(entry, "all");
-            row.inside = errorIn(entry, "inside");
+            row.awayFromEdges = errorIn(entry, "away_from_edges");
             row.unmatched = in(entry, "unmatched");
             row.msMedian = size(entry, "ms_median");
             row.msMad = size(entry, "ms_mad");

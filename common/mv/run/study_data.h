@@ -21,7 +21,7 @@ struct StudyRow {
     std::string scene, method;
     std::string parameter;              // the value of the line's knob; "" for a single point
     std::vector<KnobSetting> settings;  // all knobs that the row sets
-    StudyError all, inside;             // of all values, and without the edge band
+    StudyError all, awayFromEdges;      // of all values, and without the edge band
     long unmatched = 0;                 // pixels that count for only one of the two: for the demo, or for the reference
     double msMedian = 0, msMad = 0;     // milliseconds of one frame, or of one values()
     int rounds = 0;
@@ -49,6 +49,12 @@ struct StudyRun {
 // the quantity goes as p^slope. Nothing where fewer than three of the line's rows have a positive number.
 std::optional<double> errorSlope(const StudyRun& run, const std::string& scene, const std::string& method);
 std::optional<double> timeSlope(const StudyRun& run, const std::string& scene, const std::string& method);
+
+// p of the row as a number; nothing where it has none.
+std::optional<double> parameterOf(const StudyRow& row);
+
+// The least-squares slope of log y over log x, for positive x and y; nothing of fewer than three points, or of one x.
+std::optional<double> logarithmicSlope(const std::vector<std::pair<double, double>>& points);
 
 // Marks the rows that are Pareto-best in their scene.
 void markBest(StudyRun& run);

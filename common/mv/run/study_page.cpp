@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "mv/error.h"
+#include "mv/run/claims.h"
 #include "mv/run/study.h"
 #include "mv/run/words.h"
 
@@ -11,7 +12,7 @@ namespace {
 
 std::string errorTable(const StudyRun& run) {
     std::string text =
-        "| scene | method | p | rms | max | wrong % | beside the edges % | ms | MAD | best |\n"
+        "| scene | method | p | rms | max | wrong % | away from edges % | ms | MAD | best |\n"
         "|---|---|---:|---:|---:|---:|---:|---:|---:|---|\n";
     for (const StudyRow& row : run.rows) {
         text += "| " + tableCell(row.scene) + " | " + tableCell(row.method) + " | " + tableCell(row.parameter) + " | ";
@@ -20,7 +21,7 @@ std::string errorTable(const StudyRun& run) {
             continue;
         }
         text += errorText(row.all.rms) + " | " + errorText(row.all.max) + " | " + errorText(100 * row.all.fraction) +
-                " | " + errorText(100 * row.inside.fraction) + " | " + formatted("%.3g", row.msMedian) + " | " +
+                " | " + errorText(100 * row.awayFromEdges.fraction) + " | " + formatted("%.3g", row.msMedian) + " | " +
                 formatted("%.2g", row.msMad) + " | " + (row.best ? "best" : "") + " |\n";
     }
     return text;
@@ -92,14 +93,28 @@ std::string setUp(const StudyRun& run) {
     return text;
 }
 
+std::string whatItSays(const StudyRun& run, const Study& study) {
+    std::string text =
+        "Under each claim stands what was evaluated of the rows below, and what a test requires of it.\n\n";
+    for (const Saying& saying : study.says) {
+        if (!saying.isClaim()) {
+            text += "- " + saying.sentence + "\n";
+            continue;
+        }
+        text += "- **" + saying.id + "** " + saying.sentence + "\n";
+        for (const Predicate& predicate : saying.predicates) text += "  - " + evaluate(run, predicate).text + "\n";
+    }
+    return text;
+}
+
 }  // namespace
 
 std::string studyPage(const StudyRun& run, const DemoInfo& info) {
     if (!info.study) throw Error(info.name, "must declare the study that its page shows");
     return "# Error and time: " + run.demo + "\n\nMade by `./run --docs .` from [" + run.demo + ".json](" + run.demo +
            ".json); do not edit. The demo: [" + run.demo + "](../../demos/" + run.demo +
-           ".md).\n\n![Error against run time](" + run.demo + ".svg)\n\n" + info.study->says +
-           "\n\n## How it was measured\n\n" + setUp(run) +
+           ".md).\n\n![Error against run time](" + run.demo + ".svg)\n\n" + whatItSays(run, *info.study) +
+           "\n## How it was measured\n\n" + setUp(run) +
            "\nErrors and counts are the same on every machine with the same OpenGL driver, and a test measures them\n"
            "again; milliseconds, their deviation and so what is best belong to the machine named above. Measure "
            "yours:\n\n"

@@ -157,7 +157,7 @@ std::string referenceText(const StudyRun& run) {
 
 std::string studyTable(const StudyRun& run) {
     std::vector<std::vector<std::string>> rows{
-        {"scene", "method", "p", "rms", "max", "wrong %", "inside %", "ms", "MAD", "best", "counts"}};
+        {"scene", "method", "p", "rms", "max", "wrong %", "away from edges %", "ms", "MAD", "best", "counts"}};
     std::string failures;
     for (const StudyRow& row : run.rows) {
         if (!row.ok()) {
@@ -166,7 +166,7 @@ std::string studyTable(const StudyRun& run) {
             continue;
         }
         rows.push_back({row.scene, row.method, row.parameter, errorText(row.all.rms), errorText(row.all.max),
-                        errorText(100 * row.all.fraction), errorText(100 * row.inside.fraction),
+                        errorText(100 * row.all.fraction), errorText(100 * row.awayFromEdges.fraction),
                         row.rounds ? formatted("%.3g", row.msMedian) : "-",
                         row.rounds ? formatted("%.2g", row.msMad) : "-", row.best ? "*" : "", countsText(row)});
     }

@@ -212,9 +212,9 @@ void rowTip(const StudyRow& row) {
     ImGui::TextUnformatted(("error: rms " + errorText(row.all.rms) + ", largest " + errorText(row.all.max) +
                             ", wrong " + errorText(100 * row.all.fraction) + " %")
                                .c_str());
-    if (row.inside.n != row.all.n) {
-        ImGui::TextUnformatted(("away from edges: rms " + errorText(row.inside.rms) + ", wrong " +
-                                errorText(100 * row.inside.fraction) + " %")
+    if (row.awayFromEdges.n != row.all.n) {
+        ImGui::TextUnformatted(("away from edges: rms " + errorText(row.awayFromEdges.rms) + ", wrong " +
+                                errorText(100 * row.awayFromEdges.fraction) + " %")
                                    .c_str());
     }
     ImGui::TextUnformatted((formatted("%.3g ms, median of ", row.msMedian) + std::to_string(row.rounds) + " (MAD " +
