@@ -93,6 +93,7 @@ Study study() {
         {"scene", "plane"}, {"light-theta", "20"}, {"light-phi", "40"}, {"light-distance", "8.5"}};
     std::vector<KnobSetting> rising = level;
     rising.push_back({"tilt", "-20"});
+    study.problem = "plane-distance";
     study.scenes = {{"level plane", level}, {"rising plane", rising}};
     study.lines = {lineOf("world space, float", "world-float"), lineOf("world space, double", "world"),
                    lineOf("plane-local, double", "plane-local")};

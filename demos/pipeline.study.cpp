@@ -54,6 +54,7 @@ Study study() {
     study.quantity = "where 512 points of the cube fall, x and y in pixels of a picture 560 wide";
     study.reference = "the same matrices and points in long double, rounded nowhere else";
     study.makeReference = [](const Demo& demo, const ReferenceFrame&, const auto&) { return placesInLongDouble(demo); };
+    study.problem = "offset";
     study.scenes = {{"the cube at 3"}};
     const std::vector<std::string> offsets{"0", "1e2", "1e4", "1e6", "1e7"};
     study.lines = {{"three products, float", {{"products", "shader"}}, "offset", offsets},

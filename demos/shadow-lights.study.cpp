@@ -21,6 +21,7 @@ Study study() {
         std::iota(all.begin(), all.end(), 0);
         return litReference(scene, frame, {.lights = all}, progress);
     };
+    study.problem = "lights";
     study.scenes = {{"circle", {{"scene", "circle"}}}, {"lamps", {{"scene", "lamps"}}}};
     const std::vector<std::string> counts{"1", "2", "4", "8"}, sizes{"256", "512", "1024", "2048"};
     study.lines = {{"volumes, by lights", {{"method", "volumes"}, {"keep", "off"}}, "lights", counts, {"circle"}},

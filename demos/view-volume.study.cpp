@@ -56,6 +56,7 @@ Study study() {
     study.quantity = "the six planes of the view volume: normals, and distances over far";
     study.reference = "planes through three corners of the volume each, in long double";
     study.makeReference = [](const Demo& demo, const ReferenceFrame&, const auto&) { return planesByCorners(demo); };
+    study.problem = "closer";
     study.scenes = {{"perspective", {{"near", "6"}, {"far", "60"}}}};
     const std::vector<std::string> closer{"1", "10", "100", "1e3", "1e4", "1e5", "1e6", "1e7", "1e8"};
     study.lines = {{"parameters", {{"planes", "parameters"}}, "closer", closer},

@@ -17,6 +17,7 @@ Study study() {
     study.makeReference = [](const Demo& demo, const ReferenceFrame&, const auto&) {
         return Reference{.values = std::vector<double>(demo.values().size(), 0)};
     };
+    study.problem = "far";
     study.scenes = {{"separation 1e-4", {{"near", "0.1"}, {"separation", "1e-4"}}},
                     {"separation 1e-5", {{"near", "0.1"}, {"separation", "1e-5"}}},
                     {"separation 1e-6", {{"near", "0.1"}, {"separation", "1e-6"}}}};

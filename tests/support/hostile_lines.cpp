@@ -24,6 +24,9 @@ HostileLines::HostileLines(unsigned seed) : random_(seed) {
               "--docs",
               "--study",
               "--vary",
+              "--within",
+              "--error",
+              "--measure-here",
               "--window",
               "--audit",
               "--all",
@@ -54,6 +57,8 @@ HostileLines::HostileLines(unsigned seed) : random_(seed) {
               "cull=",
               ",",
               "json",
+              "5ms",
+              "1%",
               "egl",
               std::string(5000, 'x')};
     for (const DemoInfo& info : catalogue()) {

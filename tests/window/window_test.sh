@@ -765,6 +765,49 @@ study() {
     quit
 }
 
+bound() { # a click on an axis of the study's plot chooses what keeps it
+    local integral=("$launcher" integral --size 400x1100)
+    local x y left right _
+    start 'mvgl: integral' "${integral[@]}"
+    equal "what was asked for at first" "" "$(reported asked)"
+    # Of errors of some 1e-6, which is the middle of the axis, 16 strips of Simpson's are the cheapest.
+    clickOn "error axis"
+    awaitReport here "simpson 16" command "$launcher integral --rule simpson --n 16 --size 400x1100"
+    reported asked | grep -Eq '^error [2-9](\.[0-9])?e-06: simpson 16$' || fail "asked for: $(reported asked)"
+    # Within 0.2 ms, the middle of the other axis, 64 of them are the most exact.
+    clickOn "time axis"
+    awaitReport here "simpson 64"
+    reported asked | grep -Eq '^time 0\.[12][0-9]* ms: simpson 64$' || fail "asked for: $(reported asked)"
+    clickOn "error axis 0"
+    awaitReport here exact asked "error 0: exact"
+    # The box beside a point covers none: it is left of the panel.
+    read -r x y <<<"$(place "point trapezia 64")"
+    at "$x" "$y"
+    IFS=, read -r left _ right _ <<<"${values["at study tip"]-}"
+    [ -n "$right" ] || fail "no box beside the plot"
+    atMost "right side of the box" "$right" 400
+    atLeast "left side of the box" "$left" 0
+    click # a point is no bound
+    awaitReport here "trapezia 64" asked ""
+    quit
+    # The fastest takes 4 us: nothing keeps less, which is said, and the knobs stay.
+    start 'mvgl: integral' "${integral[@]}" --n 16
+    IFS=, read -r left y right _ <<<"${values["at time axis"]-}"
+    read -r x _ <<<"$(place "time axis")"
+    read -r _ y <<<"$(place "error axis")"
+    at "$x" $((y - 12)) && click
+    reported asked | grep -q '^time .*: nothing$' || fail "asked for what nothing keeps: $(reported asked)"
+    equal "row after it" "trapezia 16" "$(reported here)"
+    quit
+    # By the command line it is marked as well.
+    start 'mvgl: integral' "${integral[@]}" --error 1e-5
+    equal "row that the command line asked for" "simpson 16" "$(reported here)"
+    equal "what it asked for" "error 1e-05: simpson 16" "$(reported asked)"
+    quit
+    grep -q "^note: --error 1e-05 in 'exp': simpson, n 16: .*; the cheapest of 8 settings" "$state/err" ||
+        fail "what was chosen is not said: $(cat "$state/err")"
+}
+
 # Begins to measure, in the program $child, by a study that lasts until the file PROBE_HOLD is gone.
 measuring() {
     mkdir -p tmp && export TMPDIR=$PWD/tmp PROBE_HOLD=$state/hold
@@ -851,7 +894,7 @@ case $case in
     resize) resizing ;;
     storm) stormOfProbe ;;
     storm.*) stormOf "${case#storm.}" ;;
-    opens | keys | held | slider | preset | typed | choice | wheel | drag | hand | replay | save | clipboard | error | torn | twice | density | paused | reload | idle | study | measure | vanish)
+    opens | keys | held | slider | preset | typed | choice | wheel | drag | hand | replay | save | clipboard | error | torn | twice | density | paused | reload | idle | study | bound | measure | vanish)
         "$case"
         ;;
     *) fail "there is no case '$case'" ;;

@@ -68,6 +68,8 @@ struct Study {
     std::vector<StudyScene> scenes;
     std::vector<StudyLine> lines;
     ErrorAxis axis = ErrorAxis::rms;
+    // The knob that makes the problem itself harder ("far"), if one does: only rows of the same value compete for best.
+    std::string problem = {};
     // A value that is farther than this from the reference is wrong.
     double wrongBeyond = 0.5;
     int width = 640, height = 480;  // of the picture measured

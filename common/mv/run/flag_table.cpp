@@ -15,6 +15,13 @@ struct Use {
     std::vector<std::string_view> reads;  // the flags that the action reads beside it
 };
 
+// All that says which settings of a demo are meant, and these.
+std::vector<std::string_view> settingsAnd(const std::vector<std::string_view>& more) {
+    std::vector<std::string_view> all{demoName, anyKnob, "--preset", "--within", "--error", "--measure-here"};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+}
+
 // The first of these flags that is given says what is done; all else that is given must be read by it. Whoever adds a flag
 // says here who reads it.
 const std::vector<Use>& uses() {
@@ -24,22 +31,24 @@ const std::vector<Use>& uses() {
         {"--gallery", Action::gallery, {}},
         {"--docs", Action::docs, {}},
         {"--study", Action::study, {demoName, anyKnob, "--preset", "--vary", "--frame", "--size", "--headless"}},
-        {"--audit", Action::audit, {demoName, anyKnob, "--preset", "--frame", "--headless", "--all"}},
+        {"--audit", Action::audit, settingsAnd({"--frame", "--headless", "--all"})},
         {"--knobs", Action::knobs, {demoName, anyKnob, "--preset"}},
-        {"--copyable", Action::copyable, {demoName, anyKnob, "--preset", "--frame", "--size", "--compare"}},
-        {"--window", Action::window, {demoName, anyKnob, "--preset", "--frame", "--size", "--compare", "--report"}},
-        {"--shot",
-         Action::render,
-         {demoName, anyKnob, "--preset", "--frame", "--frames", "--size", "--compare", "--report", "--headless"}},
-        {"--report", Action::render, {demoName, anyKnob, "--preset", "--frame", "--size", "--headless"}},
-        {"--headless", Action::render, {demoName, anyKnob, "--preset", "--frame", "--size"}},
+        {"--copyable", Action::copyable, settingsAnd({"--frame", "--size", "--compare"})},
+        {"--window", Action::window, settingsAnd({"--frame", "--size", "--compare", "--report"})},
+        {"--shot", Action::render,
+         settingsAnd({"--frame", "--frames", "--size", "--compare", "--report", "--headless"})},
+        {"--report", Action::render, settingsAnd({"--frame", "--size", "--headless"})},
+        {"--headless", Action::render, settingsAnd({"--frame", "--size"})},
     };
     return all;
 }
 
 // Flags of one action that leave each other nothing to do.
-constexpr std::array<std::array<std::string_view, 2>, 2> apart{{
+constexpr std::array<std::array<std::string_view, 2>, 5> apart{{
     {"--frame", "--frames"},    // two ways to say which
+    {"--within", "--error"},    // as well
+    {"--compare", "--within"},  // a bound is for one setting
+    {"--compare", "--error"},
     {"--report", "--compare"},  // a report is of one setting (a window with both reports what is shown)
 }};
 
@@ -90,6 +99,9 @@ Action actionOf(const GivenFlags& given) {
         if (given.has(one) && given.has(other)) {
             throw UsageError(one, std::string("must not stand beside ").append(other));
         }
+    }
+    if (given.has("--measure-here") && !given.has("--within") && !given.has("--error")) {
+        throw UsageError("--measure-here", "needs --within or --error, and does nothing without");
     }
     return use.action;
 }

@@ -141,6 +141,7 @@ int runMain(int count, char** arguments) {
         Command command = parseCommandLine({arguments + 1, arguments + count});
         if (count > 0) command.program = arguments[0];
         if (command.demo) subject = command.demo->name;
+        if (command.bound) chooseByStudy(command);
         act(command);
         return 0;
     } catch (const UsageError& error) {

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <chrono>
 #include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -257,6 +258,32 @@ double timedMs(Stage& stage, const Study& study, double lastMs) {
     return milliseconds(start);
 }
 
+// Sets the times of these rows, round by round, so that what else the machine does falls on all of them. `prepare` has the
+// row's settings taken; rounds count from 1.
+void timeRows(Stage& stage, const Study& study, const std::vector<StudyRow*>& rows, int rounds,
+              const std::function<void(const StudyRow& row, int round)>& prepare) {
+    std::vector<std::vector<double>> times(rows.size());
+    for (int round = 1; round <= rounds; ++round) {
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            prepare(*rows[i], round);
+            times[i].push_back(timedMs(stage, study, times[i].empty() ? 0 : times[i].back()));
+        }
+    }
+    for (std::size_t i = 0; i < rows.size() && rounds > 0; ++i) {
+        rows[i]->rounds = rounds;
+        rows[i]->msMedian = median(times[i]);
+        for (double& time : times[i]) time = std::abs(time - rows[i]->msMedian);
+        rows[i]->msMad = median(times[i]);
+    }
+}
+
+void nameMachine(StudyRun& run, const Stage& stage) {
+    run.host = stage.driver().host;
+    run.renderer = stage.driver().renderer;
+    run.processor = processorName();
+    run.threads = static_cast<int>(std::thread::hardware_concurrency());
+}
+
 }  // namespace
 
 StudyRun runStudy(Stage& stage, const Study& study, const StudyOptions& options) {
@@ -268,14 +295,12 @@ StudyRun runStudy(Stage& stage, const Study& study, const StudyOptions& options)
     run.quantity = study.quantity;
     run.reference = study.reference;
     run.axis = study.axis;
+    run.problem = study.problem;
     run.wrongBeyond = study.wrongBeyond;
     run.width = study.ofValues ? 0 : study.width;  // numbers have no size
     run.height = study.ofValues ? 0 : study.height;
     run.frame = study.frame;
-    run.host = stage.driver().host;
-    run.renderer = stage.driver().renderer;
-    run.processor = processorName();
-    run.threads = static_cast<int>(std::thread::hardware_concurrency());
+    nameMachine(run, stage);
     run.rows = rowsOf(study);
     for (StudyRow& row : run.rows) {
         if (options.wanted && !options.wanted(row)) row.status = notMeasured;
@@ -331,24 +356,15 @@ StudyRun runStudy(Stage& stage, const Study& study, const StudyOptions& options)
         }
         left = std::move(others);
     }
-    std::vector<std::vector<double>> times(run.rows.size());
-    for (int round = 0; options.timed && round < options.rounds; ++round) {
-        for (std::size_t i = 0; i < run.rows.size(); ++i) {
-            ++step;
-            if (!run.rows[i].ok()) continue;
-            tell(at("round " + std::to_string(round + 1) + ", " + nameOf(run.rows[i])));
-            apply(run.rows[i]);
-            times[i].push_back(timedMs(stage, study, times[i].empty() ? 0 : times[i].back()));
-        }
+    std::vector<StudyRow*> timed;
+    for (StudyRow& row : run.rows) {
+        if (options.timed && row.ok()) timed.push_back(&row);
     }
-    for (std::size_t i = 0; i < run.rows.size(); ++i) {
-        if (times[i].empty()) continue;
-        StudyRow& row = run.rows[i];
-        row.rounds = static_cast<int>(times[i].size());
-        row.msMedian = median(times[i]);
-        for (double& time : times[i]) time = std::abs(time - row.msMedian);
-        row.msMad = median(times[i]);
-    }
+    timeRows(stage, study, timed, options.rounds, [&](const StudyRow& row, int round) {
+        ++step;
+        tell(at("round " + std::to_string(round) + ", " + nameOf(row)));
+        apply(row);
+    });
     markBest(run);
     applyKnobs(demo, before);
     stage.resize(width, height);
@@ -454,6 +470,91 @@ void study(const Command& command) {
     if (!anyOk) throw Error(info.name, "must have a setting that can be measured; the reasons are in the table above");
     writeFileAtomically(command.folder + "/study.svg", std::string_view(studySvg(run)));
     std::cerr << "written: study.csv, study.json and study.svg in " << command.folder << "\n";
+}
+
+// ---- --within, --error
+
+namespace {
+
+// Errors and counts are the same on every machine, times are this one's: those of these rows are measured anew.
+void timeHere(const Command& command, StudyRun& run, const StudyCandidates& found) {
+    const DemoInfo& info = *command.demo;
+    if (!info.study) throw Error("--measure-here", "needs a demo that declares how it is studied", info.name);
+    HeadlessStage headless(command.host);
+    headless.stage.open(info, info.study->width, info.study->height);
+    Demo& demo = headless.stage.demo();
+    applyKnobs(demo, command.knobs);
+    applyKnobs(demo, found.settings);
+    const std::vector<KnobSetting> before = presentSettings(demo);
+    const StudyOptions options{.progress = [](const std::string& line) { std::cerr << line << std::endl; }};
+    Teller tell(options);
+    std::vector<StudyRow*> rows;
+    for (const std::size_t i : found.rows) {
+        if (isPlotted(run.rows[i])) rows.push_back(&run.rows[i]);
+    }
+    std::size_t step = 0;
+    timeRows(headless.stage, *info.study, rows, options.rounds, [&](const StudyRow& row, int round) {
+        tell("study " + std::to_string(++step) + "/" +
+             std::to_string(rows.size() * static_cast<std::size_t>(options.rounds)) + ": round " +
+             std::to_string(round) + ", " + nameOf(row));
+        applyKnobs(demo, before);
+        applyKnobs(demo, row.settings);
+    });
+    nameMachine(run, headless.stage);
+    headless.stage.close();
+}
+
+}  // namespace
+
+void chooseByStudy(Command& command) {
+    const DemoInfo& info = *command.demo;
+    const StudyBound& bound = command.bound.value();
+    const bool ofTime = bound.of == StudyBound::Of::time;
+    const std::string flag = ofTime ? "--within" : "--error";
+    auto run = committedStudy(info.name);
+    if (!run) throw Error(flag, "needs a demo whose study is committed; those: see docs/errors-and-times", info.name);
+    if (bound.percent && run->axis == ErrorAxis::rms) {
+        throw UsageError(flag, "must be a number here and no part in percent: the study's error is the " +
+                                   errorName(run->axis) + " of " + run->quantity);
+    }
+    const auto demo = info.make();
+    applyKnobs(*demo, command.knobs);
+    const auto firstGiven = command.knobs.begin() + static_cast<std::ptrdiff_t>(command.presetKnobs);
+    const std::vector<KnobSetting> given(firstGiven, command.knobs.end());
+    const StudyCandidates found = candidates(*run, info, *demo, given, flag);
+    if (command.measureHere) timeHere(command, *run, found);
+
+    const std::string where = found.scene.empty() ? "" : " in '" + found.scene + "'";
+    const auto chosen = rowWithin(*run, found.rows, bound);
+    if (!chosen) {
+        const auto nearest = nearestTo(*run, found.rows, bound);
+        if (!nearest) throw Error(flag, "needs a setting that was measured" + where);
+        const StudyRow& row = run->rows[*nearest];
+        throw Error(flag,
+                    "must be at least " +
+                        (ofTime ? numberText(row.msMedian) + "ms" : numberText(run->shownError(row))) + where +
+                        ", by " + rowSentence(*run, row),
+                    boundText(bound));
+    }
+    const StudyRow& row = run->rows[*chosen];
+    const auto measured =
+        std::count_if(found.rows.begin(), found.rows.end(), [&](std::size_t i) { return isPlotted(run->rows[i]); });
+    std::cerr << "note: " << flag << " " << boundText(bound) << where << ": " << rowSentence(*run, row) << "; "
+              << (ofTime ? "the most exact" : "the cheapest") << " of " << measured
+              << " settings that keeps it\nnote: the error is of: " << run->quantity << "\nnote: times "
+              << (command.measureHere ? "measured here" : "of the committed study")
+              << ", of " + (run->width > 0 ? "a frame of " + std::to_string(run->width) + "x" +
+                                                 std::to_string(run->height) + " pixels"
+                                           : std::string("the values alone"))
+              << ": " << machineText(*run) << "\n";
+    std::vector<KnobSetting> settings = found.settings;
+    settings.insert(settings.end(), row.settings.begin(), row.settings.end());
+    applyKnobs(*demo, settings);
+    if (const std::string others = measuredOtherwise(row, *demo); !others.empty()) {
+        std::cerr << "note: it was measured with the initial values of " << others << "\n";
+    }
+    command.knobs.insert(firstGiven, settings.begin(), settings.end());
+    command.presetKnobs += settings.size();
 }
 
 }  // namespace mv

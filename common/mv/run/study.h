@@ -32,7 +32,6 @@ StudyRun runStudy(Stage& stage, const Study& study, const StudyOptions& options)
 // where it is exactly that), what a row counted, how the reference was made, and where the study was measured.
 std::vector<std::string> scenesOf(const StudyRun& run);
 std::vector<std::string> methodsOf(const StudyRun& run, const std::string& scene);
-std::string errorText(double value);
 std::string countsText(const StudyRow& row);
 std::string referenceText(const StudyRun& run);
 std::string machineText(const StudyRun& run);
@@ -46,6 +45,11 @@ std::string studySvg(const StudyRun& run);
 
 // --study DIR: runs, prints the table, writes study.csv, study.json and study.svg into the folder.
 void study(const Command& command);
+
+// --within, --error: adds the settings of the study's row that keeps command.bound best to the command's knobs, before those
+// that were given, which they agree with, and says on standard error which row that is, why, and whose times said so.
+// Error: the demo has no committed study; no row keeps the bound, with the nearest one; as candidates().
+void chooseByStudy(Command& command);
 
 // docs/errors-and-times/<demo>.md, from a committed run.
 std::string studyPage(const StudyRun& run, const DemoInfo& info);

@@ -7,7 +7,9 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "mv/demo/number.h"
 #include "mv/error.h"
+#include "mv/run/words.h"
 
 namespace mv {
 namespace {
@@ -30,17 +32,25 @@ Json errorJson(const StudyError& error) {
             {"n", error.n}};
 }
 
-// Slope of log y over log parameter, by least squares.
-std::optional<double> slope(const StudyRun& run, const std::string& scene, const std::string& method,
-                            const std::function<double(const StudyRow&)>& y) {
+std::optional<double> numberIn(const std::string& text) {
+    double value = 0;
+    if (!readNumber(text, value)) return {};
+    return value;
+}
+
+// The slope of a line's rows; nothing where fewer than three of them have both numbers positive.
+using OfRow = std::function<double(const StudyRow&)>;
+std::optional<double> slope(const StudyRun& run, const std::string& scene, const std::string& method, const OfRow& x,
+                            const OfRow& y) {
     std::vector<std::pair<double, double>> points;
     for (const StudyRow& row : run.rows) {
         if (row.scene != scene || row.method != method || !row.ok()) continue;
-        const auto parameter = parameterOf(row);
-        if (parameter && *parameter > 0 && y(row) > 0) points.emplace_back(*parameter, y(row));
+        if (x(row) > 0 && y(row) > 0) points.emplace_back(x(row), y(row));
     }
     return logarithmicSlope(points);
 }
+
+double parameterOrZero(const StudyRow& row) { return parameterOf(row).value_or(0); }
 
 std::string csvField(const std::string& text) {
     if (text.find_first_of(",\"\n") == std::string::npos) return text;
@@ -54,13 +64,7 @@ std::string csvField(const std::string& text) {
 
 }  // namespace
 
-std::optional<double> parameterOf(const StudyRow& row) {
-    const std::string& text = row.parameter;
-    double value = 0;
-    const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (result.ec != std::errc() || result.ptr != text.data() + text.size()) return {};
-    return value;
-}
+std::optional<double> parameterOf(const StudyRow& row) { return numberIn(row.parameter); }
 
 std::optional<double> logarithmicSlope(const std::vector<std::pair<double, double>>& points) {
     if (points.size() < 3) return {};
@@ -78,23 +82,89 @@ std::optional<double> logarithmicSlope(const std::vector<std::pair<double, doubl
 }
 
 std::optional<double> errorSlope(const StudyRun& run, const std::string& scene, const std::string& method) {
-    return slope(run, scene, method, [&](const StudyRow& row) { return run.shownError(row); });
+    return slope(run, scene, method, parameterOrZero, [&](const StudyRow& row) { return run.shownError(row); });
 }
 
 std::optional<double> timeSlope(const StudyRun& run, const std::string& scene, const std::string& method) {
-    return slope(run, scene, method, [](const StudyRow& row) { return row.msMedian; });
+    return slope(run, scene, method, parameterOrZero, [](const StudyRow& row) { return row.msMedian; });
+}
+
+std::optional<double> drawnSlope(const StudyRun& run, const std::string& scene, const std::string& method) {
+    double least = 0, most = 0;
+    for (const StudyRow& row : run.rows) {
+        if (row.scene != scene || row.method != method || !isOnLine(run, row)) continue;
+        least = least == 0 ? run.shownError(row) : std::min(least, run.shownError(row));
+        most = std::max(most, run.shownError(row));
+    }
+    if (most < 2 * least) return {};
+    return slope(
+        run, scene, method, [&](const StudyRow& row) { return isPlotted(row) ? run.shownError(row) : 0; },
+        [](const StudyRow& row) { return row.msMedian; });
+}
+
+bool isPlotted(const StudyRow& row) { return row.ok() && row.rounds > 0 && row.msMedian > 0; }
+
+bool isOnLine(const StudyRun& run, const StudyRow& row) { return isPlotted(row) && run.shownError(row) > 0; }
+
+std::string errorText(double value) { return value == 0 ? "0" : formatted("%.3g", value); }
+
+std::string errorName(ErrorAxis axis) {
+    return axis == ErrorAxis::rms ? "root mean square error" : "part that is wrong";
+}
+
+std::string knobOf(const StudyRun& run, const std::string& scene, const std::string& method) {
+    // Of the settings that have each row's parameter for their value, the last one: rows set the line's knob last.
+    std::vector<std::string> names;
+    bool any = false;
+    for (const StudyRow& row : run.rows) {
+        if (row.scene != scene || row.method != method || row.parameter.empty()) continue;
+        std::vector<std::string> here;
+        for (const KnobSetting& setting : row.settings) {
+            const bool before = !any || std::find(names.begin(), names.end(), setting.name) != names.end();
+            if (before && setting.text == row.parameter) here.push_back(setting.name);
+        }
+        names = std::move(here);
+        any = true;
+    }
+    if (!any) return "";
+    return names.empty() ? "p" : names.back();
+}
+
+std::string problemOf(const StudyRun& run, const StudyRow& row) {
+    for (auto setting = row.settings.rbegin(); setting != row.settings.rend(); ++setting) {
+        if (run.problem.empty() || setting->name != run.problem) continue;
+        const auto value = numberIn(setting->text);  // "1e4" and "10000" are one problem
+        return value ? numberText(*value) : setting->text;
+    }
+    return "";
+}
+
+bool compete(const StudyRun& run, const StudyRow& one, const StudyRow& other) {
+    return one.scene == other.scene && problemOf(run, one) == problemOf(run, other);
 }
 
 void markBest(StudyRun& run) {
+    // From the most exact on, of equally exact ones the fastest first: whatever may beat a row is judged before it.
+    std::vector<StudyRow*> order;
     for (StudyRow& row : run.rows) {
-        row.best =
-            row.ok() && row.rounds > 0 && std::none_of(run.rows.begin(), run.rows.end(), [&](const StudyRow& other) {
-                if (!other.ok() || other.scene != row.scene) return false;
-                const double nearer = run.shownError(row) - run.shownError(other);
-                const double faster = row.msMedian - other.msMedian;
-                return nearer >= 0 && faster >= 0 && (nearer > 0 || faster > 0);
-            });
+        row.best = false;
+        if (row.ok() && row.rounds > 0) order.push_back(&row);
     }
+    std::stable_sort(order.begin(), order.end(), [&](const StudyRow* a, const StudyRow* b) {
+        return std::pair(run.shownError(*a), a->msMedian) < std::pair(run.shownError(*b), b->msMedian);
+    });
+    for (auto row = order.begin(); row != order.end(); ++row) {
+        // Two standard errors of the difference of two medians of 7 are about the sum of both deviations.
+        (*row)->best = std::none_of(order.begin(), row, [&](const StudyRow* nearer) {
+            return nearer->best && compete(run, *nearer, **row) &&
+                   nearer->msMedian <= (*row)->msMedian + nearer->msMad + (*row)->msMad;
+        });
+    }
+}
+
+std::string bestText(const StudyRun& run) {
+    return "no other best row" + (run.problem.empty() ? "" : " of the same " + run.problem) +
+           " is as near without being measurably slower";
 }
 
 std::string studyJson(const StudyRun& run) {
@@ -103,6 +173,7 @@ std::string studyJson(const StudyRun& run) {
     json["quantity"] = run.quantity;
     json["reference"] = run.reference;
     json["axis"] = run.axis == ErrorAxis::rms ? "rms" : "fraction";
+    if (!run.problem.empty()) json["problem"] = run.problem;
     json["wrong_beyond"] = run.wrongBeyond;
     json["width"] = run.width;
     json["height"] = run.height;
@@ -192,6 +263,7 @@ StudyRun readStudy(const std::string& text) {
         run.quantity = in(json, "quantity");
         run.reference = in(json, "reference");
         run.axis = in(json, "axis") == "rms" ? ErrorAxis::rms : ErrorAxis::fraction;
+        if (json.contains("problem")) run.problem = in(json, "problem");
         run.wrongBeyond = in(json, "wrong_beyond");
         run.width = in(json, "width");
         run.height = in(json, "height");

@@ -27,13 +27,14 @@ struct StudyRow {
     int rounds = 0;
     std::vector<std::pair<std::string, double>> counts;  // triangles, fragments, passes, taps ...
     std::string status = "ok";                           // or why there is no number
-    bool best = false;  // no other row of the scene is both nearer to the reference and faster
+    bool best = false;                                   // Pareto-best; see markBest()
     bool ok() const { return status == "ok"; }
 };
 
 struct StudyRun {
     std::string demo, quantity, reference;
     ErrorAxis axis = ErrorAxis::rms;
+    std::string problem;  // Study::problem
     double wrongBeyond = 0.5;
     int width = 0, height = 0, frame = 1;                         // of the picture; 0x0 for a study of values
     std::string host, renderer, processor;                        // who drew, and on what
@@ -56,8 +57,32 @@ std::optional<double> parameterOf(const StudyRow& row);
 // The least-squares slope of log y over log x, for positive x and y; nothing of fewer than three points, or of one x.
 std::optional<double> logarithmicSlope(const std::vector<std::pair<double, double>>& points);
 
-// Marks the rows that are Pareto-best in their scene.
+// The same of the line as it is drawn, time over error: the time goes as error^slope. Of the points that have a positive
+// error and a time; nothing where these are fewer than three, or their errors within a factor of 2 of each other.
+std::optional<double> drawnSlope(const StudyRun& run, const std::string& scene, const std::string& method);
+
+// The rows whose points are on the line that is drawn: with a positive error and a time.
+bool isOnLine(const StudyRun& run, const StudyRow& row);
+// A row that has a place in the plot: measured, with a time.
+bool isPlotted(const StudyRow& row);
+
+// "0.00123", and "0" where it is exactly that.
+std::string errorText(double value);
+// The error that the plot shows, in words: "root mean square error" or "part that is wrong".
+std::string errorName(ErrorAxis axis);
+
+// The knob that moves along a line, "resolution"; "" for a single point, and "p" where no setting of the rows tells.
+std::string knobOf(const StudyRun& run, const std::string& scene, const std::string& method);
+// The value of Study::problem in a row as the row sets it, "1e4"; "" where it does not, or where no knob is the problem.
+std::string problemOf(const StudyRun& run, const StudyRow& row);
+// Whether two rows are of one scene and of equal problems, so that one may be better than the other.
+bool compete(const StudyRun& run, const StudyRow& one, const StudyRow& other);
+
+// Marks the rows that are Pareto-best among those they compete with: none of these that is best, too, is as near to the
+// reference or nearer and not measurably slower, which is by more than the deviations of both times.
 void markBest(StudyRun& run);
+// The same in words: "no other best row of the same far is as near without being measurably slower".
+std::string bestText(const StudyRun& run);
 
 std::string studyJson(const StudyRun& run);
 std::string studyCsv(const StudyRun& run);

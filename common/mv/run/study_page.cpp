@@ -121,8 +121,8 @@ std::string studyPage(const StudyRun& run, const DemoInfo& info) {
            "```\n./run " +
            run.demo +
            " --study out\n```\n\n## Errors and times\n\np is the value of the knob that moves along the "
-           "line; *best*: no other row of its scene is both nearer to the\nreference and faster.\n\n" +
-           errorTable(run) + slopeList(run) + countTable(run);
+           "line; *best*: " +
+           bestText(run) + ".\n\n" + errorTable(run) + slopeList(run) + countTable(run);
 }
 
 }  // namespace mv

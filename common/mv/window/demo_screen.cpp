@@ -50,6 +50,7 @@ DemoScreen::DemoScreen(Window& window, Gui& gui, Stage& stage, const Command& co
       knobs_(gui, session_),
       study_(*command.demo, gui),
       hand_(gui) {
+    if (command.bound) study_.ask(*command.bound);
     const bool sizeGiven = command.width > 0;
     const int width = stage_.front().width(), height = stage_.front().height();
     if (!command.compareKnob.empty()) {

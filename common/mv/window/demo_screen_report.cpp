@@ -32,6 +32,7 @@ void DemoScreen::report(const WindowState& state) {
     if (study_.any()) {
         window["study"] = study_.origin();
         window["here"] = study_.here(session_.demo());
+        window["asked"] = study_.asked(session_.demo());
         window["measuring"] = study_.measuring();
     }
     if (comparison_.drawn()) {

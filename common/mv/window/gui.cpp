@@ -186,18 +186,37 @@ bool button(const char* label, ImVec2 size) {
     return pressed;
 }
 
+std::string brokenAtSpaces(const std::string& text, float width) {
+    std::string broken, line;
+    for (std::size_t from = 0; from < text.size();) {
+        // A word with the space before it, or the end of a line
+        std::size_t end = std::min(text.find_first_of(" \n", from + 1), text.size());
+        if (text[from] == '\n') end = from + 1;
+        const std::string word = text.substr(from, end - from);
+        from = end;
+        if (word == "\n" || (!line.empty() && ImGui::CalcTextSize((line + word).c_str()).x > width)) {
+            broken += line + "\n";
+            line = word.substr(word.front() == ' ' || word.front() == '\n' ? 1 : 0);
+        } else {
+            line += word;
+        }
+    }
+    return broken + line;
+}
+
 void tooltip(const std::string& text) {
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    const float width = ImGui::GetFontSize() * 20;
     ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(ImGui::GetFontSize() * 20);
-    ImGui::TextUnformatted(text.c_str());
+    ImGui::PushTextWrapPos(width);
+    ImGui::TextUnformatted(brokenAtSpaces(text, width).c_str());
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
 }
 
 void wrapped(const std::string& text) {
     ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(text.c_str());
+    ImGui::TextUnformatted(brokenAtSpaces(text, ImGui::GetContentRegionAvail().x).c_str());
     ImGui::PopTextWrapPos();
 }
 

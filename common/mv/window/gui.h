@@ -72,6 +72,9 @@ void notePlace(const std::string& name, const ImVec4& place);
 bool button(const char* label, ImVec2 size = {0, 0});
 // Words under the last widget while the mouse is on it, also where it is disabled.
 void tooltip(const std::string& text);
+// The words in lines no wider than that, broken at spaces alone: Dear ImGui breaks after a point as well, and so "0.0108" in
+// two. What is to stay together has U+00A0 between.
+std::string brokenAtSpaces(const std::string& text, float width);
 // Words as they are, no wider than the panel.
 void wrapped(const std::string& text);
 void wrapped(const ImVec4& color, const std::string& text);

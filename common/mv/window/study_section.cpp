@@ -163,6 +163,49 @@ std::string StudySection::here(const Demo& demo) const {
     return row ? rowName(shown_->rows[*row]) : "";
 }
 
+// The rows of the shown scene that compete for the present problem; none where the study has not that problem, which a click
+// on an axis says.
+std::vector<std::size_t> StudySection::choosable(const Demo& demo) const {
+    try {
+        return rowsOfProblem(*shown_, scenes_[scene_], demo, "axis");
+    } catch (const Error&) {
+        return {};
+    }
+}
+
+bool StudySection::take(Demo& demo, std::size_t row) {
+    problem_.clear();
+    if (settings_[row]) {
+        applyKnobs(demo, *settings_[row]);
+        return true;
+    }
+    problem_ = rowName(shown_->rows[row]) + ": its settings are no longer what the knobs take";
+    return false;
+}
+
+bool StudySection::choose(Demo& demo, const StudyBound& bound, const std::vector<std::size_t>& rows) {
+    bound_ = bound;
+    problem_.clear();
+    try {
+        if (rows.empty()) rowsOfProblem(*shown_, scenes_[scene_], demo, "axis");  // says why there are none
+    } catch (const Error& error) {
+        problem_ = error.what();
+        return false;
+    }
+    if (const auto chosen = rowWithin(*shown_, rows, bound)) return take(demo, *chosen);
+    const auto nearest = nearestTo(*shown_, rows, bound);
+    problem_ = "No setting keeps " + boundText(bound) +
+               (nearest ? "; the nearest is " + rowSentence(*shown_, shown_->rows[*nearest]) : "");
+    return false;
+}
+
+std::string StudySection::asked(const Demo& demo) const {
+    if (!bound_ || !shown_ || scenes_.empty()) return "";
+    const auto chosen = rowWithin(*shown_, choosable(demo), *bound_);
+    return std::string(bound_->of == StudyBound::Of::time ? "time " : "error ") + boundText(*bound_) + ": " +
+           (chosen ? rowName(shown_->rows[*chosen]) : "nothing");
+}
+
 void StudySection::chooseScene() {
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
     const bool open = ImGui::BeginCombo("##scene", ("Scene: " + scenes_[scene_]).c_str());
@@ -180,14 +223,7 @@ void StudySection::chooseScene() {
 
 void StudySection::showWords(const Demo& demo, std::optional<std::size_t> here) const {
     if (here) {
-        // The row was measured with all other knobs at their initial values.
-        std::string others;
-        for (const Knob* knob : demo.knobs()) {
-            const auto& set = *settings_[*here];
-            const bool isSet =
-                std::any_of(set.begin(), set.end(), [&](const KnobSetting& s) { return s.name == knob->name(); });
-            if (!isSet && !knob->isInitial()) others += (others.empty() ? "" : ", ") + knob->name();
-        }
+        const std::string others = measuredOtherwise(shown_->rows[*here], demo);
         if (!others.empty()) wrapped(color::note, "Here, but measured with other values of " + others + ".");
     }
     for (const StudyRow& row : shown_->rows) {
@@ -203,12 +239,13 @@ bool StudySection::show(Demo& demo) {
         if (!sceneFound_) findScene(demo);
         if (scenes_.size() > 1) chooseScene();
         const auto here = rowHere(demo);
-        const auto clicked = showStudyPlot(*shown_, scenes_[scene_], here, gui_.scale());
-        if (clicked && settings_[*clicked]) {
-            applyKnobs(demo, *settings_[*clicked]);
-            moved = true;
-        } else if (clicked) {
-            problem_ = rowName(shown_->rows[*clicked]) + ": its settings are no longer what the knobs take";
+        StudyPlotMarks marks{.here = here, .bound = bound_, .rows = choosable(demo)};
+        if (bound_) marks.chosen = rowWithin(*shown_, marks.rows, *bound_);
+        const StudyPlotClick click = showStudyPlot(*shown_, scenes_[scene_], marks, gui_.scale());
+        if (click.bound) moved = choose(demo, *click.bound, marks.rows);
+        if (click.row) {
+            bound_.reset();
+            moved = take(demo, *click.row);
         }
         showWords(demo, here);
     }

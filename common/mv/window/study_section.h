@@ -6,7 +6,7 @@
 
 #include "mv/demo/demo.h"
 #include "mv/image/file.h"
-#include "mv/run/study_data.h"
+#include "mv/run/study_choice.h"
 #include "mv/window/child.h"
 #include "mv/window/gui.h"
 
@@ -22,12 +22,16 @@ class StudySection {
     bool advance();
     // Shows the plot and the buttons; true when the settings of a point were taken.
     bool show(Demo& demo);
+    // Marks what the command line asked for, whose setting the demo has.
+    void ask(const StudyBound& bound) { bound_ = bound; }
 
     bool measuring() const { return measurement_.has_value(); }
     // Where the study that is shown was measured, in a sentence; "" where none is.
     std::string origin() const;
     // The row of the present settings: its name, "" for none.
     std::string here(const Demo& demo) const;
+    // What was asked for by a click on an axis, and the row that was chosen: "error 0.02: simpson 16"; "" for nothing.
+    std::string asked(const Demo& demo) const;
 
   private:
     struct Measurement {
@@ -43,6 +47,9 @@ class StudySection {
     void finish(int status);
     std::optional<std::size_t> rowHere(const Demo& demo) const;
     void findScene(const Demo& demo);
+    std::vector<std::size_t> choosable(const Demo& demo) const;
+    bool choose(Demo& demo, const StudyBound& bound, const std::vector<std::size_t>& rows);
+    bool take(Demo& demo, std::size_t row);
     void showWords(const Demo& demo, std::optional<std::size_t> here) const;
     void showMeasurement();
     void chooseScene();
@@ -54,6 +61,7 @@ class StudySection {
     std::vector<std::string> scenes_;
     std::size_t scene_ = 0;
     bool sceneFound_ = false;
+    std::optional<StudyBound> bound_;  // that was asked for last
     // What the knobs say after a row was set; nothing where they refuse it.
     std::vector<std::optional<std::vector<KnobSetting>>> settings_;
     std::optional<Measurement> measurement_;

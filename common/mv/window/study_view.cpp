@@ -7,252 +7,260 @@
 #include <vector>
 
 #include "mv/run/study.h"
+#include "mv/run/study_chart.h"
 #include "mv/run/words.h"
 
 namespace mv {
 namespace {
 
-// Told apart by their shapes too, for eyes that do not tell the colours apart.
-constexpr std::array<ImU32, 8> colors{IM_COL32(105, 170, 245, 255), IM_COL32(255, 165, 75, 255),
-                                      IM_COL32(120, 210, 120, 255), IM_COL32(245, 120, 120, 255),
-                                      IM_COL32(190, 155, 245, 255), IM_COL32(240, 225, 100, 255),
-                                      IM_COL32(100, 215, 215, 255), IM_COL32(245, 155, 205, 255)};
+// ---- The looks of the lines, as study_look.h has them
 
-void drawMarker(ImDrawList& list, ImVec2 at, std::size_t method, float size) {
-    const ImU32 color = colors[method % colors.size()];
-    switch (method % 4) {
-        case 0:
-            return list.AddCircleFilled(at, size, color);
-        case 1:
-            return list.AddRectFilled({at.x - size, at.y - size}, {at.x + size, at.y + size}, color);
-        case 2:
-            return list.AddNgonFilled(at, size * 1.4F, color, 4);
-        default:
-            return list.AddTriangleFilled({at.x, at.y - size * 1.3F}, {at.x + size * 1.2F, at.y + size},
-                                          {at.x - size * 1.2F, at.y + size}, color);
-    }
+ImU32 colorOf(const SeriesLook& look) {
+    const Rgb rgb = look.on(whiteInk);
+    return IM_COL32(rgb >> 16U & 0xFFU, rgb >> 8U & 0xFFU, rgb & 0xFFU, 255);
 }
 
-// ---- A logarithmic axis
-
-double decadeOf(double value) { return std::pow(10, std::floor(std::log10(value))); }
-
-// 1, 2 or 5 times a power of ten: the next one down or up.
-double niceBelow(double value) {
-    const double decade = decadeOf(value);
-    for (const double step : {5.0, 2.0}) {
-        if (step * decade <= value) return step * decade;
+// Corners round a middle, from the top on; the first is `turn` of a whole turn further.
+std::array<ImVec2, 5> cornersRound(ImVec2 at, std::size_t count, float radius, float turn) {
+    std::array<ImVec2, 5> corners{};
+    for (std::size_t i = 0; i < count; ++i) {
+        const float angle = 6.2831853F * (static_cast<float>(i) / static_cast<float>(count) + turn);
+        corners[i] = {at.x + radius * std::sin(angle), at.y - radius * std::cos(angle)};
     }
-    return decade;
-}
-double niceAbove(double value) {
-    const double decade = decadeOf(value);
-    for (const double step : {1.0, 2.0, 5.0}) {
-        if (step * decade >= value) return step * decade;
-    }
-    return 10 * decade;
+    return corners;
 }
 
-struct Axis {
-    double low, high;  // values
-    float from, to;    // positions on the screen
-    float at(double value) const {
-        return from + (to - from) * static_cast<float>(std::log(value / low) / std::log(high / low));
-    }
-};
-
-struct Tick {
-    double value;
-    bool decade;
-};
-
-std::vector<Tick> ticks(const Axis& axis) {
-    std::vector<Tick> all;
-    const int last = static_cast<int>(std::floor(std::log10(axis.high * 1.001)));
-    for (int power = static_cast<int>(std::floor(std::log10(axis.low))); power <= last; ++power) {
-        for (const double step : {1.0, 2.0, 5.0}) {
-            const double value = step * std::pow(10, power);
-            if (value >= axis.low * 0.999 && value <= axis.high * 1.001) all.push_back({value, step == 1});
+void drawMarker(ImDrawList& list, ImVec2 at, const SeriesLook& look, float size, float scale) {
+    const ImU32 color = colorOf(look);
+    const float stroke = 1.6F * scale;
+    const auto corners = [&](std::size_t count, float radius, float turn, bool filled) {
+        const auto points = cornersRound(at, count, radius * size, turn);
+        if (filled) return list.AddConvexPolyFilled(points.data(), static_cast<int>(count), color);
+        list.AddPolyline(points.data(), static_cast<int>(count), color, ImDrawFlags_Closed, stroke);
+    };
+    const auto strokes = [&](std::size_t count, float turn) {  // through the middle
+        for (std::size_t i = 0; i < count; ++i) {
+            const float part = static_cast<float>(i) / static_cast<float>(2 * count) + turn;
+            const auto [to, from, unused1, unused2, unused3] = cornersRound(at, 2, 1.25F * size, part);
+            list.AddLine(from, to, color, stroke);
         }
+    };
+    switch (look.mark) {
+        case Mark::disc:
+            return list.AddCircleFilled(at, size, color);
+        case Mark::square:
+            return corners(4, 1.3F, 0.125F, true);
+        case Mark::triangle:
+            return corners(3, 1.4F, 0, true);
+        case Mark::diamond:
+            return corners(4, 1.4F, 0, true);
+        case Mark::wedge:
+            return corners(3, 1.4F, 0.5F, true);
+        case Mark::openSquare:
+            return corners(4, 1.3F, 0.125F, false);
+        case Mark::openTriangle:
+            return corners(3, 1.4F, 0, false);
+        case Mark::openDiamond:
+            return corners(4, 1.4F, 0, false);
+        case Mark::openWedge:
+            return corners(3, 1.4F, 0.5F, false);
+        case Mark::cross:
+            return strokes(2, 0.125F);
+        case Mark::plus:
+            return strokes(2, 0);
+        case Mark::pentagon:
+            return corners(5, 1.3F, 0, true);
+        case Mark::star:
+            return strokes(3, 0);
     }
-    return all;
 }
 
-std::string superscript(int number) {
-    static constexpr std::array<const char*, 10> digits{"\u2070", "\u00B9", "\u00B2", "\u00B3", "\u2074",
-                                                        "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
-    std::string text = number < 0 ? "\u207B" : "";
-    for (const char c : std::to_string(std::abs(number))) text += digits[static_cast<std::size_t>(c - '0')];
-    return text;
+// In pieces of `on` pixels, `off` apart.
+void drawDashes(ImDrawList& list, ImVec2 from, ImVec2 to, ImU32 color, float thickness, float on, float off) {
+    const float length = std::hypot(to.x - from.x, to.y - from.y);
+    const int pieces = static_cast<int>(std::ceil(length / (on + off)));
+    for (int i = 0; i < pieces; ++i) {
+        const float start = static_cast<float>(i) * (on + off) / length;
+        const float end = std::min(1.0F, start + on / length);
+        list.AddLine({from.x + (to.x - from.x) * start, from.y + (to.y - from.y) * start},
+                     {from.x + (to.x - from.x) * end, from.y + (to.y - from.y) * end}, color, thickness);
+    }
 }
 
-// Plain numbers, or powers of ten for all of an axis where some would be long.
-std::string tickText(const Axis& axis, const Tick& tick) {
-    if (axis.low > 0.9e-4 && axis.high < 1.1e5) return formatted("%g", tick.value);
-    const int power = static_cast<int>(std::lround(std::log10(decadeOf(tick.value * 1.001))));
-    const double factor = tick.value / std::pow(10, power);
-    return (tick.decade ? "" : formatted("%.0f\u00B7", factor)) + "10" + superscript(power);
+void drawStroke(ImDrawList& list, ImVec2 from, ImVec2 to, const SeriesLook& look, float scale) {
+    const float thickness = 1.5F * scale;
+    switch (look.dash) {
+        case Dash::solid:
+            return list.AddLine(from, to, colorOf(look), thickness);
+        case Dash::dashed:
+            return drawDashes(list, from, to, colorOf(look), thickness, 7 * scale, 4 * scale);
+        case Dash::dotted:
+            return drawDashes(list, from, to, colorOf(look), thickness, 2 * scale, 3 * scale);
+    }
 }
+
+ImVec2 onScreen(double x, double y) { return {static_cast<float>(x), static_cast<float>(y)}; }
 
 // ---- The plot's frame
 
-constexpr float plotHeight = 230, zeroWidth = 26;  // pixels at ordinary density
+constexpr float plotHeight = 230;  // pixels at ordinary density
+
+double widthOf(const std::string& text) { return double(ImGui::CalcTextSize(text.c_str()).x); }
 
 struct Plot {
+    ChartSpace space;
+    Chart chart;
     ImVec2 low, high;  // of the area with the points
-    Axis x, y;
-    float zeroX = 0;  // where the rows without any error stand
-    bool anyZero = false;
-
-    ImVec2 at(double error, double time) const { return {error > 0 ? x.at(error) : zeroX, y.at(time)}; }
+    float line = 0;    // height of one of text
 };
-
-bool plotted(const StudyRow& row, const std::string& scene) {
-    return row.scene == scene && row.ok() && row.rounds > 0 && row.msMedian > 0;
-}
 
 // Nothing where no row has a time.
 std::optional<Plot> layOut(const StudyRun& run, const std::string& scene, ImVec2 corner, float width, float scale) {
-    double nearest = 0, farthest = 0, fastest = 0, slowest = 0;
-    Plot plot{};
-    for (const StudyRow& row : run.rows) {
-        if (!plotted(row, scene)) continue;
-        fastest = fastest == 0 ? row.msMedian : std::min(fastest, row.msMedian);
-        slowest = std::max(slowest, row.msMedian);
-        const double error = run.shownError(row);
-        plot.anyZero |= error == 0;
-        if (error <= 0) continue;
-        nearest = nearest == 0 ? error : std::min(nearest, error);
-        farthest = std::max(farthest, error);
-    }
-    if (fastest == 0) return {};
-    if (nearest == 0) nearest = farthest = 1;
-    const float line = ImGui::GetTextLineHeight();
-    plot.y = {niceBelow(fastest / 1.2), niceAbove(slowest * 1.2), 0, 0};
-    float labels = 0;
-    for (const Tick& tick : ticks(plot.y)) {
-        labels = std::max(labels, ImGui::CalcTextSize(tickText(plot.y, tick).c_str()).x);
-    }
-    plot.low = {corner.x + labels + 6 * scale, corner.y + 1.6F * line};
+    Plot plot;
+    plot.line = ImGui::GetTextLineHeight();
+    plot.space.line = double(plot.line);
+    plot.space.mark = 4 * double(scale);
+    plot.space.width = widthOf;
+    plot.low = {corner.x, corner.y + 1.6F * plot.line};
     plot.high = {corner.x + width, plot.low.y + plotHeight * scale};
-    plot.y.from = plot.high.y;
-    plot.y.to = plot.low.y;
-    plot.zeroX = plot.low.x + zeroWidth * scale / 2;
-    plot.x = {niceBelow(nearest / 1.2), niceAbove(farthest * 1.2), plot.low.x + (plot.anyZero ? zeroWidth * scale : 0),
-              plot.high.x};
+    const auto setArea = [&] {
+        plot.space.area = {double(plot.low.x), double(plot.low.y), double(plot.high.x), double(plot.high.y)};
+    };
+    setArea();
+    plot.low.x += static_cast<float>(timeLabelWidth(run, scene, plot.space)) + 6 * scale;
+    setArea();
+    auto chart = layOutChart(run, scene, plot.space);
+    if (!chart) return {};
+    plot.chart = std::move(*chart);
     return plot;
-}
-
-// The labels of an axis, the powers of ten first, the others where there is room beside them and what is `taken`.
-template <class Place>
-void label(ImDrawList& list, const Axis& axis, bool across, const Place& place,
-           std::vector<std::pair<float, float>> taken = {}) {
-    for (const bool decades : {true, false}) {
-        for (const Tick& tick : ticks(axis)) {
-            if (tick.decade != decades) continue;
-            const std::string text = tickText(axis, tick);
-            const ImVec2 size = ImGui::CalcTextSize(text.c_str()), at = place(axis.at(tick.value), size);
-            const float from = across ? at.x - 4 : at.y, to = across ? at.x + size.x + 4 : at.y + size.y;
-            if (std::any_of(taken.begin(), taken.end(), [&](auto& t) { return from < t.second && t.first < to; })) {
-                continue;
-            }
-            taken.emplace_back(from, to);
-            list.AddText(at, ImGui::GetColorU32(color::dim), text.c_str());
-        }
-    }
 }
 
 void drawFrame(ImDrawList& list, const StudyRun& run, const Plot& plot, ImVec2 corner, float scale) {
     const ImU32 ink = ImGui::GetColorU32(color::dim), grid = ImGui::GetColorU32(ImGuiCol_Separator);
     const ImVec4 faint = ImGui::GetStyleColorVec4(ImGuiCol_Separator);
     const ImU32 faintGrid = ImGui::GetColorU32({faint.x, faint.y, faint.z, 0.45F});
-    const float line = ImGui::GetTextLineHeight();
+    const Chart& chart = plot.chart;
     list.AddRectFilled(plot.low, plot.high, ImGui::GetColorU32({0, 0, 0, 0.25F}));
-    for (const Tick& tick : ticks(plot.x)) {
-        list.AddLine({plot.x.at(tick.value), plot.low.y}, {plot.x.at(tick.value), plot.high.y},
-                     tick.decade ? grid : faintGrid);
+    const float below = plot.high.y + 3 * scale;
+    for (const ChartTick& tick : chart.errorTicks) {
+        const float x = static_cast<float>(chart.error.at(tick.value));
+        list.AddLine({x, plot.low.y}, {x, plot.high.y}, tick.power ? grid : faintGrid);
+        list.AddText({static_cast<float>(tick.labelFrom), below}, ink, tick.label.c_str());
     }
-    for (const Tick& tick : ticks(plot.y)) {
-        list.AddLine({plot.low.x, plot.y.at(tick.value)}, {plot.high.x, plot.y.at(tick.value)},
-                     tick.decade ? grid : faintGrid);
+    for (const ChartTick& tick : chart.timeTicks) {
+        const float y = static_cast<float>(chart.time.at(tick.value));
+        list.AddLine({plot.low.x, y}, {plot.high.x, y}, tick.power ? grid : faintGrid);
+        const ImVec2 size = ImGui::CalcTextSize(tick.label.c_str());
+        list.AddText({plot.low.x - size.x - 4 * scale, y - size.y / 2}, ink, tick.label.c_str());
     }
     list.AddLine({plot.low.x, plot.low.y}, {plot.low.x, plot.high.y}, ink);
     list.AddLine({plot.low.x, plot.high.y}, plot.high, ink);
-    const float below = plot.high.y + 3 * scale;
-    std::vector<std::pair<float, float>> taken;
-    if (plot.anyZero) {
-        const int dashes = static_cast<int>((plot.high.y - plot.low.y) / (6 * scale));
-        for (int i = 0; i < dashes; ++i) {
-            const float y = plot.low.y + 6 * scale * float(i);
-            list.AddLine({plot.x.from, y}, {plot.x.from, y + 3 * scale}, ink);
-        }
-        const float half = ImGui::CalcTextSize("0").x / 2;
-        list.AddText({plot.zeroX - half, below}, ink, "0");
-        taken.emplace_back(plot.zeroX - half - 4, plot.zeroX + half + 4);
+    if (chart.zero) {
+        drawDashes(list, onScreen(chart.error.from, double(plot.low.y)),
+                   onScreen(chart.error.from, double(plot.high.y)), ink, 1, 3 * scale, 3 * scale);
+        list.AddText({static_cast<float>(*chart.zero - widthOf("0") / 2), below}, ink, "0");
     }
-    const auto belowTick = [&](float x, ImVec2 size) {  // and within the panel, also that of a tick at its edge
-        return ImVec2{std::min(x - size.x / 2, plot.high.x - size.x), below};
-    };
-    const auto besideTick = [&](float y, ImVec2 size) {
-        return ImVec2{plot.low.x - size.x - 4 * scale, y - size.y / 2};
-    };
-    label(list, plot.x, true, belowTick, taken);
-    label(list, plot.y, false, besideTick);
-    list.AddText(corner, ink, "milliseconds");
-    const char* error = run.axis == ErrorAxis::rms ? "root mean square error" : "part that is wrong";
-    list.AddText({plot.high.x - ImGui::CalcTextSize(error).x, below + line}, ink, error);
+    list.AddText(corner, ink, run.width > 0 ? "milliseconds a frame" : "milliseconds");
+    const std::string error = errorName(run.axis);
+    list.AddText({plot.high.x - ImGui::CalcTextSize(error.c_str()).x, below + plot.line}, ink, error.c_str());
 }
 
 // ---- Words
 
-void rowTip(const StudyRow& row) {
+// Beside the plot, so that it covers none of its points: left of the panel, over the picture; where that is too narrow,
+// above the plot or below it.
+void besidePlot(const Plot& plot, ImVec2 corner, const std::function<void(float width)>& show) {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const float panel = ImGui::GetWindowPos().x - ImGui::GetStyle().WindowPadding.x;
+    const float em = ImGui::GetFontSize(), gap = em / 2, padding = 2 * ImGui::GetStyle().WindowPadding.x;
+    const float below = plot.high.y + 2 * plot.line + gap;
+    float width = std::min(22 * em, panel - 2 * gap - padding);
+    if (width >= 14 * em) {
+        const float y = std::clamp(plot.low.y, 0.0F, screen.y);
+        ImGui::SetNextWindowPos({panel - gap, y}, ImGuiCond_Always, {1, y / screen.y});
+    } else {
+        width = std::min(22 * em, plot.high.x - corner.x);
+        const bool under = screen.y - below > corner.y;
+        ImGui::SetNextWindowPos({corner.x, under ? below : corner.y - gap}, ImGuiCond_Always, {0, under ? 0.0F : 1.0F});
+    }
     ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(ImGui::GetFontSize() * 20);
-    ImGui::TextColored(color::heading, "%s", rowName(row).c_str());
-    ImGui::TextUnformatted(("error: rms " + errorText(row.all.rms) + ", largest " + errorText(row.all.max) +
-                            ", wrong " + errorText(100 * row.all.fraction) + " %")
-                               .c_str());
-    if (row.awayFromEdges.n != row.all.n) {
-        ImGui::TextUnformatted(("away from edges: rms " + errorText(row.awayFromEdges.rms) + ", wrong " +
-                                errorText(100 * row.awayFromEdges.fraction) + " %")
-                                   .c_str());
-    }
-    ImGui::TextUnformatted((formatted("%.3g ms, median of ", row.msMedian) + std::to_string(row.rounds) + " (MAD " +
-                            formatted("%.2g)", row.msMad))
-                               .c_str());
-    if (!row.counts.empty()) ImGui::TextUnformatted(countsText(row).c_str());
-    std::string settings;
-    for (const KnobSetting& setting : row.settings) {
-        settings += (settings.empty() ? "--" : " --") + setting.name + " " + setting.text;
-    }
-    ImGui::PushStyleColor(ImGuiCol_Text, color::dim);
-    if (row.best) ImGui::TextUnformatted("Pareto-best: no other is both nearer and faster.");
-    if (!settings.empty()) ImGui::TextUnformatted(("Click to set " + settings).c_str());
-    ImGui::PopStyleColor();
-    ImGui::PopTextWrapPos();
+    show(width);
+    const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+    notePlace("study tip", {at.x, at.y, at.x + size.x, at.y + size.y});
     ImGui::EndTooltip();
 }
 
-void showLegend(const StudyRun& run, const std::string& scene, float scale) {
+void showLines(const std::string& text, float width) { ImGui::TextUnformatted(brokenAtSpaces(text, width).c_str()); }
+
+void rowTip(const StudyRun& run, const StudyRow& row, float width) {
+    ImGui::PushStyleColor(ImGuiCol_Text, color::heading);
+    showLines(row.parameter.empty() ? row.method
+                                    : row.method + ", " + knobOf(run, row.scene, row.method) + "\u00A0" + row.parameter,
+              width);
+    ImGui::PopStyleColor();
+    showLines("error: rms\u00A0" + errorText(row.all.rms) + ", largest\u00A0" + errorText(row.all.max) +
+                  ", wrong\u00A0" + errorText(100 * row.all.fraction) + "\u00A0%",
+              width);
+    if (row.awayFromEdges.n != row.all.n) {
+        showLines("away from edges: rms\u00A0" + errorText(row.awayFromEdges.rms) + ", wrong\u00A0" +
+                      errorText(100 * row.awayFromEdges.fraction) + "\u00A0%",
+                  width);
+    }
+    showLines(formatted("%.3g\u00A0ms, median of\u00A0", row.msMedian) + std::to_string(row.rounds) +
+                  formatted(" (MAD\u00A0%.2g)", row.msMad),
+              width);
+    std::string counts, settings;
+    for (const auto& [name, amount] : row.counts) {
+        counts += (counts.empty() ? "" : ", ") + name + formatted("\u00A0%.10g", amount);
+    }
+    if (!counts.empty()) showLines(counts, width);
+    for (const KnobSetting& setting : row.settings) {
+        settings += (settings.empty() ? "--" : " --") + setting.name + "\u00A0" + setting.text;
+    }
+    ImGui::PushStyleColor(ImGuiCol_Text, color::dim);
+    if (row.best) showLines("Pareto-best: " + bestText(run) + ".", width);
+    if (!settings.empty()) showLines("Click to set " + settings, width);
+    ImGui::PopStyleColor();
+}
+
+std::string askedText(const StudyRun& run, const StudyBound& bound) {
+    return (bound.of == StudyBound::Of::time ? "time" : errorName(run.axis)) + " at most\u00A0" + boundText(bound);
+}
+
+void boundTip(const StudyRun& run, const StudyPlotMarks& marks, const StudyBound& bound, float width) {
+    const auto chosen = rowWithin(run, marks.rows, bound);
+    ImGui::PushStyleColor(ImGuiCol_Text, color::heading);
+    showLines(askedText(run, bound), width);
+    ImGui::PopStyleColor();
+    if (!chosen) return showLines("No setting of this problem keeps it.", width);
+    const bool ofTime = bound.of == StudyBound::Of::time;
+    showLines("Click to set the " + std::string(ofTime ? "most exact" : "cheapest") +
+                  " that keeps it: " + rowSentence(run, run.rows[*chosen]),
+              width);
+}
+
+void showLegend(const StudyRun& run, const Plot& plot, const StudyPlotMarks& marks, float scale) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const float line = ImGui::GetTextLineHeight(), indent = 26 * scale;
+    const float line = ImGui::GetTextLineHeight(), indent = 34 * scale;
     const auto entry = [&](const std::string& text, const auto& sign) {
         const ImVec2 at = ImGui::GetCursorScreenPos();
         sign(ImVec2{at.x + indent / 2 - 4 * scale, at.y + line / 2});
         ImGui::SetCursorPosX(ImGui::GetCursorPosX() + indent);
         wrapped(text);
     };
-    const std::vector<std::string> methods = methodsOf(run, scene);
-    for (std::size_t i = 0; i < methods.size(); ++i) {
-        std::string text = methods[i];
-        if (const auto slope = errorSlope(run, scene, methods[i])) text += formatted(" (error ~ p^%.2f)", *slope);
-        entry(text, [&](ImVec2 at) {
-            list.AddLine({at.x - 9 * scale, at.y}, {at.x + 9 * scale, at.y}, colors[i % colors.size()], 1.5F * scale);
-            drawMarker(list, at, i, 4 * scale);
+    for (const ChartSeries& series : plot.chart.series) {
+        entry(series.legend, [&](ImVec2 at) {
+            drawStroke(list, {at.x - 13 * scale, at.y}, {at.x + 13 * scale, at.y}, series.look, scale);
+            drawMarker(list, at, series.look, 4 * scale, scale);
         });
     }
-    entry("Pareto-best: no other is both nearer and faster",
+    entry("Pareto-best: " + bestText(run),
           [&](ImVec2 at) { list.AddCircle(at, 7 * scale, ImGui::GetColorU32(ImGuiCol_Text), 0, 1.5F * scale); });
+    if (!marks.bound) return;
+    entry("chosen: " + askedText(run, *marks.bound), [&](ImVec2 at) {
+        list.AddRect({at.x - 8 * scale, at.y - 8 * scale}, {at.x + 8 * scale, at.y + 8 * scale},
+                     ImGui::GetColorU32(color::heading), 0, 0, 2 * scale);
+    });
 }
 
 // The present settings: a cross through the whole plot, and the word.
@@ -269,14 +277,52 @@ void drawHere(ImDrawList& list, const Plot& plot, ImVec2 at, float scale) {
     list.AddText(word, ink, "here");
 }
 
+// ---- Bounds, by a click on an axis
+
+// The value as it is said: two digits are what a pixel tells.
+StudyBound boundAt(StudyBound::Of of, double value) {
+    return {of, std::strtod(formatted("%.2g", value).c_str(), nullptr)};
+}
+
+std::optional<StudyBound> boundUnder(const Plot& plot, ImVec2 mouse, ImVec2 corner) {
+    const Chart& chart = plot.chart;
+    const float foot = plot.high.y + plot.line + 4;
+    if (mouse.x >= plot.low.x && mouse.y > plot.high.y && mouse.y <= foot) {
+        if (chart.zero && double(mouse.x) < chart.error.from) return StudyBound{StudyBound::Of::error, 0};
+        return boundAt(StudyBound::Of::error, chart.error.valueAt(double(mouse.x)));
+    }
+    if (mouse.x >= corner.x && mouse.x < plot.low.x && mouse.y >= plot.low.y && mouse.y <= plot.high.y) {
+        return boundAt(StudyBound::Of::time, chart.time.valueAt(double(mouse.y)));
+    }
+    return {};
+}
+
+void noteAxes(const Plot& plot, ImVec2 corner) {
+    const float from = static_cast<float>(plot.chart.error.from);
+    notePlace("error axis", {from, plot.high.y + 2, plot.high.x, plot.high.y + plot.line});
+    notePlace("time axis", {corner.x, plot.low.y, plot.low.x - 2, plot.high.y});
+    if (plot.chart.zero) notePlace("error axis 0", {plot.low.x, plot.high.y + 2, from, plot.high.y + plot.line});
+}
+
+// A line at the bound through the plot.
+void drawBound(ImDrawList& list, const Plot& plot, const StudyBound& bound, ImU32 ink, float scale) {
+    const Chart& chart = plot.chart;
+    if (bound.of == StudyBound::Of::time) {
+        const float y = static_cast<float>(chart.time.at(std::clamp(bound.value, chart.time.low, chart.time.high)));
+        return drawDashes(list, {plot.low.x, y}, {plot.high.x, y}, ink, 1.5F * scale, 5 * scale, 3 * scale);
+    }
+    const double error = std::clamp(bound.value, chart.error.low, chart.error.high);
+    const float x = static_cast<float>(bound.value == 0 && chart.zero ? *chart.zero : chart.error.at(error));
+    drawDashes(list, {x, plot.low.y}, {x, plot.high.y}, ink, 1.5F * scale, 5 * scale, 3 * scale);
+}
+
 }  // namespace
 
 std::string rowName(const StudyRow& row) {
     return row.parameter.empty() ? row.method : row.method + " " + row.parameter;
 }
 
-std::optional<std::size_t> showStudyPlot(const StudyRun& run, const std::string& scene, std::optional<std::size_t> here,
-                                         float scale) {
+StudyPlotClick showStudyPlot(const StudyRun& run, const std::string& scene, const StudyPlotMarks& marks, float scale) {
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x;
     const std::optional<Plot> plot = layOut(run, scene, corner, width, scale);
@@ -284,51 +330,60 @@ std::optional<std::size_t> showStudyPlot(const StudyRun& run, const std::string&
         wrapped(color::error, "No setting of this scene could be measured.");
         return {};
     }
-    const float line = ImGui::GetTextLineHeight();
-    const bool clicked = ImGui::InvisibleButton("plot", {width, plot->high.y - corner.y + 2 * line + 6 * scale});
+    const bool clicked = ImGui::InvisibleButton("plot", {width, plot->high.y - corner.y + 2 * plot->line + 6 * scale});
     const bool over = ImGui::IsItemHovered();
     ImDrawList& list = *ImGui::GetWindowDrawList();
     drawFrame(list, run, *plot, corner, scale);
+    noteAxes(*plot, corner);
+    const Chart& chart = plot->chart;
 
-    // The lines first, so that no point hides under one. A row without any error is on no line: it is infinitely far.
-    const std::vector<std::string> methods = methodsOf(run, scene);
-    std::vector<const StudyRow*> last(methods.size(), nullptr);
-    const auto methodOf = [&](const StudyRow& row) {
-        return static_cast<std::size_t>(std::find(methods.begin(), methods.end(), row.method) - methods.begin());
-    };
-    const auto placeOf = [&](const StudyRow& row) { return plot->at(run.shownError(row), row.msMedian); };
-    for (const StudyRow& row : run.rows) {
-        if (!plotted(row, scene)) continue;
-        const std::size_t method = methodOf(row);
-        if (last[method] && run.shownError(row) > 0) {
-            list.AddLine(placeOf(*last[method]), placeOf(row), colors[method % colors.size()], 1.5F * scale);
-        }
-        last[method] = run.shownError(row) > 0 ? &row : nullptr;
+    // The lines first, so that no point hides under one.
+    for (const ChartLine& line : chart.lines) {
+        drawStroke(list, onScreen(line.fromX, line.fromY), onScreen(line.toX, line.toY), chart.series[line.series].look,
+                   scale);
     }
-    if (here && plotted(run.rows[*here], scene)) drawHere(list, *plot, placeOf(run.rows[*here]), scale);
+    const ImU32 chosenInk = ImGui::GetColorU32(color::heading);
+    if (marks.bound) drawBound(list, *plot, *marks.bound, chosenInk, scale);
+    for (const ChartPoint& point : chart.points) {
+        if (marks.here == point.row) drawHere(list, *plot, onScreen(point.x, point.y), scale);
+    }
+    for (const ChartLabel& label : chart.labels) {
+        list.AddText(onScreen(label.box.left, label.box.top), ImGui::GetColorU32(color::dim), label.text.c_str());
+    }
 
-    std::optional<std::size_t> nearest;
+    const ChartPoint* nearest = nullptr;
     float reach = 10 * scale;
     const ImVec2 mouse = ImGui::GetMousePos();
-    for (std::size_t i = 0; i < run.rows.size(); ++i) {
-        const StudyRow& row = run.rows[i];
-        if (!plotted(row, scene)) continue;
-        const ImVec2 at = placeOf(row);
-        drawMarker(list, at, methodOf(row), 4 * scale);
+    for (const ChartPoint& point : chart.points) {
+        const StudyRow& row = run.rows[point.row];
+        const ImVec2 at = onScreen(point.x, point.y);
+        drawMarker(list, at, chart.series[point.series].look, 4 * scale, scale);
         if (row.best) list.AddCircle(at, 7 * scale, ImGui::GetColorU32(ImGuiCol_Text), 0, 1.5F * scale);
+        if (marks.chosen == point.row) {
+            const float half = 9 * scale;
+            list.AddRect({at.x - half, at.y - half}, {at.x + half, at.y + half}, chosenInk, 0, 0, 2 * scale);
+        }
         notePlace("point " + rowName(row), {at.x - 4, at.y - 4, at.x + 4, at.y + 4});
         const float away = std::hypot(mouse.x - at.x, mouse.y - at.y);
         if (!over || away > reach) continue;
         reach = away;
-        nearest = i;
+        nearest = &point;
+    }
+    StudyPlotClick click;
+    if (const auto bound = nearest || !over ? std::nullopt : boundUnder(*plot, mouse, corner)) {
+        drawBound(list, *plot, *bound, ImGui::GetColorU32(color::dim), scale);
+        besidePlot(*plot, corner, [&](float tipWidth) { boundTip(run, marks, *bound, tipWidth); });
+        ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+        if (clicked) click.bound = bound;
     }
     if (nearest) {
-        list.AddCircle(placeOf(run.rows[*nearest]), 9 * scale, ImGui::GetColorU32(color::heading), 0, 2 * scale);
-        rowTip(run.rows[*nearest]);
+        list.AddCircle(onScreen(nearest->x, nearest->y), 9 * scale, chosenInk, 0, 2 * scale);
+        besidePlot(*plot, corner, [&](float tipWidth) { rowTip(run, run.rows[nearest->row], tipWidth); });
         ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+        if (clicked) click.row = nearest->row;
     }
-    showLegend(run, scene, scale);
-    return clicked ? nearest : std::nullopt;
+    showLegend(run, *plot, marks, scale);
+    return click;
 }
 
 }  // namespace mv

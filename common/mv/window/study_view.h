@@ -2,16 +2,30 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <vector>
 
-#include "mv/run/study_data.h"
+#include "mv/run/study_choice.h"
 #include "mv/window/gui.h"
 
 namespace mv {
 
-// Draws the rows of one scene, a line a method, with a legend below; the mouse over a point shows its row. `here` is the
-// row of the present settings. The row that was clicked. A row's place is noted as "point METHOD PARAMETER".
-std::optional<std::size_t> showStudyPlot(const StudyRun& run, const std::string& scene, std::optional<std::size_t> here,
-                                         float scale);
+// What is pointed out in the plot, and what a click chooses from.
+struct StudyPlotMarks {
+    std::optional<std::size_t> here = {};    // the row of the present settings
+    std::optional<StudyBound> bound = {};    // that was asked for, and
+    std::optional<std::size_t> chosen = {};  // the row that keeps it
+    std::vector<std::size_t> rows = {};      // that a bound chooses from
+};
+
+// What was clicked: a row, or a place of an axis.
+struct StudyPlotClick {
+    std::optional<std::size_t> row;
+    std::optional<StudyBound> bound;
+};
+
+// Draws the rows of one scene, a line a method, with a legend below; the mouse over a point shows its row beside the plot. A
+// row's place is noted as "point METHOD PARAMETER", those of the axes as "error axis", "error axis 0" and "time axis".
+StudyPlotClick showStudyPlot(const StudyRun& run, const std::string& scene, const StudyPlotMarks& marks, float scale);
 
 // "map, 1 tap 1024"
 std::string rowName(const StudyRow& row);
