@@ -26,13 +26,13 @@ function textOf(file,    text, line) {
     return texts[file]
 }
 
-# Whether a source of the demo's names the other one, in quotes, or a page that is read has a command of it: what is the
-# other's then counts, too.
+# Whether a source of the demo's names the other one, in quotes, or a page that is read has a command, or a number, of it:
+# what is the other's then counts, too.
 function names(number, other,    demo) {
     demo = demoOf[number]
     if (demo == other) return 1
     if (index(textOf("demos/" demo ".cpp") textOf("tests/claims/" demo ".cpp"), "\"" other "\"") > 0) return 1
-    return reads[number] == "pages" && textOf("demos/" demo ".md") ~ ("[.]/run " other "[^a-z0-9-]")
+    return reads[number] == "pages" && textOf("demos/" demo ".md") ~ ("(run|study) " other "[^a-z0-9-]")
 }
 
 # Golden pictures and pages are read only by the tests that say so.

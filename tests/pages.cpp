@@ -1,16 +1,24 @@
-// The pages' command lines: each one does what a reader who types it expects, or the page says that it does not.
+// What pages say: each command line does what a reader who types it expects, or the page says what else, and each measured
+// number is what its marker (mv/run/page_numbers.h) makes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <map>
 #include <optional>
+#include <regex>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "mv/image/load.h"
 #include "mv/run/command_line.h"
+#include "mv/run/docs.h"
+#include "mv/run/page_numbers.h"
 #include "mv/run/study.h"
 #include "support/demo_run.h"
 #include "support/process.h"
@@ -22,11 +30,30 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// One "./run ..." of a page; `status` is 1 where a remark after # says "status 1".
+std::string fileText(const fs::path& path) {
+    std::ifstream stream(path, std::ios::binary);
+    EXPECT_TRUE(stream) << path;
+    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+// One "./run ..." of a page, and what the remark after its # says will come of it:
+//     # status 1: WORDS     it ends with that status (2 for what a flag refuses), and its error has these words
+//     # says: WORDS         it ends well, and what it prints has these words
+//     # the same picture    what it sets cannot be seen
+// Any other remark is for the reader alone.
 struct PageLine {
     int number = 0;
-    std::string text;
-    int status = 0;
+    std::string text, remark;
+
+    int status() const { return remark.starts_with("status ") ? std::atoi(remark.c_str() + 7) : 0; }
+    std::string words() const {
+        const auto colon = remark.find(": ");
+        const bool expects = remark.starts_with("status ") || remark.starts_with("says: ");
+        return expects && colon != std::string::npos ? remark.substr(colon + 2) : "";
+    }
+    bool isSamePicture() const { return remark.starts_with("the same picture"); }
 };
 
 // In a block of code a line that begins so; in the text what stands in backquotes.
@@ -41,12 +68,11 @@ std::vector<PageLine> commandsOf(const fs::path& page) {
         if (line.starts_with("```")) {
             inBlock = !inBlock;
         } else if (inBlock && line.starts_with("./run ")) {
-            const auto remark = std::min(line.find(" #"), line.size());
-            const int status = line.find("status 1", remark) != std::string::npos ? 1 : 0;
-            commands.push_back({number, line.substr(0, remark), status});
+            const auto sign = std::min(line.find(" # "), line.size());
+            commands.push_back({number, line.substr(0, sign), sign == line.size() ? "" : line.substr(sign + 3)});
         } else if (!inBlock) {
             for (std::size_t at = line.find("`./run "); at != std::string::npos; at = line.find("`./run ", at + 1)) {
-                commands.push_back({number, line.substr(at + 1, line.find('`', at + 1) - at - 1)});
+                commands.push_back({number, line.substr(at + 1, line.find('`', at + 1) - at - 1), ""});
             }
         }
     }
@@ -62,32 +88,135 @@ std::vector<std::string> wordsOf(const std::string& text) {
 
 bool isLong() { return std::getenv("MVGL_LONG") != nullptr; }
 
-// What mvgl is given to try the command, in moments and without a window; nothing where parsing it was all.
-std::optional<std::vector<std::string>> trial(const PageLine& line) {
-    std::vector<std::string> words = wordsOf(line.text);
-    words.erase(words.begin());
-    if (!words.empty() && (words.front() == "DEMO" || words.front() == "<name>")) words.front() = "shadow-map";
-    const Command command = parseCommandLine(words);
-    const auto add = [&](const std::vector<std::string>& more) { words.insert(words.end(), more.begin(), more.end()); };
-    if (command.action == Action::window && !command.demo) return {};  // the menu
-    if (command.action == Action::window) {
-        std::erase(words, "--window");
-        add({"--shot", "window.png"});
+// What mvgl is given to try the command, in moments and without a window, and how it was understood.
+struct Trial {
+    std::vector<std::string> words;
+    Command command;  // of the page's own words
+    bool isRun =
+        true;  // false where understanding it was all: a menu, or a study of minutes that has a test of its own
+    std::string picture;  // the file that it is to write; "" for none
+};
+
+Trial trialOf(const PageLine& line, bool atItsOwnSize = false) {
+    Trial trial;
+    trial.words = wordsOf(line.text);
+    trial.words.erase(trial.words.begin());
+    if (!trial.words.empty() && (trial.words.front() == "DEMO" || trial.words.front() == "<name>")) {
+        trial.words.front() = "shadow-map";
     }
-    if (isLong()) return words;
-    if (command.action == Action::study && command.vary.empty()) {  // it takes minutes, and has a test that measures it
+    if (line.status() == 2) return trial;  // not to be understood: the program says why
+    Command& command = trial.command;
+    command = parseCommandLine(trial.words);
+    const auto add = [&](const std::vector<std::string>& more) {
+        trial.words.insert(trial.words.end(), more.begin(), more.end());
+    };
+    if (command.action == Action::window) {
+        trial.isRun = command.demo != nullptr;  // else the menu
+        std::erase(trial.words, "--window");
+        // A window may show a report, too; a picture of two settings has none.
+        if (command.compareKnob.empty() || command.report == ReportForm::none) add({"--shot", "window.png"});
+        trial.picture = "window.png";
+    } else if (!command.shot.empty()) {
+        trial.picture = frameFile(command.shot, command.firstFrame);
+    }
+    if (command.action == Action::docs) trial.isRun = false;  // it writes a tree's pages, and here is none
+    if (isLong()) return trial;
+    if (command.action == Action::study && command.vary.empty()) {
         (void)studyOf(*command.demo, command.knobs, command.vary);
-        return {};
+        trial.isRun = false;
     }
     const bool draws =
         command.action == Action::window || command.action == Action::render || command.action == Action::study;
-    if (draws && command.width == 0) add({"--size", "96x72"});
-    return words;
+    if (draws && command.width == 0 && !atItsOwnSize) add({"--size", "96x72"});
+    return trial;
 }
+
+ProcessResult tried(const TemporaryFolder& folder, std::vector<std::string> words) {
+    words.insert(words.begin(), program("mvgl"));
+    return runProcess(words, {.folder = folder.path().string(), .environment = {"DISPLAY", "WAYLAND_DISPLAY"}});
+}
+
+// The left and the middle one of the three pictures that --compare lays beside each other, 4 pixels apart.
+bool showsTwoPictures(const Picture& sheet) {
+    const int width = (sheet.width - 8) / 3;
+    for (int y = 0; y < sheet.height; ++y) {
+        // The labels above them differ in any case.
+        if (y < sheet.height - 48) continue;
+        for (int x = 0; x < width; ++x) {
+            if (sheet.at(x, y) != sheet.at(x + width + 4, y)) return true;
+        }
+    }
+    return false;
+}
+
+// What a demo draws with nothing set, in the size of another picture. Kept: each command of a page is compared with it.
+const Picture& asItOpens(const std::string& demo, const Picture& like) {
+    static std::map<std::string, Picture> known;
+    const std::string size = std::to_string(like.width) + "x" + std::to_string(like.height);
+    const auto [place, isNew] = known.try_emplace(demo + " " + size);
+    if (isNew) {
+        const TemporaryFolder folder;
+        EXPECT_EQ(tried(folder, {demo, "--shot", "plain.png", "--size", size}).status, 0);
+        place->second = loadPicture(folder.path() / "plain.png");
+    }
+    return place->second;
+}
+
+// Whether the picture that the command drew is another one than its demo draws with nothing set; of two that are compared,
+// whether they differ.
+bool showsWhatItSets(const Trial& trial, const TemporaryFolder& folder) {
+    const Picture picture = loadPicture(folder.path() / trial.picture);
+    if (!trial.command.compareKnob.empty()) return showsTwoPictures(picture);
+    return picture != asItOpens(trial.command.demo->name, picture);
+}
+
+bool showsWhatItSetsAtItsOwnSize(const PageLine& line) {
+    const Trial trial = trialOf(line, true);
+    const TemporaryFolder folder;
+    EXPECT_EQ(tried(folder, trial.words).status, 0);
+    return showsWhatItSets(trial, folder);
+}
+
+// What is to come of a command that ends well, by what it asks for.
+void expectOutcome(const PageLine& line, const Trial& trial, const ProcessResult& run, const TemporaryFolder& folder) {
+    const Command& command = trial.command;
+    EXPECT_FALSE(has(run.err, "does nothing in these settings")) << run.err;
+    EXPECT_TRUE(!run.out.empty() || folder.entries() > 0) << "it says or writes something";
+    if (command.action == Action::audit) {
+        EXPECT_TRUE(has(run.out, "first frame")) << run.out;
+    }
+    if (command.report == ReportForm::text) {
+        const auto demo = command.demo->make();
+        for (const Readout* readout : demo->readouts()) {
+            EXPECT_TRUE(has(run.out, "readout   " + readout->name())) << run.out;
+        }
+    }
+    if (command.action == Action::study) {
+        for (const char* name : {"study.csv", "study.json", "study.svg"}) {
+            EXPECT_TRUE(fs::exists(folder.path() / command.folder / name)) << name;
+        }
+        for (const StudyRow& row : readStudy(fileText(folder.path() / command.folder / "study.json")).rows) {
+            EXPECT_TRUE(row.ok()) << row.parameter << ": " << row.status;
+        }
+    }
+    if (trial.picture.empty()) return;
+    ASSERT_TRUE(fs::exists(folder.path() / trial.picture)) << trial.picture;
+    const bool sets = !command.knobs.empty() || command.firstFrame > 1 || !command.compareKnob.empty();
+    if (!sets) return;
+    // What is too fine for a small picture shows in one of the demo's own size.
+    const bool isAnother = showsWhatItSets(trial, folder) || showsWhatItSetsAtItsOwnSize(line);
+    EXPECT_NE(isAnother, line.isSamePicture()) << "what it sets must be seen, or the page say: # the same picture";
+}
+
+// The page of the shadows' methods side by side, and others below docs that tell numbers.
+std::vector<std::string> pagesOfNumbers() { return pagesWithNumbers(MVGL_SOURCE_DIR); }
 
 std::vector<std::string> pages() {
     std::vector<std::string> names{"README.md", "CONTRIBUTING.md"};
     for (const DemoInfo& info : catalogue()) names.push_back("demos/" + info.name + ".md");
+    for (const std::string& page : pagesOfNumbers()) {
+        if (page.starts_with("docs/")) names.push_back(page);
+    }
     return names;
 }
 
@@ -97,6 +226,31 @@ std::string pageWord(const testing::TestParamInfo<std::string>& page) {
     return word;
 }
 
+// The text of a page without what is no prose: code, generated tables, what stands between a marker's comments.
+std::string proseOf(const std::string& page, const std::string& file) {
+    std::string text;
+    std::size_t done = 0;
+    for (const PageNumber& number : pageNumbers(page, file)) {
+        text += page.substr(done, number.from - done) + "marked";
+        done = number.from + number.text.size();
+    }
+    text += page.substr(done);
+    std::istringstream lines(text);
+    std::string prose;
+    bool inCode = false, isGenerated = false;
+    const std::regex inlineCode("`[^`]*`"), comment("<!--.*?-->"), picture(R"(!\[[^\]]*\])");
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with("```")) inCode = !inCode;
+        if (line == "<!-- knobs -->" || line == "<!-- demos -->") isGenerated = true;
+        const bool isProse = !inCode && !isGenerated && !line.starts_with("    ");
+        if (line.starts_with("<!-- /")) isGenerated = false;
+        line = std::regex_replace(line, comment, "");
+        line = std::regex_replace(line, inlineCode, "CODE");
+        prose += (isProse ? std::regex_replace(line, picture, "") : "") + "\n";
+    }
+    return prose;
+}
+
 class Pages : public testing::TestWithParam<std::string> {};
 
 }  // namespace
@@ -104,24 +258,82 @@ class Pages : public testing::TestWithParam<std::string> {};
 TEST_P(Pages, every_command_does_what_it_says) {
     const fs::path page = fs::path(MVGL_SOURCE_DIR) / GetParam();
     const std::vector<PageLine> commands = commandsOf(page);
-    const bool isLesson = GetParam().starts_with("demos/");
-    EXPECT_GE(commands.size(), isLesson ? 3U : 1U) << "a lesson has three things to try";
+    if (GetParam().starts_with("demos/")) {
+        EXPECT_GE(commands.size(), 3U) << "a lesson has three things to try";
+    }
     for (const PageLine& line : commands) {
         SCOPED_TRACE(GetParam() + ":" + std::to_string(line.number) + ": " + line.text);
-        std::optional<std::vector<std::string>> words;
+        std::optional<Trial> trial;
         try {
-            words = trial(line);
+            trial = trialOf(line);
         } catch (const std::exception& error) {
             ADD_FAILURE() << error.what();
         }
-        if (!words) continue;
+        if (!trial || !trial->isRun) continue;
         const TemporaryFolder folder;
-        words->insert(words->begin(), program("mvgl"));
-        const ProcessResult run =
-            runProcess(*words, {.folder = folder.path().string(), .environment = {"DISPLAY", "WAYLAND_DISPLAY"}});
-        EXPECT_EQ(run.status, line.status) << run.err;
-        EXPECT_TRUE(!run.out.empty() || folder.entries() > 0) << "it says or writes something";
+        const ProcessResult run = tried(folder, trial->words);
+        EXPECT_EQ(run.status, line.status()) << run.err;
+        EXPECT_TRUE(has(run.status == 0 ? run.out + run.err : run.err, line.words())) << run.out << run.err;
+        if (run.status == 0 && line.status() == 0) expectOutcome(line, *trial, run, folder);
+    }
+}
+
+// Errors and counts are made anew; times are those of the committed study.
+TEST_P(Pages, every_marked_number_is_made) {
+    if (GetParam() == "CONTRIBUTING.md") return;  // it shows markers as code
+    const std::string page = fileText(fs::path(MVGL_SOURCE_DIR) / GetParam());
+    NumberSources sources([](const std::string& demo) { return studyInTree(MVGL_SOURCE_DIR, demo); },
+                          []() -> Stage& { return stage(); });
+    int made = 0;
+    for (const PageNumber& number : pageNumbers(page, GetParam())) {
+        SCOPED_TRACE(GetParam() + ":" + std::to_string(number.line) + ": " + number.source);
+        try {
+            const std::optional<MadeNumber> is = sources.make(number.source);
+            if (!is) continue;
+            ++made;
+            EXPECT_TRUE(tells(number.text, *is)) << "it says " << number.text << ", it is " << numberText(is->value)
+                                                 << "; ./run --docs . writes " << toldLike(number.text, *is);
+        } catch (const Error& error) {
+            ADD_FAILURE() << error.what();
+        }
+    }
+    std::printf("%s: %d numbers made anew\n", GetParam().c_str(), made);
+}
+
+// A number with a unit in which something is measured has a marker, if only to say that it is exact. (Angles and lengths
+// are what a lesson's scene is made of; what was measured of them is marked, too, but no rule can tell it apart.)
+TEST_P(Pages, a_number_with_a_measuring_unit_is_marked) {
+    if (GetParam() == "README.md" || GetParam() == "CONTRIBUTING.md") return;  // they teach no measurement
+    std::istringstream prose(proseOf(fileText(fs::path(MVGL_SOURCE_DIR) / GetParam()), GetParam()));
+    const std::regex measured(R"(\b[0-9][0-9.]*(e-?[0-9]+)? ?(%|ms\b|milliseconds|pixels?\b|px\b|times\b|seconds?\b))");
+    int number = 0;
+    for (std::string line; std::getline(prose, line);) {
+        ++number;
+        std::smatch found;
+        EXPECT_FALSE(std::regex_search(line, found, measured))
+            << GetParam() << ":" << number << ": '" << found.str() << "' has no marker";
     }
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Pages, testing::ValuesIn(pages()), pageWord);
+
+// "tested: SUITE.NAME" is a test that there is.
+TEST(PageNumbers, tests_that_hold_a_number_are_there) {
+    std::string tests;
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(MVGL_SOURCE_DIR) / "tests")) {
+        if (entry.path().extension() == ".cpp") tests += fileText(entry.path());
+    }
+    int held = 0;
+    for (const std::string& page : pagesOfNumbers()) {
+        for (const PageNumber& number : pageNumbers(fileText(fs::path(MVGL_SOURCE_DIR) / page), page)) {
+            if (!number.source.starts_with("tested: ")) continue;
+            const std::string name = number.source.substr(8);
+            const auto dot = name.find('.');
+            ++held;
+            ASSERT_NE(dot, std::string::npos) << page << ":" << number.line << ": must be SUITE.NAME";
+            EXPECT_TRUE(has(tests, "TEST(" + name.substr(0, dot) + ", " + name.substr(dot + 1) + ")"))
+                << page << ":" << number.line << ": no test " << name;
+        }
+    }
+    EXPECT_GT(held, 0);
+}

@@ -171,6 +171,12 @@ END
     changed "a demo's page" demos/one.md "pages.one pages.one shared shared "
     changed "a page of what another page starts" demos/two.md "pages.one pages.one pages.two pages.two shared shared "
     changed "another page" README.md "shared shared "
+    mkdir -p docs/errors-and-times && echo '{}' >docs/errors-and-times/two.json
+    echo 'It is <!--= study two; a; b; 1; rms -->0.1<!--/--> wide.' >demos/one.md
+    commit
+    everything && ran >/dev/null
+    changed "a study of which another page tells a number" docs/errors-and-times/two.json \
+        "goldens.two goldens.two pages.one pages.one pages.two pages.two shared shared two two "
     sed -i 's/^two two/two two --spin 3/' tests/goldens/cases.txt
     everything
     equal "one line of the pictures' list has changed" "goldens.two goldens.two shared shared " "$(ran)"

@@ -4,12 +4,15 @@
 #include <cstddef>
 #include <filesystem>
 #include <iostream>
+#include <map>
+#include <optional>
 #include <sstream>
 
 #include "mv/demo/chapters.h"
 #include "mv/image/file.h"
 #include "mv/image/png.h"
 #include "mv/run/audit.h"
+#include "mv/run/page_numbers.h"
 #include "mv/run/render.h"
 #include "mv/run/study.h"
 #include "mv/run/words.h"
@@ -161,17 +164,59 @@ Picture pictureStrip() {
     return strip;
 }
 
-// The pages and plots of the studies whose runs are committed. Read from the tree, not from what is built in: a study
-// that was just measured gets its page without a build between.
+StudyRun studyInTree(const std::string& root, const std::string& demo) {
+    const std::string file = root + "/docs/errors-and-times/" + demo + ".json";
+    if (!std::filesystem::exists(file))
+        throw Error("study", "must be one of those committed in docs/errors-and-times", demo);
+    return readStudy(fileText(file));
+}
+
+std::vector<std::string> pagesWithNumbers(const std::string& root) {
+    std::vector<std::string> pages{"README.md"};
+    for (const DemoInfo& info : catalogue()) pages.push_back("demos/" + info.name + ".md");
+    std::vector<std::string> docs;
+    std::error_code none;  // a tree without docs has no pages there
+    for (const auto& entry : std::filesystem::directory_iterator(root + "/docs", none)) {
+        if (entry.path().extension() == ".md") docs.push_back("docs/" + entry.path().filename().string());
+    }
+    std::sort(docs.begin(), docs.end());
+    pages.insert(pages.end(), docs.begin(), docs.end());
+    std::erase_if(pages, [&](const std::string& page) {
+        const std::string file = root + "/" + page;
+        return !std::filesystem::exists(file) || fileText(file).find("<!--=") == std::string::npos;
+    });
+    return pages;
+}
+
+// The pages and plots of the studies whose runs are committed.
 static void writeStudyDocs(const std::string& root) {
     for (const DemoInfo& info : catalogue()) {
         const std::string stem = root + "/docs/errors-and-times/" + info.name;
         if (!std::filesystem::exists(stem + ".json")) continue;
-        const StudyRun run = readStudy(fileText(stem + ".json"));
+        const StudyRun run = studyInTree(root, info.name);
         writeFileAtomically(stem + ".md", std::string_view(studyPage(run, info)));
         writeFileAtomically(stem + ".svg", std::string_view(studySvg(run)));
         std::cout << stem << ".md, .svg\n";
     }
+}
+
+// The pages that are partly generated, each with its new text.
+static std::map<std::string, std::string> pagesAnew(const std::string& root) {
+    std::map<std::string, std::string> pages;
+    pages["README.md"] = readmePage(fileText(root + "/README.md"));
+    for (const DemoInfo& info : catalogue()) {
+        const std::string page = "demos/" + info.name + ".md";
+        pages[page] = lessonPage(fileText(root + "/" + page), info);
+    }
+    std::optional<HeadlessStage> headless;
+    NumberSources sources([&](const std::string& demo) { return studyInTree(root, demo); },
+                          [&]() -> Stage& { return (headless ? *headless : headless.emplace()).stage; });
+    for (const std::string& page : pagesWithNumbers(root)) {
+        const auto [text, isNew] = pages.try_emplace(page);
+        if (isNew) text->second = fileText(root + "/" + page);
+        text->second = withNumbers(text->second, page, sources);
+    }
+    return pages;
 }
 
 void writeDocs(const std::string& root) {
@@ -182,16 +227,13 @@ void writeDocs(const std::string& root) {
         missing.append(missing.empty() ? "" : ", ").append(page);
     }
     if (!missing.empty()) throw Error("docs in " + root, "each demo must have its page", "missing: " + missing);
-    const std::string readme = readmePage(fileText(root + "/README.md"));
+    const std::map<std::string, std::string> pages = pagesAnew(root);
     writeFileAtomically(root + "/docs/demos.md", std::string_view(cataloguePage()));
     std::cout << root << "/docs/demos.md\n";
-    for (const DemoInfo& info : catalogue()) {
-        const std::string path = root + "/demos/" + info.name + ".md";
-        writeFileAtomically(path, std::string_view(lessonPage(fileText(path), info)));
-        std::cout << path << "\n";
+    for (const auto& [page, text] : pages) {
+        writeFileAtomically(root + "/" + page, std::string_view(text));
+        std::cout << root << "/" << page << "\n";
     }
-    writeFileAtomically(root + "/README.md", std::string_view(readme));
-    std::cout << root << "/README.md\n";
     writeStudyDocs(root);
     writeFileAtomically(root + "/docs/needs.md", std::string_view(needsPage()));
     std::cout << root << "/docs/needs.md\n";

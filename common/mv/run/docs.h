@@ -4,6 +4,7 @@
 
 #include "mv/demo/demo.h"
 #include "mv/image/picture.h"
+#include "mv/run/study_data.h"
 
 namespace mv {
 
@@ -18,9 +19,17 @@ std::string lessonPage(const std::string& page, const DemoInfo& info);
 // Error: the markers are missing.
 std::string readmePage(const std::string& page);
 
-// Writes docs/demos.md, the tables of demos/*.md and README.md, the pages and plots of docs/errors-and-times and
-// docs/strip.png into a source tree. Error: demos without a page, all of them, before anything is written; and what
-// lessonPage and readmePage refuse.
+// The committed study of a demo, read from a source tree: not from what is built in, so that a study that was just measured
+// needs no build between. Error: there is none, or it cannot be read.
+StudyRun studyInTree(const std::string& root, const std::string& demo);
+
+// The pages of a source tree that tell marked numbers (mv/run/page_numbers.h), as paths below `root`: README.md, the lessons
+// and what stands in docs, in this order.
+std::vector<std::string> pagesWithNumbers(const std::string& root);
+
+// Writes docs/demos.md, the tables of demos/*.md and README.md, the numbers of all pages that no longer hold, the pages and
+// plots of docs/errors-and-times and docs/strip.png into a source tree. Error: demos without a page, all of them, before
+// anything is written; and what lessonPage, readmePage and withNumbers refuse, before anything is written, too.
 void writeDocs(const std::string& root);
 
 // All demos in their poses at frame 1, for the README: in rows of equal length, nine at most.
