@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <stdexcept>
 
 #include "mv/error.h"
 
@@ -34,11 +35,8 @@ void normalize(std::vector<Wide>& values) {
 }
 
 // The largest error of a block, in ulp and as a part of the block's largest entry.
-struct Error2 {
-    double ulp = 0, part = 0;
-};
-Error2 errorOf(std::vector<Wide> values, Truth truth, bool isFloat) {
-    if (values.size() != truth.values.size()) throw Error("errorOf", "forms and truth must have equally many values");
+CallError errorOf(std::vector<Wide> values, Truth truth, bool isFloat) {
+    if (values.size() != truth.values.size()) throw std::logic_error("forms and truth must have equally many values");
     if (!allFinite(values)) return {infinite, infinite};
     if (truth.anyScale) {
         normalize(values);
@@ -48,7 +46,7 @@ Error2 errorOf(std::vector<Wide> values, Truth truth, bool isFloat) {
         values[i] *= truth.weights[i];
         truth.values[i] *= truth.weights[i];
     }
-    Error2 worst;
+    CallError worst{.closeness = truth.closeness};
     std::size_t i = 0;
     for (std::size_t block = 0; block < truth.blocks.size(); ++block) {
         const std::size_t length = truth.blocks[block];
@@ -57,13 +55,19 @@ Error2 errorOf(std::vector<Wide> values, Truth truth, bool isFloat) {
             if (truth.sizes.empty()) size = std::max<Wide>(size, abs(truth.values[i]));
             difference = std::max<Wide>(difference, abs(values[i] - truth.values[i]));
         }
+        if (size >= anySize) continue;
         worst.ulp = std::max(worst.ulp, static_cast<double>(difference / lastPlace(size, isFloat)));
         if (difference != 0) {
             worst.part = std::max(worst.part, size == 0 ? infinite : static_cast<double>(difference / size));
         }
     }
-    if (i != values.size()) throw Error("errorOf", "the blocks must cover all values");
+    if (i != values.size()) throw std::logic_error("the blocks must cover all values");
     return worst;
+}
+
+Arguments asFloats(Arguments arguments) {
+    for (double& value : arguments) value = static_cast<double>(static_cast<float>(value));
+    return arguments;
 }
 
 }  // namespace
@@ -77,24 +81,28 @@ Truth oneBlock(std::vector<Wide> values) {
     return {std::move(values), {count}};
 }
 
+CallError errorOfCall(const Function& function, const Form& form, const Arguments& given) {
+    const Arguments arguments = form.isFloat ? asFloats(given) : given;
+    std::vector<Wide> values;
+    try {
+        values = form.values(arguments);
+    } catch (const Error&) {
+        return {.isRefused = true};
+    }
+    return errorOf(std::move(values), function.truth(arguments), form.isFloat);
+}
+
 Errors measure(const Function& function, const Form& form, Domain domain, long samples) {
     Random random(2024);
     Errors errors;
     double sum = 0;
     long summed = 0, lost = 0, refused = 0;
     for (long sample = 0; sample < samples; ++sample) {
-        Arguments arguments = function.sample(random, domain);
-        if (form.isFloat) {
-            for (double& value : arguments) value = static_cast<double>(static_cast<float>(value));
-        }
-        std::vector<Wide> values;
-        try {
-            values = form.values(arguments);
-        } catch (const Error&) {
+        const CallError error = errorOfCall(function, form, function.sample(random, domain));
+        if (error.isRefused) {
             ++refused;
             continue;
         }
-        const Error2 error = errorOf(std::move(values), function.truth(arguments), form.isFloat);
         errors.max = std::max(errors.max, error.ulp);
         if (!(error.part <= 1e-6)) ++lost;
         if (std::isfinite(error.ulp)) {
@@ -120,6 +128,23 @@ const std::vector<Function>& functions() {
     return all;
 }
 
+const std::vector<Function>& attackedFunctions() {
+    static const std::vector<Function> all = [] {
+        std::vector<Function> list = functions();
+        for (Function& function : intersectionFunctions()) list.push_back(std::move(function));
+        return list;
+    }();
+    return all;
+}
+
+std::vector<const Form*> ownForms(const Function& function) {
+    std::vector<const Form*> forms;
+    for (const Form& form : function.forms) {
+        if (form.name.rfind("mv", 0) == 0) forms.push_back(&form);
+    }
+    return forms;
+}
+
 void put(Arguments& a, std::size_t i, const vec3& v) {
     for (int k = 0; k < 3; ++k) a[i + static_cast<std::size_t>(k)] = v[k];
 }
@@ -138,6 +163,8 @@ double anyNumber(Random& random, Domain domain, double size) {
 double anyScale(Random& random, Domain domain, double size) {
     return domain == Domain::whole ? std::exp2(std::floor(random.number(-size, size) * 3.32)) : 1;
 }
+
+bool isPictureSize(double size) { return size >= 1 && size <= 16384 && size == std::floor(size); }
 
 std::vector<Wide> valuesOf(const test::WideMatrix& m) {
     std::vector<Wide> values;

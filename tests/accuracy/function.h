@@ -33,6 +33,8 @@ struct Truth {
     std::vector<double> weights = {};  // powers of two that bring values of one block to one size; none: all 1
     bool anyScale = false;             // only the proportions of the values count
     std::vector<Wide> sizes = {};      // of the blocks, where that is not their largest value
+    // How near another verdict is, larger where nearer: what a search for a wrong one climbs, since verdicts have no slope.
+    double closeness = 0;
 };
 Truth entrywise(std::vector<Wide> values);  // each value is its own block
 Truth oneBlock(std::vector<Wide> values);
@@ -50,14 +52,30 @@ struct Function {
     std::string returns;   // one line
     std::string measured;  // "entrywise", or what the blocks are
     std::string domain;    // the whole domain's samples, in words
-    std::string reason;    // why the error is larger than 4 ulp; "" where it is not
+    double bound = 4;      // ulp: more is a defect, anywhere within the limits
+    std::string reason;    // why the bound is above 4 ulp; "" where it is not
     std::function<Arguments(Random&, Domain)> sample;
     std::function<Truth(const Arguments&)> truth;
+    std::string limits = "";                            // where the bound holds; "": for all that is accepted
+    std::function<bool(const Arguments&)> within = {};  // the limits; none: everything finite
     std::vector<Form> forms = {};
 };
 
 // Every function of mv/math that computes something, by header and in its order.
 const std::vector<Function>& functions();
+// These, and the intersections of mv/geometry/ray.h: what tests/adversary looks for the worst errors of.
+const std::vector<Function>& attackedFunctions();
+// The forms of a function that are ours: one, or one for each type that it is compiled for.
+std::vector<const Form*> ownForms(const Function& function);
+
+// The error of one call: in ulp and as a part of its block's largest entry; infinity where the result is not finite.
+struct CallError {
+    double ulp = 0, part = 0;
+    double closeness = 0;  // the truth's
+    bool isRefused = false;
+};
+// Of the arguments as they are, but a float form gets them as floats.
+CallError errorOfCall(const Function& function, const Form& form, const Arguments& arguments);
 
 struct Errors {
     double max = 0, mean = 0;  // ulp; infinity where a result was not finite, which the mean leaves out
@@ -119,6 +137,11 @@ std::vector<Function> transformFunctions();
 std::vector<Function> projectionFunctions();
 std::vector<Function> shadowFunctions();
 std::vector<Function> otherFunctions();
+std::vector<Function> intersectionFunctions();
+
+// A form of intersectSphere, ours or another, that returns both ends, or two infinities where it finds none: made to return
+// where the line is nearest to the centre instead, twice.
+Form withMissesOfSphere(Form form);
 
 // ---- arguments
 
@@ -143,7 +166,13 @@ double anyNumber(Random& random, Domain domain, double size = 150);
 // A power of two of any size of the domain: 1, or from about 1e-size to 1e+size.
 double anyScale(Random& random, Domain domain, double size);
 
+// Whether a number is one of pixels.
+bool isPictureSize(double size);
+
 // ---- truths
+
+// The size of a value that rounding decides, such as a verdict at its very bound: no error of it counts.
+inline const Wide anySize = ldexp(Wide(1), 100000);
 
 std::vector<Wide> valuesOf(const test::WideMatrix& m);
 // The angle in radians, whole turns taken off in whole numbers: exact for every double.

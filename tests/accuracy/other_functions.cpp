@@ -1,8 +1,10 @@
 // clip.h, stereo.h and robust.h.
+#include <algorithm>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 #include "accuracy/function.h"
+#include "mv/error.h"
 #include "mv/math/clip.h"
 #include "mv/math/robust.h"
 #include "mv/math/stereo.h"
@@ -14,6 +16,7 @@ namespace {
 using test::wide;
 using test::Wide3;
 using test::Wide4;
+using test::WideMatrix;
 
 // A segment from inside a half space to outside it: two points and the bound.
 Arguments cuts(Random& random, Domain domain) {
@@ -37,33 +40,55 @@ std::vector<vec4> cutOf(const Arguments& a) {
     return clipPolygon({pointAt(a, 0), pointAt(a, 4)}, bound);
 }
 
-// The corner that was not there before, and how large the terms are whose sum puts it on the bound.
-vec4 newCorner(const Arguments& a) {
+bool hasNoTinyNumber(const Arguments& a) {
+    return std::all_of(a.begin(), a.end(), [](double x) { return x == 0 || std::abs(x) >= 1e-290; });
+}
+
+bool isOnBothSides(const Arguments& a) {
+    const Wide4 bound = wide(pointAt(a, 8));
+    return (dot(bound, wide(pointAt(a, 0))) >= 0) != (dot(bound, wide(pointAt(a, 4))) >= 0);
+}
+
+// How far inside the half space the corner is that was not there before. Where there is none, rounding has judged one of
+// the two ends wrongly, and it is that one.
+Wide insideAtCut(const Arguments& a) {
     const auto cut = cutOf(a);
-    return cut.at(0) == pointAt(a, 0) || cut.at(0) == pointAt(a, 4) ? cut.at(1) : cut.at(0);
+    const vec4 first = pointAt(a, 0), second = pointAt(a, 4);
+    const Wide4 bound = wide(pointAt(a, 8));
+    const auto inside = [&](const vec4& p) { return dot(bound, wide(p)); };
+    for (const vec4& corner : cut) {
+        if (corner != first && corner != second) return inside(corner);
+    }
+    const bool isFirstKept = std::count(cut.begin(), cut.end(), first) > 0;
+    const bool isSecondKept = std::count(cut.begin(), cut.end(), second) > 0;
+    if (isFirstKept != (inside(first) >= 0)) return inside(first);
+    if (isSecondKept != (inside(second) >= 0)) return inside(second);
+    return isFirstKept ? inside(first) : inside(second);  // the cut is that very end
 }
 
 Function clipping() {
-    Function function =
-        withForms({.name = "clipPolygon",
-                   .header = "clip.h",
-                   .returns = "the part of a polygon in half spaces (timed: a segment, one half space)",
-                   .measured = "how far the new corner is off the bound, ulp of the ends' larger product with it",
-                   .domain = "segments 1e-70 to 1e70 large, as close to the bound as 1e-9",
-                   .reason = "",
-                   .sample = cuts,
-                   .truth =
-                       [](const Arguments& a) {
-                           const Wide4 bound = wide(glm::abs(pointAt(a, 8)));
-                           Truth truth = entrywise({Wide(0)});
-                           truth.sizes = {std::max<Wide>(dot(bound, wide(glm::abs(pointAt(a, 0)))),
-                                                         dot(bound, wide(glm::abs(pointAt(a, 4)))))};
-                           return truth;
-                       }},
-                  cutOf);
-    function.forms[0].values = [](const Arguments& a) {
-        return std::vector<Wide>{dot(wide(pointAt(a, 8)), wide(newCorner(a)))};
-    };
+    Function function = withForms(
+        {.name = "clipPolygon",
+         .header = "clip.h",
+         .returns = "the part of a polygon in half spaces (timed: a segment, one half space)",
+         .measured = "how far the new corner is off the bound, ulp of the ends' larger product with it",
+         .domain = "segments 1e-70 to 1e70 large, as close to the bound as 1e-9",
+         .bound = 10,
+         .reason =
+             "roundings: four of each dot product, one of their difference, and three of the way along the segment",
+         .sample = cuts,
+         .truth =
+             [](const Arguments& a) {
+                 const Wide4 bound = wide(glm::abs(pointAt(a, 8)));
+                 Truth truth = entrywise({Wide(0)});
+                 truth.sizes = {std::max<Wide>(dot(bound, wide(glm::abs(pointAt(a, 0)))),
+                                               dot(bound, wide(glm::abs(pointAt(a, 4)))))};
+                 return truth;
+             },
+         .limits = "numbers 0, or at least 1e-290; ends on both sides",
+         .within = [](const Arguments& a) { return hasNoTinyNumber(a) && isOnBothSides(a); }},
+        cutOf);
+    function.forms[0].values = [](const Arguments& a) { return std::vector<Wide>{insideAtCut(a)}; };
     return function;
 }
 
@@ -107,15 +132,28 @@ Truth parallaxTruth(const Arguments& a) {
     const Wide4 point = homogeneous(wide(vectorAt(a, 32)), 1);
     const Wide3 left = divided(wide(matrixAt(a, 0)) * point), right = divided(wide(matrixAt(a, 16)) * point);
     const Wide across = (right[0] - left[0]) / 2 * a[35], up = abs((right[1] - left[1]) / 2 * a[36]);
+    // A pixel's position has the roundings of the products that x and w are sums of.
     const auto position = [&](std::size_t axis) {
-        return std::max<Wide>(abs(left[axis] + 1), abs(right[axis] + 1)) / 2 * a[35 + axis];
+        Wide worst = 0;
+        for (const std::size_t eye : {std::size_t{0}, std::size_t{16}}) {
+            const WideMatrix m = wide(matrixAt(a, eye));
+            const Wide4 clip = m * point;
+            Wide terms = 0, ofW = 0;
+            for (std::size_t i = 0; i < 4; ++i) {
+                terms += abs(m.column[i][axis] * point[i]);
+                ofW += abs(m.column[i][3] * point[i]);
+            }
+            worst = std::max<Wide>(worst, 1 + (terms + ofW * abs(clip[axis] / clip[3])) / abs(clip[3]));
+        }
+        return worst / 2 * a[35 + axis];
     };
-    // A pixel's position has the roundings of a product of w with terms of one size with it.
-    return {{across, across, up},
-            {2, 1},
-            {},
-            false,
-            {std::max<Wide>(position(0), a[35]), std::max<Wide>(position(1), a[36])}};
+    return {{across, across, up}, {2, 1}, {}, false, {position(0), position(1)}};
+}
+
+bool isUsualProduct(double a, double b) {
+    if (a == 0 || b == 0) return true;
+    const double size = std::abs(a * b);
+    return size >= 1e-290 && size <= 1e300;
 }
 
 Arguments nearlyEqualProducts(Random& random, Domain domain) {
@@ -160,35 +198,44 @@ std::vector<Function> otherFunctions() {
         withForms({.name = "polygonArea",
                    .header = "clip.h",
                    .returns = "the area of a flat polygon",
-                   .measured = "ulp of the first diagonal's square",
+                   .measured = "ulp of the diagonal times the other edges of the first corner",
                    .domain = "four corners, 1e-70 to 1e70 large, as thin as 1e-6, 1e3 of that away",
-                   .reason = "",
+                   .bound = 8,
+                   .reason = "roundings: of edges, of cross products, their sum and its length",
                    .sample = polygons,
                    .truth =
                        [](const Arguments& a) {
                            const auto edge = [&](std::size_t i) { return wide(vectorAt(a, i)) - wide(vectorAt(a, 0)); };
                            const Wide3 first = cross(edge(3), edge(6)), second = cross(edge(6), edge(9));
                            Truth truth = entrywise({length(first + second) / 2});
-                           truth.sizes = {dot(edge(6), edge(6))};
+                           truth.sizes = {length(edge(6)) * (length(edge(3)) + length(edge(9)))};
                            return truth;
-                       }},
+                       },
+                   .limits = "coordinates 0, or at least 1e-290",
+                   .within = hasNoTinyNumber},
                   [](const Arguments& a) {
                       const std::array<vec3, 4> corners{vectorAt(a, 0), vectorAt(a, 3), vectorAt(a, 6), vectorAt(a, 9)};
                       return polygonArea(corners);
                   }));
-    list.push_back(withForms({.name = "parallaxOf",
-                              .header = "stereo.h",
-                              .returns = "how far apart two eyes see a point",
-                              .measured = "ulp of the pixels' positions, or of the picture's size if larger",
-                              .domain = "scenes 1e-60 to 1e60 large, eyes 1e-6 to 1 apart that meet 0.1 to 1e4 away",
-                              .reason = "",
-                              .sample = eyes,
-                              .truth = parallaxTruth},
-                             [](const Arguments& a) {
-                                 const vec3 point = vectorAt(a, 32);
-                                 return parallaxOf(std::span(&point, 1), matrixAt(a, 0), matrixAt(a, 16),
-                                                   static_cast<int>(a[35]), static_cast<int>(a[36]), 1e-100);
-                             }));
+    list.push_back(withForms(
+        {.name = "parallaxOf",
+         .header = "stereo.h",
+         .returns = "how far apart two eyes see a point",
+         .measured = "ulp of the terms of the pixels' positions, without their signs",
+         .domain = "scenes 1e-60 to 1e60 large, eyes 1e-6 to 1 apart that meet 0.1 to 1e4 away",
+         .bound = 8,
+         .reason = "roundings: four of each row's product with the point, two quotients, a product and a difference",
+         .sample = eyes,
+         .truth = parallaxTruth,
+         .limits = "pictures 1 to 16384 pixels wide and high, points before both eyes",
+         .within = [](const Arguments& a) { return isPictureSize(a[35]) && isPictureSize(a[36]); }},
+        [](const Arguments& a) {
+            const vec3 point = vectorAt(a, 32);
+            const auto parallax = parallaxOf(std::span(&point, 1), matrixAt(a, 0), matrixAt(a, 16),
+                                             static_cast<int>(a[35]), static_cast<int>(a[36]), 1e-100);
+            if (!parallax) throw Error("parallaxOf", "the point must lie before both eyes");
+            return parallax;
+        }));
     return list;
 }
 
@@ -200,6 +247,7 @@ std::vector<Function> robustFunctions() {
          .returns = "the exponent that brings a size to 1..2",
          .measured = "entrywise",
          .domain = "1e-300 to 1e300",
+         .bound = 0,
          .reason = "",
          .sample = [](Random& random, Domain domain) { return Arguments{std::abs(anyNumber(random, domain, 300))}; },
          .truth = [](const Arguments& a) { return entrywise({trueExponent(a[0])}); }},
@@ -209,6 +257,7 @@ std::vector<Function> robustFunctions() {
                               .returns = "the size of the largest component",
                               .measured = "entrywise",
                               .domain = "1e-290 to 1e290",
+                              .bound = 0,
                               .reason = "",
                               .sample = vectors,
                               .truth = [](const Arguments& a) { return entrywise({largestOf(a)}); }},
@@ -219,6 +268,7 @@ std::vector<Function> robustFunctions() {
                    .returns = "a vector times 2^exponent (timed and measured: 2^-7)",
                    .measured = "entrywise",
                    .domain = "1e-290 to 1e290",
+                   .bound = 0.5,
                    .reason = "",
                    .sample = vectors,
                    .truth = [](const Arguments& a) { return vectorTruth(Wide(0x1p-7) * wide(vectorAt(a, 0))); }},
@@ -228,6 +278,7 @@ std::vector<Function> robustFunctions() {
                               .returns = "a vector whose squares neither overflow nor vanish",
                               .measured = "entrywise",
                               .domain = "1e-290 to 1e290",
+                              .bound = 0.5,
                               .reason = "",
                               .sample = vectors,
                               .truth =
@@ -244,7 +295,9 @@ std::vector<Function> robustFunctions() {
          .domain = "1e-290 to 1e290",
          .reason = "",
          .sample = vectors,
-         .truth = [](const Arguments& a) { return vectorTruth(normalized(wide(vectorAt(a, 0)))); }},
+         .truth = [](const Arguments& a) { return vectorTruth(normalized(wide(vectorAt(a, 0)))); },
+         .limits = "any but 0",
+         .within = [](const Arguments& a) { return vectorAt(a, 0) != vec3(0); }},
         [](const Arguments& a) { return unit(vectorAt(a, 0)); },
         []<typename T>(const ArgumentsOf<T>& a) { return glm::normalize(vectorAt(a, 0)); }));
     list.push_back(withForms(
@@ -253,9 +306,12 @@ std::vector<Function> robustFunctions() {
          .returns = "a b − c d",
          .measured = "entrywise",
          .domain = "1e-60 to 1e60, products 1e-17 to 1 of their size apart",
+         .bound = 1.5,
          .reason = "",
          .sample = nearlyEqualProducts,
-         .truth = [](const Arguments& a) { return entrywise({Wide(a[0]) * a[1] - Wide(a[2]) * a[3]}); }},
+         .truth = [](const Arguments& a) { return entrywise({Wide(a[0]) * a[1] - Wide(a[2]) * a[3]}); },
+         .limits = "products 0, or from 1e-290 to 1e300",
+         .within = [](const Arguments& a) { return isUsualProduct(a[0], a[1]) && isUsualProduct(a[2], a[3]); }},
         [](const Arguments& a) { return differenceOfProducts(a[0], a[1], a[2], a[3]); },
         []<typename T>(const ArgumentsOf<T>& a) {
             return glm::determinant(glm::mat<2, 2, T>(a[0], a[2], a[3], a[1]));
@@ -266,9 +322,19 @@ std::vector<Function> robustFunctions() {
          .returns = "a × b",
          .measured = "entrywise",
          .domain = "1e-60 to 1e60, 1e-16 to 1.5 rad apart",
+         .bound = 1.5,
          .reason = "",
          .sample = nearlyParallel,
-         .truth = [](const Arguments& a) { return vectorTruth(cross(wide(vectorAt(a, 0)), wide(vectorAt(a, 3)))); }},
+         .truth = [](const Arguments& a) { return vectorTruth(cross(wide(vectorAt(a, 0)), wide(vectorAt(a, 3)))); },
+         .limits = "products 0, or from 1e-290 to 1e300",
+         .within =
+             [](const Arguments& a) {
+                 for (std::size_t i = 0; i < 3; ++i) {
+                     const std::size_t k = (i + 1) % 3, l = (i + 2) % 3;
+                     if (!isUsualProduct(a[k], a[3 + l]) || !isUsualProduct(a[l], a[3 + k])) return false;
+                 }
+                 return true;
+             }},
         [](const Arguments& a) { return accurateCross(vectorAt(a, 0), vectorAt(a, 3)); },
         []<typename T>(const ArgumentsOf<T>& a) { return glm::cross(vectorAt(a, 0), vectorAt(a, 3)); }));
     return list;

@@ -79,6 +79,21 @@ std::string percent(double part) { return part == 0 ? "0" : twoDigits(100 * part
 // The error as a part of the largest entry, for the curve; what is exact stands at its left edge.
 double part(const Errors& error, bool isFloat) { return std::max(error.max * (isFloat ? 0x1p-23 : 0x1p-52), 2e-17); }
 
+const std::string worstHeading = "function,form,worst_ulp,bound_ulp,seed,evaluations,input";
+
+// Those up to the last that is not 0.
+std::vector<double> leading(const Arguments& input) {
+    std::size_t count = input.size();
+    while (count > 1 && input[count - 1] == 0) --count;
+    return {input.begin(), input.begin() + static_cast<std::ptrdiff_t>(count)};
+}
+
+std::string formatted(const char* format, double value) {
+    char text[64];
+    std::snprintf(text, sizeof text, format, value);
+    return text;
+}
+
 // Names beside the curve's points, moved up where they would cover each other.
 struct Label {
     double x, y;
@@ -183,7 +198,41 @@ TimeTable timesFrom(const std::string& text) {
     return times;
 }
 
-std::string libraryPage(const ErrorTable& errors, const TimeTable& times) {
+std::string worstText(const WorstTable& worst) {
+    std::ostringstream text;
+    text << "# The worst that a search has found of each form, arguments as hexadecimal numbers; written by "
+            "`MVGL_UPDATE_DOCS=1 build/tests/test-adversary`.\n"
+         << worstHeading << "\n";
+    for (const auto& [key, found] : worst) {
+        text << key.first << "," << key.second << "," << formatted("%.3g", found.ulp) << ","
+             << formatted("%g", found.bound) << "," << found.seed << "," << found.evaluations << ",";
+        const char* gap = "";
+        for (const double value : leading(found.input)) {
+            text << gap << formatted("%a", value);
+            gap = " ";
+        }
+        text << "\n";
+    }
+    return text.str();
+}
+
+WorstTable worstFrom(const std::string& text) {
+    WorstTable worst;
+    for (const auto& row : csvRows(text, worstHeading)) {
+        WorstFound found{number(row[2]), number(row[3]), std::strtoull(row[4].c_str(), nullptr, 10),
+                         std::strtol(row[5].c_str(), nullptr, 10)};
+        std::istringstream input(row[6]);
+        std::size_t i = 0;
+        for (std::string value; input >> value; ++i) {
+            if (i == found.input.size()) throw Error("library data", "there must not be more arguments", row[6]);
+            found.input[i] = number(value);
+        }
+        worst[{row[0], row[1]}] = found;
+    }
+    return worst;
+}
+
+std::string libraryPage(const ErrorTable& errors, const TimeTable& times, const WorstTable& worst) {
     const Numbers numbers{errors, times};
     std::ostringstream page;
     page << R"(# Error and time of the library's functions
@@ -192,7 +241,7 @@ What each function of `mv/math` returns, how far that is from the truth, and how
 50 digits (Boost.Multiprecision) from the very same arguments. Errors are in ulp, units in the last place: the gap between
 neighbouring doubles at the size of the true result; rounding alone costs half of one. *Entrywise* takes each number's own
 size, which asks the most; otherwise the size is that of the largest entry of what is named. Samples are random, with sizes
-spread evenly over the logarithm, over the whole domain that a function accepts. What lies above 4 ulp has its reason.
+spread evenly over the logarithm. Samples miss corners: what a search finds stands [below](#the-worst-that-a-search-finds).
 
 Times are of )"
          << times.machine << R"(, median ± median absolute deviation of interleaved runs.
@@ -211,13 +260,42 @@ Written by `build/bin/mvgl-bench accuracy --write docs`; a test measures the err
         if (function.header != header) {
             header = function.header;
             page << (function.name == functions().front().name ? "" : "\n") << "### mv/math/" << header << "\n\n"
-                 << "| function | returns | error measured | max | mean | ns | samples | why more than 4 |\n"
-                 << "|---|---|---|--:|--:|--:|---|---|\n";
+                 << "| function | returns | error measured | max | mean | ns | samples |\n"
+                 << "|---|---|---|--:|--:|--:|---|\n";
         }
         const Errors& e = numbers.error(function, "mv", Domain::whole, pageRun);
         page << "| `" << function.name << "` | " << function.returns << " | " << function.measured << " | "
              << twoDigits(e.max) << " | " << twoDigits(e.mean) << " | " << numbers.ns(function, "mv") << " | "
-             << function.domain << " | " << function.reason << " |\n";
+             << function.domain << " |\n";
+    }
+    page << R"(
+## The worst that a search finds
+
+`test-adversary` looks for the arguments on which a function is worst: from random samples it climbs by changing bits, exponents
+and signs, and by copying one argument to another. An error above the bound is a failed test. The bound is 4 ulp, less where the
+function promises less, and more where the last column counts its roundings, of up to an ulp each; it holds for all that the function accepts, or within the
+limits named, which its header names, too. Errors are measured as above, so that a result which is a small difference of
+large terms counts in ulp of the terms: rounding the arguments alone would cost as much. Each input is shortened here; [library-worst.csv](library-worst.csv) has all its bits, and a test asks it
+again. Evaluations: of the run that found it.
+
+| function | type | error measured | worst | bound | limits | evaluations | input | why more than 4 |
+|---|---|---|--:|--:|---|--:|---|---|
+)";
+    for (const Function& function : attackedFunctions()) {
+        for (const Form* form : ownForms(function)) {
+            const auto found = worst.find({function.name, form->name});
+            if (found == worst.end()) throw Error("libraryPage", "each function must have its worst", function.name);
+            page << "| `" << function.name << "` | " << (form->isFloat ? "float" : "double") << " | "
+                 << function.measured << " | " << twoDigits(found->second.ulp) << " | "
+                 << formatted("%g", found->second.bound) << " | "
+                 << (function.limits.empty() ? "all that is accepted" : function.limits) << " | "
+                 << found->second.evaluations << " | ";
+            const std::vector<double> input = leading(found->second.input);
+            for (std::size_t i = 0; i < std::min<std::size_t>(input.size(), 9); ++i) {
+                page << (i == 0 ? "" : " ") << formatted("%.4g", input[i]);
+            }
+            page << (input.size() > 9 ? " …" : "") << " | " << function.reason << " |\n";
+        }
     }
     page << R"(
 ## Against GLM

@@ -1,6 +1,7 @@
 // docs/library.md and the two files it is made of: what was measured, kept so that the page can be made again without
 // measuring, and compared with what is measured now.
 #pragma once
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -37,14 +38,27 @@ struct TimeTable {
     std::map<std::pair<std::string, std::string>, Time> times;  // by function and form
 };
 
+// The worst that a search has found of a form (tests/adversary), and the input that gives it.
+struct WorstFound {
+    double ulp = 0, bound = 0;
+    std::uint64_t seed = 0;
+    long evaluations = 0;
+    Arguments input{};
+};
+using WorstTable = std::map<std::pair<std::string, std::string>, WorstFound>;  // by function and form
+
+// docs/library-worst.csv: errors to three digits, arguments to the last bit.
+std::string worstText(const WorstTable& worst);
+WorstTable worstFrom(const std::string& text);
+
 // docs/library-errors.csv and docs/library-times.csv, numbers to two digits. Error: a line that is none of ours.
 std::string errorsText(const ErrorTable& errors);
 ErrorTable errorsFrom(const std::string& text);
 std::string timesText(const TimeTable& times);
 TimeTable timesFrom(const std::string& text);
 
-// The page: a function of the two tables and of the words in functions(). Error: a function without its numbers.
-std::string libraryPage(const ErrorTable& errors, const TimeTable& times);
+// The page: a function of the three tables and of the words in functions(). Error: a function without its numbers.
+std::string libraryPage(const ErrorTable& errors, const TimeTable& times, const WorstTable& worst);
 // What the curve docs/library.svg is drawn from, as gnuplot's input; and a line that says which numbers a curve shows.
 std::string curveScript(const ErrorTable& errors, const TimeTable& times);
 std::string curveStamp(const ErrorTable& errors, const TimeTable& times);

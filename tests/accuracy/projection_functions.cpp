@@ -1,4 +1,5 @@
 // projection.h.
+#include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/trigonometric.hpp>
 
@@ -52,6 +53,9 @@ Arguments views(Random& random, Domain domain) {
     putDepths(random, domain, a, 2);
     return a;
 }
+
+const std::string angleLimits = "fovy at least 1e-290";
+bool hasFullAngle(const Arguments& a) { return a[0] >= 1e-290; }
 
 struct HalfAngle {
     Wide tangent, cotangent;
@@ -121,14 +125,31 @@ WideMatrix inverse(WideMatrix m) {
     return result;
 }
 
+// |m| |v|, entry by entry.
+Wide4 timesWithoutSigns(const WideMatrix& m, const Wide4& v) {
+    Wide4 sum{};
+    for (std::size_t row = 0; row < 4; ++row) {
+        for (std::size_t column = 0; column < 4; ++column) sum[row] += abs(m.column[column][row] * v[column]);
+    }
+    return sum;
+}
+
 Truth cornersTruth(const Arguments& a) {
-    const WideMatrix worldFromClip = inverse(wide(matrixAt(a, 0)));
+    const WideMatrix clipFromWorld = wide(matrixAt(a, 0)), worldFromClip = inverse(clipFromWorld);
     Truth truth;
     for (unsigned i = 0; i < 8; ++i) {
         const vec4 cube((i & 1U) ? 1 : -1, (i & 2U) ? 1 : -1, (i & 4U) ? 1 : -1, 1);
-        const Wide3 corner = divided(worldFromClip * wide(cube));
+        const Wide4 world = worldFromClip * wide(cube);
+        const Wide3 corner = divided(world);
+        // What a change of each entry of the matrix by one part moves the corner by, in such parts.
+        const Wide4 moved = timesWithoutSigns(worldFromClip, timesWithoutSigns(clipFromWorld, world));
+        Wide size = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            size = std::max<Wide>(size, (moved[k] + abs(corner[k]) * moved[3]) / abs(world[3]));
+        }
         truth.values.insert(truth.values.end(), corner.element.begin(), corner.element.end());
         truth.blocks.push_back(3);
+        truth.sizes.push_back(size);
     }
     return truth;
 }
@@ -170,7 +191,9 @@ std::vector<Function> projectionFunctions() {
          .returns = "a symmetric perspective",
          .measured = "entrywise",
          .domain = "fovy 1e-9 to 180 − 1e-9 degrees, near 1e-300 to 1e290, far/near − 1 from 1e-12 to 1e12",
-         .reason = "",
+         .bound = 6,
+         .reason = "roundings: 2.4 of the angle, in which 45° magnifies those of the radians 1.57 times, a tangent, "
+                   "and two or three quotients",
          .sample = views,
          .truth =
              [](const Arguments& a) {
@@ -182,7 +205,9 @@ std::vector<Function> projectionFunctions() {
                  m.column[2][3] = -1;
                  m.column[3][2] = -2 * far * near / (far - near);
                  return entrywise(valuesOf(m));
-             }},
+             },
+         .limits = angleLimits,
+         .within = hasFullAngle},
         [](const Arguments& a) { return perspective(a[0], a[1], a[2], a[3]); },
         []<typename T>(const ArgumentsOf<T>& a) {
             return glm::perspectiveRH_NO(glm::radians(a[0]), a[1], a[2], a[3]);
@@ -193,7 +218,8 @@ std::vector<Function> projectionFunctions() {
          .returns = "a perspective without a far plane",
          .measured = "entrywise",
          .domain = "fovy 1e-9 to 180 − 1e-9 degrees, near 1e-300 to 1e290",
-         .reason = "",
+         .bound = 6,
+         .reason = "as perspective",
          .sample = views,
          .truth =
              [](const Arguments& a) {
@@ -204,7 +230,9 @@ std::vector<Function> projectionFunctions() {
                  m.column[2][2] = m.column[2][3] = -1;
                  m.column[3][2] = -2 * near;
                  return entrywise(valuesOf(m));
-             }},
+             },
+         .limits = angleLimits,
+         .within = hasFullAngle},
         [](const Arguments& a) { return infinitePerspective(a[0], a[1], a[2]); },
         []<typename T>(const ArgumentsOf<T>& a) { return glm::infinitePerspective(glm::radians(a[0]), a[1], a[2]); }));
     list.push_back(withForms(
@@ -230,13 +258,16 @@ std::vector<Function> projectionFunctions() {
                               .returns = "the window of a perspective",
                               .measured = "entrywise",
                               .domain = "as perspective",
-                              .reason = "bounds below 1e-308, as of near 1e-300 and fovy 1e-9, have fewer digits",
+                              .bound = 7,
+                              .reason = "roundings: those of the tangent as in perspective, and three products",
                               .sample = views,
                               .truth =
                                   [](const Arguments& a) {
                                       const Wide top = a[2] * halfAngle(a[0]).tangent, right = top * a[1];
                                       return entrywise({-right, right, -top, top, a[2], a[3]});
-                                  }},
+                                  },
+                              .limits = angleLimits,
+                              .within = hasFullAngle},
                              [](const Arguments& a) { return frustumBounds(a[0], a[1], a[2], a[3]); }));
     list.push_back(
         withForms({.name = "planesFromClip",
@@ -244,46 +275,57 @@ std::vector<Function> projectionFunctions() {
                    .returns = "the six planes of a matrix's view",
                    .measured = "ulp of each normal's largest entry, and of each distance",
                    .domain = "cameras with near 1e-3 to 1e3 and far/near 10 to 1e8",
-                   .reason = "",
+                   .bound = 6,
+                   .reason = "roundings: a sum, a length 3.5 and a quotient",
                    .sample = [](Random& random, Domain domain) { return cameraMatrices(random, domain, 1e8); },
                    .truth = planesTruth},
                   [](const Arguments& a) { return planesFromClip(matrixAt(a, 0)); }));
-    list.push_back(withForms({.name = "perspectivePlanes",
-                              .header = "projection.h",
-                              .returns = "the six planes of perspective's arguments",
-                              .measured = "entrywise",
-                              .domain = "as perspective",
-                              .reason = "",
-                              .sample = views,
-                              .truth =
-                                  [](const Arguments& a) {
-                                      const Wide tangent = halfAngle(a[0]).tangent;
-                                      const auto inward = [](const Wide& t) {
-                                          const Wide length = sqrt(1 + t * t);
-                                          return std::array<Wide, 2>{1 / length, -t / length};
-                                      };
-                                      const auto side = inward(tangent * a[1]), level = inward(tangent);
-                                      return entrywise({side[0], 0,           side[1],  0,        -side[0], 0,
-                                                        side[1], 0,           0,        level[0], level[1], 0,
-                                                        0,       -level[0],   level[1], 0,        0,        0,
-                                                        -1,      -Wide(a[2]), 0,        0,        1,        a[3]});
-                                  }},
-                             [](const Arguments& a) { return perspectivePlanes(a[0], a[1], a[2], a[3]); }));
-    list.push_back(
-        withForms({.name = "viewVolumeCorners",
-                   .header = "projection.h",
-                   .returns = "the eight corners of a view",
-                   .measured = "ulp of each corner's largest coordinate",
-                   .domain = "cameras with near 1e-3 to 1e3 and far/near 10 to 1e6",
-                   .reason = "one rounding of the matrix moves the far corners by far/near ulp",
-                   .sample = [](Random& random, Domain domain) { return cameraMatrices(random, domain, 1e6); },
-                   .truth = cornersTruth},
-                  [](const Arguments& a) { return viewVolumeCorners(matrixAt(a, 0)); }));
+    list.push_back(withForms(
+        {.name = "perspectivePlanes",
+         .header = "projection.h",
+         .returns = "the six planes of perspective's arguments",
+         .measured = "entrywise",
+         .domain = "as perspective",
+         .bound = 7,
+         .reason = "roundings: those of the tangent as in perspective, two quotients, a length and one quotient more",
+         .sample = views,
+         .truth =
+             [](const Arguments& a) {
+                 const Wide tangent = halfAngle(a[0]).tangent;
+                 const auto inward = [](const Wide& t) {
+                     const Wide length = sqrt(1 + t * t);
+                     return std::array<Wide, 2>{1 / length, -t / length};
+                 };
+                 const auto side = inward(tangent * a[1]), level = inward(tangent);
+                 return entrywise({side[0], 0,        side[1],  0,           -side[0], 0,         side[1],  0,
+                                   0,       level[0], level[1], 0,           0,        -level[0], level[1], 0,
+                                   0,       0,        -1,       -Wide(a[2]), 0,        0,         1,        a[3]});
+             },
+         .limits = angleLimits,
+         .within = hasFullAngle},
+        [](const Arguments& a) { return perspectivePlanes(a[0], a[1], a[2], a[3]); }));
+    list.push_back(withForms(
+        {.name = "viewVolumeCorners",
+         .header = "projection.h",
+         .returns = "the eight corners of a view",
+         .measured = "ulp of what one rounding of each entry of the matrix moves the corner by",
+         .domain = "cameras with near 1e-3 to 1e3 and far/near 10 to 1e6",
+         .reason = "",
+         .sample = [](Random& random, Domain domain) { return cameraMatrices(random, domain, 1e6); },
+         .truth = cornersTruth,
+         .limits = "entries 0, or from 1e-10 to 1e10 in size",
+         .within =
+             [](const Arguments& a) {
+                 return std::all_of(a.begin(), a.begin() + 16,
+                                    [](double x) { return x == 0 || (std::abs(x) >= 1e-10 && std::abs(x) <= 1e10); });
+             }},
+        [](const Arguments& a) { return viewVolumeCorners(matrixAt(a, 0)); }));
     list.push_back(withForms({.name = "ndcFromClip",
                               .header = "projection.h",
                               .returns = "clip coordinates divided by w",
                               .measured = "entrywise",
                               .domain = "1e-150 to 1e150",
+                              .bound = 0.5,
                               .reason = "",
                               .sample =
                                   [](Random& random, Domain domain) {
@@ -319,7 +361,9 @@ std::vector<Function> projectionFunctions() {
                               .truth =
                                   [](const Arguments& a) {
                                       return entrywise({(Wide(a[0]) + 1) / 2 * a[2], (Wide(a[1]) + 1) / 2 * a[3]});
-                                  }},
+                                  },
+                              .limits = "pictures 1 to 16384 pixels wide and high",
+                              .within = [](const Arguments& a) { return isPictureSize(a[2]) && isPictureSize(a[3]); }},
                              [](const Arguments& a) {
                                  return pixelFromNdc(vec2(a[0], a[1]), static_cast<int>(a[2]), static_cast<int>(a[3]));
                              }));

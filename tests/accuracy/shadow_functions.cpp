@@ -12,8 +12,8 @@ using test::Wide3;
 using test::Wide4;
 using test::WideMatrix;
 
-// Where light, plane, origin, the unit of the scene and the caster's corners are.
-constexpr std::size_t lightAt = 0, planeAt = 4, originAt = 8, unitAt = 11, cornersAt = 12;
+// Where light, plane, origin and the caster's corners are.
+constexpr std::size_t lightAt = 0, planeAt = 4, originAt = 8, cornersAt = 11;
 
 // A plane up to 1e3 scene units away from the origin, a light 1e-5 to 1e3 of them above or below it.
 Arguments scenes(Random& random, Domain domain) {
@@ -31,7 +31,6 @@ Arguments scenes(Random& random, Domain domain) {
     put(a, lightAt, random.sign() < 0 && random.sign() < 0 ? vec4(position - onPlane, 0) : vec4(position, 1) * w);
     put(a, planeAt, normalSize * vec4(up, -glm::dot(up, onPlane)));
     put(a, originAt, onPlane);
-    a[unitAt] = unit;
     const vec3 middle = onPlane + unit * std::abs(height) * random.number(-0.5, 1.5) * up;
     for (std::size_t i = 0; i < 4; ++i) put(a, cornersAt + 3 * i, middle + 0.3 * unit * random.point(1));
     return a;
@@ -43,33 +42,57 @@ Wide4 unitPlane(const Arguments& a) {
 }
 Wide4 turnedTo(const Wide4& light, const Wide4& plane) { return dot(plane, light) < 0 ? Wide(-1) * plane : plane; }
 
-// In units of the scene, so that a coordinate and a direction are of one size: columns as in valuesOf.
-std::vector<double> inUnits(double unit) {
-    std::vector<double> weights(16, 1);
-    for (std::size_t column = 0; column < 4; ++column) {
-        for (std::size_t row = 0; row < 4; ++row) {
-            if (column == 3 && row < 3) weights[4 * column + row] = 1 / unit;
-            if (column < 3 && row == 3) weights[4 * column + row] = unit;
-        }
-    }
-    return weights;
+// A component of a unit vector below this has not all digits; so what it is a factor of counts as if it were this.
+const Wide leastComponent = ldexp(Wide(1), -1022);
+Wide sizeOf(const Wide& component) { return abs(component) + leastComponent; }
+
+// The sum of the sizes of a product's terms, of the first `count`.
+Wide termsOf(const Wide4& n, const Wide4& light, std::size_t count) {
+    Wide sum = 0;
+    for (std::size_t i = 0; i < count; ++i) sum += sizeOf(n[i]) * abs(light[i]);
+    return sum;
 }
 
-Truth projectionTruth(const Wide4& light, const Wide4& plane, double unit) {
+Truth projectionTruth(const Wide4& light, const Wide4& plane) {
     const Wide4 n = turnedTo(light, plane);
     const Wide height = dot(n, light);
-    WideMatrix m;
+    Truth truth;
     for (std::size_t column = 0; column < 4; ++column) {
         for (std::size_t row = 0; row < 4; ++row) {
-            m.column[column][row] = (row == column ? height : Wide(0)) - n[column] * light[row];
+            // At the last place the plane's distance falls out, which not even 50 digits would do at any size.
+            const bool isLast = column == 3 && row == 3;
+            truth.values.push_back(isLast ? dot(firstThree(n), firstThree(light))
+                                          : (row == column ? height : Wide(0)) - n[column] * light[row]);
+            truth.blocks.push_back(1);
+            const Wide ofHeight = row != column ? Wide(0) : termsOf(n, light, column == 3 ? 3 : 4);
+            truth.sizes.push_back(ofHeight + sizeOf(n[column]) * (isLast ? Wide(0) : abs(light[row])));
         }
     }
-    Truth truth = oneBlock(valuesOf(m));
-    truth.weights = inUnits(unit);
     return truth;
 }
 
-const std::string inScene = "ulp of the largest entry, in units of the scene";
+// A verdict, 1 for yes; `isOpen`: so close to the bound that rounding decides, and either is right.
+Truth verdict(const Wide& value, bool isOpen, double closeness) {
+    Truth truth = entrywise({value});
+    truth.sizes = {isOpen ? anySize : Wide(1)};
+    truth.closeness = closeness;
+    return truth;
+}
+// Minus the distance of a quotient from 1, in powers of two.
+double closenessOf(const Wide& value, const Wide& bound) {
+    if (value <= 0 || bound <= 0) return -1e4;
+    return -std::abs(static_cast<double>(log2(value / bound)));
+}
+
+// The light's height, in units of the one below which it counts as lying in the plane.
+Wide clearance(const Wide4& light, const Wide4& plane) {
+    const Wide size = length(firstThree(light)) + abs(plane[3]) * light[3];
+    return dot(plane, light) / ((light[3] == 0 ? Wide(1e-12) : Wide(1e-6)) * size);
+}
+// What rounding may do to it: some roundings of the terms, which are 1e6 or 1e12 times as large.
+double clearanceRounding(const Wide4& light) { return light[3] == 0 ? 1e-3 : 1e-9; }
+
+const std::string ofTerms = "ulp of the sum of each entry's terms, without their signs";
 const std::string sceneDomain = "scenes 1e-60 to 1e60 large, planes up to 1e3 of that away";
 
 }  // namespace
@@ -80,78 +103,82 @@ std::vector<Function> shadowFunctions() {
         {.name = "shadowProjection",
          .header = "shadow.h",
          .returns = "the shadow on a plane",
-         .measured = inScene,
+         .measured = ofTerms,
          .domain = sceneDomain,
-         .reason = "",
+         .bound = 13,
+         .reason =
+             "roundings: 7.5 of the plane's distance by a normal of length 1, and five of the products and their sums",
+         .sample = scenes,
+         .truth = [](const Arguments& a) { return projectionTruth(wide(pointAt(a, lightAt)), unitPlane(a)); }},
+        [](const Arguments& a) { return shadowProjection(pointAt(a, lightAt), pointAt(a, planeAt)); }));
+    list.push_back(withForms(
+        {.name = "shadowProjection (origin)",
+         .header = "shadow.h",
+         .returns = "the same, relative to a point on the plane",
+         .measured = ofTerms,
+         .domain = sceneDomain,
+         .bound = 13,
+         .reason = "as without origin",
          .sample = scenes,
          .truth =
-             [](const Arguments& a) { return projectionTruth(wide(pointAt(a, lightAt)), unitPlane(a), a[unitAt]); }},
-        [](const Arguments& a) { return shadowProjection(pointAt(a, lightAt), pointAt(a, planeAt)); }));
-    list.push_back(withForms({.name = "shadowProjection (origin)",
+             [](const Arguments& a) {
+                 const Wide4 light = wide(pointAt(a, lightAt));
+                 const Wide3 local = firstThree(light) - light[3] * wide(vectorAt(a, originAt));
+                 return projectionTruth(homogeneous(local, light[3]), homogeneous(firstThree(unitPlane(a)), 0));
+             }},
+        [](const Arguments& a) {
+            return shadowProjection(pointAt(a, lightAt), pointAt(a, planeAt), vectorAt(a, originAt));
+        }));
+    list.push_back(
+        withForms({.name = "shadowCasterBounds",
+                   .header = "shadow.h",
+                   .returns = "where a caster has to be",
+                   .measured = ofTerms,
+                   .domain = sceneDomain,
+                   .bound = 8,
+                   .reason = "roundings: 7.5 of the plane's distance by a normal of length 1",
+                   .sample = scenes,
+                   .truth =
+                       [](const Arguments& a) {
+                           const Wide4 light = wide(pointAt(a, lightAt)), n = turnedTo(light, unitPlane(a));
+                           Wide4 lower = Wide(-1) * (light[3] * n);
+                           lower[3] = dot(firstThree(n), firstThree(light));
+                           Truth truth;
+                           for (std::size_t i = 0; i < 8; ++i) {
+                               truth.values.push_back(i < 4 ? n[i] : lower[i - 4]);
+                               truth.blocks.push_back(1);
+                               truth.sizes.push_back(i < 4    ? sizeOf(n[i])
+                                                     : i == 7 ? termsOf(n, light, 3)
+                                                              : light[3] * sizeOf(n[i - 4]));
+                           }
+                           return truth;
+                       }},
+                  [](const Arguments& a) { return shadowCasterBounds(pointAt(a, lightAt), pointAt(a, planeAt)); }));
+    list.push_back(withForms({.name = "lightSide",
                               .header = "shadow.h",
-                              .returns = "the same, relative to a point on the plane",
-                              .measured = inScene,
+                              .returns = "which side of the plane the light is on",
+                              .measured = "wrong verdicts (0: none), but for what rounding decides",
                               .domain = sceneDomain,
                               .reason = "",
                               .sample = scenes,
                               .truth =
                                   [](const Arguments& a) {
                                       const Wide4 light = wide(pointAt(a, lightAt));
-                                      const Wide3 local = firstThree(light) - light[3] * wide(vectorAt(a, originAt));
-                                      return projectionTruth(homogeneous(local, light[3]),
-                                                             homogeneous(firstThree(unitPlane(a)), 0), a[unitAt]);
+                                      const Wide clear = clearance(light, unitPlane(a));
+                                      return verdict(clear > 1    ? 1
+                                                     : clear < -1 ? -1
+                                                                  : 0,
+                                                     abs(abs(clear) - 1) <= clearanceRounding(light),
+                                                     closenessOf(abs(clear), 1));
                                   }},
-                             [](const Arguments& a) {
-                                 return shadowProjection(pointAt(a, lightAt), pointAt(a, planeAt),
-                                                         vectorAt(a, originAt));
-                             }));
-    list.push_back(withForms(
-        {.name = "shadowCasterBounds",
-         .header = "shadow.h",
-         .returns = "where a caster has to be",
-         .measured =
-             "ulp of the largest entry, for [1] of the light's distance if that is larger, in units of the scene",
-         .domain = sceneDomain,
-         .reason = "",
-         .sample = scenes,
-         .truth =
-             [](const Arguments& a) {
-                 const Wide4 light = wide(pointAt(a, lightAt)), n = turnedTo(light, unitPlane(a));
-                 Wide4 lower = Wide(-1) * (light[3] * n);
-                 lower[3] += dot(n, light);
-                 Truth truth{{}, {4, 4}, {}, false, {Wide(0), Wide(0)}};
-                 truth.sizes[0] = std::max<Wide>(a[unitAt], abs(n[3]));
-                 truth.sizes[1] = std::max<Wide>(a[unitAt] * light[3], length(firstThree(light)));
-                 for (const Wide4& bound : {n, lower}) {
-                     truth.values.insert(truth.values.end(), bound.element.begin(), bound.element.end());
-                     truth.weights.insert(truth.weights.end(), {a[unitAt], a[unitAt], a[unitAt], 1.0});
-                 }
-                 return truth;
-             }},
-        [](const Arguments& a) { return shadowCasterBounds(pointAt(a, lightAt), pointAt(a, planeAt)); }));
-    list.push_back(
-        withForms({.name = "lightSide",
-                   .header = "shadow.h",
-                   .returns = "which side of the plane the light is on",
-                   .measured = "wrong verdicts (0: none)",
-                   .domain = sceneDomain,
-                   .reason = "",
-                   .sample = scenes,
-                   .truth =
-                       [](const Arguments& a) {
-                           const Wide4 light = wide(pointAt(a, lightAt)), plane = unitPlane(a);
-                           const Wide height = dot(plane, light);
-                           const Wide size = length(firstThree(light)) + abs(plane[3]) * light[3];
-                           const Wide least = light[3] == 0 ? Wide(1e-12) : Wide(1e-6);
-                           return entrywise({abs(height) <= least * size ? Wide(0) : height > 0 ? Wide(1) : Wide(-1)});
-                       }},
-                  [](const Arguments& a) { return lightSide(pointAt(a, lightAt), pointAt(a, planeAt)); }));
+                             [](const Arguments& a) { return lightSide(pointAt(a, lightAt), pointAt(a, planeAt)); }));
     list.push_back(withForms({.name = "reflection",
                               .header = "shadow.h",
                               .returns = "mirrors in a plane",
-                              .measured = inScene,
+                              .measured = ofTerms,
                               .domain = sceneDomain,
-                              .reason = "",
+                              .bound = 13,
+                              .reason = "roundings: 7.5 of the plane's distance, 3.5 of the normal, and two products",
                               .sample = scenes,
                               .truth =
                                   [](const Arguments& a) {
@@ -162,38 +189,50 @@ std::vector<Function> shadowFunctions() {
                                               m.column[column][row] -= 2 * n[column] * n[row];
                                           }
                                       }
-                                      Truth truth = oneBlock(valuesOf(m));
-                                      truth.weights = inUnits(a[unitAt]);
+                                      Truth truth = entrywise(valuesOf(m));
+                                      for (std::size_t i = 0; i < 16; ++i) {
+                                          const std::size_t column = i / 4, row = i % 4;
+                                          const Wide product =
+                                              row < 3 ? 2 * sizeOf(n[column]) * sizeOf(n[row]) : Wide(0);
+                                          truth.sizes.push_back((row == column ? Wide(1) : Wide(0)) + product);
+                                      }
                                       return truth;
                                   }},
                              [](const Arguments& a) { return reflection(pointAt(a, planeAt)); }));
-    list.push_back(
-        withForms({.name = "judgeCaster",
-                   .header = "shadow_caster.h",
-                   .returns = "whether a caster throws a shadow, and why not",
-                   .measured = "wrong verdicts (0: none)",
-                   .domain = sceneDomain,
-                   .reason = "",
-                   .sample = scenes,
-                   .truth =
-                       [](const Arguments& a) {
-                           const Wide4 light = wide(pointAt(a, lightAt)), plane = unitPlane(a);
-                           const Wide height = dot(plane, light);
-                           bool above = false, below = false;
-                           for (std::size_t i = 0; i < 4; ++i) {
-                               const Wide at = dot(plane, homogeneous(wide(vectorAt(a, cornersAt + 3 * i)), 1));
-                               above |= at > 0;
-                               below |= height > light[3] * at;
-                           }
-                           const Wide size = length(firstThree(light)) + abs(plane[3]) * light[3];
-                           const bool isLit = height > (light[3] == 0 ? Wide(1e-12) : Wide(1e-6)) * size;
-                           return entrywise({isLit && above && below ? Wide(1) : Wide(0)});
-                       }},
-                  [](const Arguments& a) {
-                      const std::array<vec3, 4> corners{vectorAt(a, cornersAt), vectorAt(a, cornersAt + 3),
-                                                        vectorAt(a, cornersAt + 6), vectorAt(a, cornersAt + 9)};
-                      return judgeCaster("caster", corners, pointAt(a, lightAt), pointAt(a, planeAt)).casts;
-                  }));
+    list.push_back(withForms(
+        {.name = "judgeCaster",
+         .header = "shadow_caster.h",
+         .returns = "whether a caster throws a shadow, and why not",
+         .measured = "wrong verdicts (0: none), but for what rounding decides",
+         .domain = sceneDomain,
+         .reason = "",
+         .sample = scenes,
+         .truth =
+             [](const Arguments& a) {
+                 const Wide4 light = wide(pointAt(a, lightAt)), plane = unitPlane(a);
+                 const Wide along = dot(firstThree(plane), firstThree(light)), clear = clearance(light, plane);
+                 // The most that a corner is above the floor, and below the light, in units of what counts as 0.
+                 Wide above = -1e9, below = -1e9;
+                 for (std::size_t i = 0; i < 4; ++i) {
+                     const Wide4 corner = homogeneous(wide(vectorAt(a, cornersAt + 3 * i)), 1);
+                     const Wide at = dot(plane, corner), size = termsOf(plane, corner, 4);
+                     const Wide sizeBelow = termsOf(plane, light, 3) + light[3] * termsOf(plane, corner, 3);
+                     above = std::max<Wide>(above, at / (Wide(1e-12) * size));
+                     below = std::max<Wide>(below, (along - light[3] * dot(firstThree(plane), firstThree(corner))) /
+                                                       (Wide(1e-12) * sizeBelow));
+                 }
+                 const bool isOpen =
+                     std::min<Wide>({clear, above, below}) > 0.99 &&
+                     (abs(clear - 1) <= clearanceRounding(light) || abs(above - 1) < 1e-2 || abs(below - 1) < 1e-2);
+                 const double closeness =
+                     std::max({closenessOf(clear, 1), closenessOf(above, 1), closenessOf(below, 1)});
+                 return verdict(clear > 1 && above > 1 && below > 1 ? 1 : 0, isOpen, closeness);
+             }},
+        [](const Arguments& a) {
+            const std::array<vec3, 4> corners{vectorAt(a, cornersAt), vectorAt(a, cornersAt + 3),
+                                              vectorAt(a, cornersAt + 6), vectorAt(a, cornersAt + 9)};
+            return judgeCaster("caster", corners, pointAt(a, lightAt), pointAt(a, planeAt)).casts;
+        }));
     return list;
 }
 

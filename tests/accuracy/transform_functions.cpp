@@ -135,6 +135,27 @@ Truth normalTruth(const Arguments& a) {
     return {values, {3, 3, 3}, {}, true};
 }
 
+// As normalMatrix asks for. A column of the result that vanishes beside the others has no digits to compare.
+bool haveUsualProportions(const Arguments& a) {
+    Wide least = 1, most = 0;
+    for (const std::size_t column : {0U, 4U, 8U}) {
+        const double largest = std::max({std::abs(a[column]), std::abs(a[column + 1]), std::abs(a[column + 2])});
+        for (std::size_t i = column; i < column + 3; ++i) {
+            if (a[i] != 0 && std::abs(a[i]) < 1e-70 * largest) return false;
+        }
+    }
+    const Wide3 x = wide(vectorAt(a, 0)), y = wide(vectorAt(a, 4)), z = wide(vectorAt(a, 8));
+    bool isFirst = true;
+    for (const Wide3& normal : {cross(y, z), cross(z, x), cross(x, y)}) {
+        const Wide size = length(normal);
+        if (size == 0) continue;
+        least = isFirst ? size : std::min<Wide>(least, size);
+        most = isFirst ? size : std::max<Wide>(most, size);
+        isFirst = false;
+    }
+    return most * Wide(1e-290) <= least;
+}
+
 }  // namespace
 
 std::vector<Function> typesFunctions() {
@@ -159,7 +180,9 @@ std::vector<Function> typesFunctions() {
          .domain = "1e-300 to 1e300",
          .reason = "",
          .sample = sample,
-         .truth = [](const Arguments& a) { return entrywise({a[0] * 180 / test::widePi()}); }},
+         .truth = [](const Arguments& a) { return entrywise({a[0] * 180 / test::widePi()}); },
+         .limits = "up to 3e306, of which the degrees are a number",
+         .within = [](const Arguments& a) { return std::abs(a[0]) <= 3e306; }},
         [](const Arguments& a) { return degrees(a[0]); },
         []<typename T>(const ArgumentsOf<T>& a) { return glm::degrees(a[0]); }));
     return list;
@@ -178,6 +201,7 @@ std::vector<Function> transformFunctions() {
          .returns = "moves points by an offset",
          .measured = "entrywise",
          .domain = "1e-300 to 1e300",
+         .bound = 0,
          .reason = "",
          .sample = numbers,
          .truth =
@@ -194,6 +218,7 @@ std::vector<Function> transformFunctions() {
          .returns = "multiplies x, y, z by factors",
          .measured = "entrywise",
          .domain = "1e-300 to 1e300",
+         .bound = 0,
          .reason = "",
          .sample = numbers,
          .truth =
@@ -213,7 +238,10 @@ std::vector<Function> transformFunctions() {
          .returns = "turns about an axis",
          .measured = "ulp of the largest entry",
          .domain = "angles 1e-300 to 1e300 degrees, axes 1e-150 to 1e150 long",
-         .reason = "as in MV.js the angle becomes radians first, with an error of up to 7e-16",
+         .bound = 8,
+         .reason =
+             "as in MV.js the angle becomes radians first, with an error of up to 6e-16: 2.6; two components of 2.5 "
+             "and the products of them add up to 5",
          .sample =
              [](Random& random, Domain domain) {
                  Arguments a{anyAngle(random, domain)};
@@ -231,39 +259,47 @@ std::vector<Function> transformFunctions() {
          .returns = "the view matrix of a camera, up given",
          .measured = "ulp of the largest entry, turn and offset apart",
          .domain = "distances 1e-296 to 1e290, up 2e-12 to 1.5 rad off the view",
-         .reason = "up 0.1 rad off the view magnifies the roundings of the plain product ten times",
+         .bound = 50,
+         .reason =
+             "up 0.1 rad off the view magnifies the roundings of view and product, together 4.4 halves of an ulp, ten "
+             "times",
          .sample = cameras,
          .truth = [](const Arguments& a) { return cameraTruth(vectorAt(a, 0), vectorAt(a, 3), wide(vectorAt(a, 6))); }},
         [](const Arguments& a) { return lookAt(vectorAt(a, 0), vectorAt(a, 3), vectorAt(a, 6)); },
         []<typename T>(const ArgumentsOf<T>& a) {
             return glm::lookAtRH(vectorAt(a, 0), vectorAt(a, 3), vectorAt(a, 6));
         }));
-    list.push_back(withForms({.name = "lookAtAnyRoll",
-                              .header = "transform.h",
-                              .returns = "the same, up chosen",
-                              .measured = "ulp of the largest entry, turn and offset apart",
-                              .domain = "as lookAt",
-                              .reason = "",
-                              .sample = cameras,
-                              .truth =
-                                  [](const Arguments& a) {
-                                      const vec3 view = glm::abs(vectorAt(a, 3) - vectorAt(a, 0));
-                                      const int axis =
-                                          view.y <= view.z ? (view.y <= view.x ? 1 : 0) : (view.z <= view.x ? 2 : 0);
-                                      vec3 up(0);
-                                      up[axis] = 1;
-                                      return cameraTruth(vectorAt(a, 0), vectorAt(a, 3), wide(up));
-                                  }},
-                             [](const Arguments& a) { return lookAtAnyRoll(vectorAt(a, 0), vectorAt(a, 3)); }));
+    list.push_back(withForms(
+        {.name = "lookAtAnyRoll",
+         .header = "transform.h",
+         .returns = "the same, up chosen",
+         .measured = "ulp of the largest entry, turn and offset apart",
+         .domain = "as lookAt",
+         .bound = 8,
+         .reason = "roundings: 3.5 of a unit vector, of a cross product the same again, and its unit vector's",
+         .sample = cameras,
+         .truth =
+             [](const Arguments& a) {
+                 const vec3 view = glm::abs(vectorAt(a, 3) - vectorAt(a, 0));
+                 const int axis = view.y <= view.z ? (view.y <= view.x ? 1 : 0) : (view.z <= view.x ? 2 : 0);
+                 vec3 up(0);
+                 up[axis] = 1;
+                 return cameraTruth(vectorAt(a, 0), vectorAt(a, 3), wide(up));
+             }},
+        [](const Arguments& a) { return lookAtAnyRoll(vectorAt(a, 0), vectorAt(a, 3)); }));
     list.push_back(withForms(
         {.name = "normalMatrix",
          .header = "transform.h",
          .returns = "the matrix that takes normals where m takes points",
          .measured = "ulp of each column's largest entry, the matrix scaled to norm 1",
          .domain = "sizes 1e-140 to 1e140, columns 1e-8 to 10 apart and 1e6-fold longer",
-         .reason = "columns that span a tenth of their lengths' product still take the plain cross product",
+         .bound = 45,
+         .reason = "columns that span a tenth of their lengths' product still take the plain cross product, whose 2.4 "
+                   "halves of an ulp are ten times as much there, and of the largest entry √3 times that",
          .sample = models,
-         .truth = normalTruth},
+         .truth = normalTruth,
+         .limits = "entries 0, or at least 1e-70 of their column's largest; results that are not below 1e-290",
+         .within = haveUsualProportions},
         [](const Arguments& a) { return normalMatrix(matrixAt(a, 0)); },
         []<typename T>(const ArgumentsOf<T>& a) { return glm::inverseTranspose(glm::mat<3, 3, T>(matrixAt(a, 0))); }));
     return list;

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <iterator>
 #include <string_view>
 
 #include "accuracy/page.h"
@@ -86,7 +87,9 @@ void accuracyBench(const std::string& folder) {
     const std::string errorsFile = errorsText(errors), timesFile = timesText(times);
     const ErrorTable keptErrors = errorsFrom(errorsFile);
     const TimeTable keptTimes = timesFrom(timesFile);
-    const std::string page = libraryPage(keptErrors, keptTimes);
+    std::ifstream worst(MVGL_SOURCE_DIR "/docs/library-worst.csv", std::ios::binary);
+    const std::string worstFile{std::istreambuf_iterator<char>(worst), std::istreambuf_iterator<char>()};
+    const std::string page = libraryPage(keptErrors, keptTimes, worstFrom(worstFile));
     if (folder.empty()) {
         std::cout << page;
         return;

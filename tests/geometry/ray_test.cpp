@@ -49,8 +49,8 @@ TEST(IntersectSphere, KeepsASmallSphereFarAwayWhereTheTextbookLosesIt) {
         const SphereErrors stable = sphereErrors(sphereTrials<double>(distance, 50000), intersectSphere<float>);
         EXPECT_EQ(stable.falseHits, 0) << distance;
         EXPECT_EQ(stable.misses, 0) << distance;
-        // Half an ulp for each of the roundings in b, c, q and the quotient that do not average out. Measured: 3.3.
-        EXPECT_LE(stable.largestUlps, 4) << distance;
+        // Half an ulp for t, and the root's: two roundings of the coordinates' products times 0.58, half a radius aside.
+        EXPECT_LE(stable.largestUlps, 2) << distance;
     }
     // The textbook's, in the same runs: wrong by ulps from the start, and by chance from 1e4 on.
     EXPECT_GT(sphereErrors(sphereTrials<double>(1e2F, 50000), textbookSphere<float>).largestUlps, 100);

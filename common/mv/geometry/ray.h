@@ -41,7 +41,8 @@ std::optional<T> intersectPlane(const RayOf<T>& ray, const glm::vec<4, T>& plane
 // without a difference of near numbers, so that a small or distant sphere is neither missed nor hit beside itself;
 // from b*b - 4ac in float every ray that comes within some radii of a unit sphere 1e4 away is a hit or a miss by chance.
 // Needs a radius above 0; with another one the answer is none. Trap: for a huge sphere under the eye (the earth) in
-// float, t is only as good as the coordinates, 1e-7 of the radius.
+// float, t is only as good as the coordinates, 1e-7 of the radius. Near its outline, a sphere's t is as good as the
+// discriminant, a sum of squares of the coordinates: what rounding them would change.
 // Source: Haines, Gunther, Akenine-Moller, "Precision improvements for ray/sphere intersection", Ray Tracing Gems (2019).
 template <typename T>
 std::optional<RayInterval<T>> intersectSphere(const RayOf<T>& ray, const glm::vec<3, T>& center, T radius);
@@ -178,14 +179,18 @@ std::optional<TriangleHit<T>> TriangleTest<T>::hit(const glm::vec<3, T>& cornerA
 template <typename T>
 std::optional<RayInterval<T>> intersectSphere(const RayOf<T>& ray, const glm::vec<3, T>& center, T radius) {
     const glm::vec<3, T> f = ray.origin - center, &d = ray.direction;
-    const T a = glm::dot(d, d), b = -glm::dot(f, d), c = glm::dot(f, f) - radius * radius;
+    const T a = glm::dot(d, d);
     // |f x d| is the line's distance from the centre, times |d|; b*b - a*c is the same on paper.
     const glm::vec<3, T> miss = glm::cross(f, d);
     const T discriminant = a * (radius * radius) - glm::dot(miss, miss);
     if (!(discriminant >= 0 && radius > 0 && a > 0)) return {};
-    // One root adds numbers of one sign, and the other one follows from the product of both, c/a.
-    const T q = b + std::copysign(std::sqrt(discriminant), b);
-    T near = c / q, far = q / a;
+    // One root adds numbers of one sign, and the other one follows from the product of both, c/a. For floats their products'
+    // sums are kept in double, which costs nothing and saves the sphere far away its last places.
+    const vec3 from(f), along(d);
+    const double r = static_cast<double>(radius), root = static_cast<double>(std::sqrt(discriminant));
+    const double b = -glm::dot(from, along), c = glm::dot(from, from) - r * r;
+    const double q = b + std::copysign(root, b);
+    T near = static_cast<T>(c / q), far = static_cast<T>(q / static_cast<double>(a));
     if (q == 0) near = far = 0;  // touches the sphere where the ray starts
     if (near > far) std::swap(near, far);
     if (!(far >= near && far >= 0 && far <= std::numeric_limits<T>::max())) return {};  // also where there was a NaN

@@ -19,7 +19,8 @@ std::vector<vec4> clipPolygon(std::vector<vec4> polygon, std::span<const vec4> h
 // The six half spaces of OpenGL's clip space, -w <= x, y, z <= w: w + x, w - x, w + y, w - y, w + z, w - z.
 const std::array<vec4, 6>& clipVolume();
 
-// The area of a flat polygon of at least three corners in order; 0 for fewer. Refused: NaN and infinity.
+// The area of a flat polygon of at least three corners in order, of any size; 0 for fewer. Refused: NaN and infinity, and an
+// area that overflows.
 double polygonArea(std::span<const vec3> corners);
 
 }  // namespace mv

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <utility>
 
 #include "mv/error.h"
 #include "mv/math/require.h"
@@ -91,6 +92,82 @@ double twiceNearFarOver(double d, double near, double far) {
     return isOrdinary(product) ? product / d : 2 * near * (far / d);
 }
 
+// Solves m x = b by Gaussian elimination with pivots, and mends each answer by what is left of b - m x, which is computed
+// with twice the digits: so the error is that of some roundings of the matrix's entries, each of its own size, however
+// different their sizes are. Source: Skeel, "Iterative refinement implies numerical stability for Gaussian elimination",
+// Math. Comp. 35 (1980). A matrix without an inverse gives NaN or infinity.
+class Elimination {
+  public:
+    explicit Elimination(const mat4& m) : m_(m), rows_(glm::transpose(m)) {
+        for (int k = 0; k < 4; ++k) {
+            int pivot = k;
+            for (int row = k + 1; row < 4; ++row) {
+                if (std::abs(rows_[row][k]) > std::abs(rows_[pivot][k])) pivot = row;
+            }
+            std::swap(rows_[k], rows_[pivot]);
+            std::swap(order_[static_cast<std::size_t>(k)], order_[static_cast<std::size_t>(pivot)]);
+            for (int row = k + 1; row < 4; ++row) {
+                const double factor = rows_[row][k] / rows_[k][k];
+                for (int column = k + 1; column < 4; ++column) rows_[row][column] -= factor * rows_[k][column];
+                rows_[row][k] = factor;
+            }
+        }
+    }
+
+    vec4 solve(const vec4& b) const {
+        vec4 x = once(b);
+        for (int step = 0; step < 3; ++step) x += once(rest(b, x));
+        return x;
+    }
+
+  private:
+    vec4 once(const vec4& b) const {
+        vec4 x;
+        for (int row = 0; row < 4; ++row) {
+            x[row] = b[order_[static_cast<std::size_t>(row)]];
+            for (int column = 0; column < row; ++column) x[row] -= rows_[row][column] * x[column];
+        }
+        for (int row = 3; row >= 0; --row) {
+            for (int column = row + 1; column < 4; ++column) x[row] -= rows_[row][column] * x[column];
+            x[row] /= rows_[row][row];
+        }
+        return x;
+    }
+
+    // b - m x: the roundings of the products and of their sums are kept beside them.
+    vec4 rest(const vec4& b, const vec4& x) const {
+        vec4 result;
+        for (int row = 0; row < 4; ++row) {
+            double sum = b[row], lost = 0;
+            for (int column = 0; column < 4; ++column) {
+                const double product = -m_[column][row] * x[column];
+                lost += std::fma(-m_[column][row], x[column], -product);
+                const double next = sum + product, added = next - sum;  // Knuth's sum, TAOCP volume 2, 4.2.2
+                lost += (sum - (next - added)) + (product - added);
+                sum = next;
+            }
+            result[row] = sum + lost;
+        }
+        return result;
+    }
+
+    mat4 m_;
+    mat4 rows_;  // row by row: the factors below the diagonal, on it and above it the upper triangle
+    std::array<int, 4> order_{0, 1, 2, 3};
+};
+
+// The product of three positive numbers, of which two may overflow or vanish.
+double product(const std::array<double, 3>& factors) {
+    double mantissa = 1;
+    int exponent = 0;
+    for (const double factor : factors) {
+        int ofFactor = 0;
+        mantissa *= std::frexp(factor, &ofFactor);
+        exponent += ofFactor;
+    }
+    return std::ldexp(mantissa, exponent);
+}
+
 }  // namespace
 
 // The matrices below are written column by column, so each stands transposed to its picture on paper.
@@ -157,8 +234,11 @@ mat4 frustum(double left, double right, double bottom, double top, double near, 
 }
 
 FrustumBounds frustumBounds(double fovy, double aspect, double near, double far) {
-    const double top = near * checkedHalfAngle("frustumBounds", fovy, aspect, near, far).tangent;
-    const double right = top * aspect;
+    const double tangent = checkedHalfAngle("frustumBounds", fovy, aspect, near, far).tangent;
+    const double top = near * tangent;
+    // Where the height has vanished or lost digits, the width need not: so it is no product of it.
+    const double right = isOrdinary(top) ? top * aspect : product({near, tangent, aspect});
+    if (!(top < HUGE_VAL && right < HUGE_VAL)) refuseOverflow("frustumBounds");
     return {-right, right, -top, top, near, far};
 }
 
@@ -174,28 +254,21 @@ std::array<vec4, 6> planesFromClip(const mat4& clipFromWorld) {
     const mat4 rows = glm::transpose(clipFromWorld);
     std::array<vec4, 6> planes;
     for (std::size_t i = 0; i < planes.size(); ++i) {
-        const vec4 row = rows[static_cast<int>(i / 2)];
-        const vec4 plane = i % 2 == 0 ? rows[3] + row : rows[3] - row;
+        // Of numbers whose squares neither overflow nor vanish: any multiple of the rows has the same plane.
+        vec4 last = rows[3], row = rows[static_cast<int>(i / 2)];
+        const int exponent = scalingExponent(std::max(largestComponent(vec3(last)), largestComponent(vec3(row))));
+        if (exponent != 0) {
+            last = timesPowerOfTwo(last, -exponent);
+            row = timesPowerOfTwo(row, -exponent);
+        }
+        const vec4 plane = i % 2 == 0 ? last + row : last - row;
         const double length = glm::length(vec3(plane));
-        const double terms = glm::length(vec3(rows[3])) + glm::length(vec3(row));
+        const double terms = glm::length(vec3(last)) + glm::length(vec3(row));
         if (!(length > 1e-10 * terms)) {
-            // Not so where the squares of the elements have vanished or overflowed: the planes of a matrix are those of any
-            // multiple of it
-            double largest = 0;
-            for (int column = 0; column < 4; ++column) {
-                for (int k = 0; k < 4; ++k) largest = std::max(largest, std::abs(clipFromWorld[column][k]));
-            }
-            if (const int exponent = scalingExponent(largest); exponent != 0) {
-                mat4 scaled(clipFromWorld);
-                for (int column = 0; column < 4; ++column) {
-                    for (int k = 0; k < 4; ++k) scaled[column][k] = std::ldexp(scaled[column][k], -exponent);
-                }
-                return planesFromClip(scaled);
-            }
             throw Error("planesFromClip",
                         std::string("the ") + names[i] +
                             " plane's normal must not cancel; for an extreme far/near use perspectivePlanes",
-                        numberText(length));
+                        numberText(length / terms) + " of its terms");
         }
         planes[i] = plane / length;
         if (!isFinite(planes[i])) {
@@ -207,26 +280,27 @@ std::array<vec4, 6> planesFromClip(const mat4& clipFromWorld) {
 }
 
 std::array<vec4, 6> perspectivePlanes(double fovy, double aspect, double near, double far) {
-    const double tangent = checkedHalfAngle("perspectivePlanes", fovy, aspect, near, far).tangent;
+    const HalfAngle half = checkedHalfAngle("perspectivePlanes", fovy, aspect, near, far);
 
     // Side planes pass through the eye: their normals are (cos, 0, -sin) of half the angle, from its tangent.
-    const auto inward = [](double t) {
-        const double length = std::hypot(1.0, t);
-        return vec2(1 / length, -t / length);
+    // Above 1 by its reciprocal, since the tangent may overflow.
+    const auto inward = [](double t, double reciprocal) {
+        if (t > 1) return vec2(reciprocal, -1) / std::hypot(reciprocal, 1.0);
+        return vec2(1, -t) / std::hypot(1.0, t);
     };
-    const vec2 side = inward(tangent * aspect);
-    const vec2 level = inward(tangent);
+    const vec2 side = inward(half.tangent * aspect, half.cotangent / aspect);
+    const vec2 level = inward(half.tangent, half.cotangent);
     return {vec4(side.x, 0, side.y, 0),    vec4(-side.x, 0, side.y, 0), vec4(0, level.x, level.y, 0),
             vec4(0, -level.x, level.y, 0), vec4(0, 0, -1, -near),       vec4(0, 0, 1, far)};
 }
 
 std::array<vec3, 8> viewVolumeCorners(const mat4& clipFromWorld) {
     requireFinite("viewVolumeCorners", "the matrix", clipFromWorld);
-    const mat4 worldFromClip = glm::inverse(clipFromWorld);
+    const Elimination elimination(clipFromWorld);
     std::array<vec3, 8> corners;
     for (unsigned i = 0; i < corners.size(); ++i) {
         const vec4 clip((i & 1U) ? 1 : -1, (i & 2U) ? 1 : -1, (i & 4U) ? 1 : -1, 1);
-        const vec4 world = worldFromClip * clip;
+        const vec4 world = elimination.solve(clip);
         corners[i] = vec3(world) / world.w;
         if (!isFinite(corners[i])) {
             throw Error("viewVolumeCorners", "the matrix must have an inverse, and the volume an end",

@@ -21,8 +21,8 @@ mat4 ortho(double left, double right, double bottom, double top, double near, do
 
 // clipFromCamera of a symmetric perspective: fovy is the full vertical angle of view in degrees, aspect is width over
 // height. Refused: fovy outside (0, 180), aspect <= 0, near <= 0 (near = 0 would give every point depth 1), far <=
-// near, NaN, infinity. Equals MV.js perspective(), glm::perspectiveRH_NO and gluPerspective. Trap: GLM's fovy is in
-// radians.
+// near, NaN, infinity, overflow. Below 1e-290 degrees fovy has fewer digits as radians, here and below. Equals MV.js
+// perspective(), glm::perspectiveRH_NO and gluPerspective. Trap: GLM's fovy is in radians.
 mat4 perspective(double fovy, double aspect, double near, double far);
 
 // The same with the far plane at infinity: nothing in front of the eye is too far away, directions (w = 0) included,
@@ -44,7 +44,7 @@ struct FrustumBounds {
 };
 
 // The bounds for which frustum() is perspective(fovy, aspect, near, far), to be shifted or cut. Refuses what
-// perspective refuses.
+// perspective refuses, and a window that overflows.
 FrustumBounds frustumBounds(double fovy, double aspect, double near, double far);
 mat4 frustum(const FrustumBounds& bounds);
 
@@ -65,7 +65,8 @@ std::array<vec4, 6> perspectivePlanes(double fovy, double aspect, double near, d
 
 // The eight corners of a view volume in the space that clipFromWorld maps from: corner i is what goes to x, y, z = -1
 // or +1 by bits 0, 1, 2 of i, so 0..3 are near and 4..7 far where z runs from near to far. For drawing a frustum, or to
-// ask what it holds. Refused: NaN, infinity, a matrix without an inverse, a volume without end (far at infinity).
+// ask what it holds. Each is off by no more than some roundings of the matrix's own entries would move it, for entries that
+// are 0 or from 1e-10 to 1e10 in size. Refused: NaN, infinity, a matrix without an inverse, a volume without end (far at infinity).
 std::array<vec3, 8> viewVolumeCorners(const mat4& clipFromWorld);
 
 // clip.xyz / clip.w. Refused: w <= 0 (at or behind the plane through the eye: dividing would show such a point mirrored

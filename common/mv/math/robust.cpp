@@ -14,10 +14,17 @@ int scalingExponent(double size) {
 
 double largestComponent(const vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
+double largestComponent(const vec4& v) { return std::max(largestComponent(vec3(v)), std::abs(v.w)); }
+
 vec3 timesPowerOfTwo(const vec3& v, int exponent) {
     if (exponent == 0) return v;
     // scalbn, not a product with 2^exponent: that factor itself overflows when v is subnormal.
     return {std::scalbn(v.x, exponent), std::scalbn(v.y, exponent), std::scalbn(v.z, exponent)};
+}
+
+vec4 timesPowerOfTwo(const vec4& v, int exponent) {
+    if (exponent == 0) return v;
+    return {timesPowerOfTwo(vec3(v), exponent), std::scalbn(v.w, exponent)};
 }
 
 vec3 scaledForSquares(const vec3& v) { return timesPowerOfTwo(v, -scalingExponent(largestComponent(v))); }

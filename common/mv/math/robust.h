@@ -11,7 +11,9 @@ int scalingExponent(double size);
 
 // The size of v's largest component, and v times 2^exponent.
 double largestComponent(const vec3& v);
+double largestComponent(const vec4& v);
 vec3 timesPowerOfTwo(const vec3& v, int exponent);
+vec4 timesPowerOfTwo(const vec4& v, int exponent);
 
 // v times 2^-scalingExponent(its largest component): v itself in the ordinary range. v must be finite.
 vec3 scaledForSquares(const vec3& v);
@@ -24,12 +26,13 @@ inline bool isOrdinary(double x) { return x >= 1e-40 && x <= 1e40; }
 // Equals MV.js normalize(), which divides by the length (glm::normalize multiplies by a rounded reciprocal).
 vec3 unit(const vec3& v);
 
-// a*b - c*d with an error of at most 1.5 units in the last place, where the plain form can lose every digit.
+// a*b - c*d with an error of at most 1.5 units in the last place, where the plain form can lose every digit: for products
+// that do not overflow and are 0 or at least 1e-290, so that their roundings are numbers, too.
 // Source: Kahan; Jeannerod, Louvet and Muller, "Further analysis of Kahan's algorithm", Math. Comp. 82 (2013).
 double differenceOfProducts(double a, double b, double c, double d);
 
 // a x b with every component accurate in itself, so that the result stays perpendicular to both however small the
-// angle between them. In ordinary cases glm::cross is as good, and has the bits of MV.js cross().
+// angle between them, for products as of differenceOfProducts. In ordinary cases glm::cross is as good, and has the bits of MV.js cross().
 vec3 accurateCross(const vec3& a, const vec3& b);
 
 }  // namespace mv

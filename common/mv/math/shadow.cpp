@@ -16,9 +16,11 @@ vec4 unitPlane(std::string_view subject, const vec4& plane) {
     const vec3 normal(plane);
     if (normal == vec3(0)) throw Error(subject, "the plane's normal must not be 0", vectorText(plane));
     const vec3 direction = unit(normal);
-    const double length = glm::dot(direction, normal);
-    const vec4 result(direction, plane.w / length);
-    if (!std::isfinite(length) || !isFinite(result)) {
+    // The length of a very small or large normal has all digits only when it is scaled.
+    const int exponent = scalingExponent(largestComponent(normal));
+    const double length = glm::dot(direction, timesPowerOfTwo(normal, -exponent));
+    const vec4 result(direction, (exponent == 0 ? plane.w : std::scalbn(plane.w, -exponent)) / length);
+    if (!isFinite(result)) {
         throw Error(subject, "the plane's normal and distance must not overflow", vectorText(plane));
     }
     return result;

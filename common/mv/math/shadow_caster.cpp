@@ -15,15 +15,21 @@ struct Extent {
     double least = HUGE_VAL, most = -HUGE_VAL;
 };
 
-// The caster's least and largest distance inside a half space; what may be rounding is 0.
-Extent extentIn(const vec4& halfSpace, std::span<const vec3> corners) {
+// The caster's least and largest distance inside a half space; what may be rounding is 0. `lastSize` is that of the terms
+// whose sum halfSpace.w is, which may have cancelled.
+Extent extentIn(const vec4& halfSpace, double lastSize, std::span<const vec3> corners) {
     Extent extent;
     for (const vec3& corner : corners) {
         requireFinite("judgeCaster", "each corner", corner);
         const vec4 terms = halfSpace * vec4(corner, 1);
         const vec4 sizes = glm::abs(terms);
         double inside = terms.x + terms.y + terms.z + terms.w;
-        if (std::abs(inside) <= 1e-12 * (sizes.x + sizes.y + sizes.z + sizes.w)) inside = 0;
+        const double size = sizes.x + sizes.y + sizes.z + lastSize;
+        if (!std::isfinite(size)) {
+            throw Error("judgeCaster", "light and corners must not be so large that a height overflows",
+                        vectorText(corner));
+        }
+        if (std::abs(inside) <= 1e-12 * size) inside = 0;
         extent = {std::min(extent.least, inside), std::max(extent.most, inside)};
     }
     return extent;
@@ -75,7 +81,9 @@ CasterVerdict judgeCaster(std::string_view name, std::span<const vec3> corners, 
     // A light above turns no plane round, so [0] is the height above the floor and [1] the depth below the light. Each
     // point satisfies one of the two; so where neither is missed by all, some part lies between floor and light.
     const auto bounds = shadowCasterBounds(light, floor);
-    const Extent aboveFloor = extentIn(bounds[0], corners), belowLight = extentIn(bounds[1], corners);
+    const double heightTerms = glm::dot(glm::abs(vec3(bounds[0])), glm::abs(vec3(light)));
+    const Extent aboveFloor = extentIn(bounds[0], std::abs(bounds[0].w), corners);
+    const Extent belowLight = extentIn(bounds[1], heightTerms, corners);
     if (aboveFloor.most <= 0) return {false, about(name, say.casterBehind)};
     if (belowLight.most <= 0) {
         return {false, about(name, belowLight.least == 0 ? say.levelWithLight : say.beyondLight)};

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "mv/error.h"
 #include "mv/math/require.h"
@@ -42,19 +43,6 @@ vec3 viewOf(std::string_view subject, const vec3& eye, const vec3& at) {
     requireCoordinates(subject, "at", at);
     if (eye == at) throw Error(subject, "eye and at must differ", vectorText(eye));
     return at - eye;
-}
-
-double largestElement(const mat3& m) {
-    double largest = 0;
-    for (int column = 0; column < 3; ++column) {
-        for (int row = 0; row < 3; ++row) largest = std::max(largest, std::abs(m[column][row]));
-    }
-    return largest;
-}
-
-mat3 columnsTimesPowerOfTwo(mat3 m, int exponent) {
-    for (int column = 0; column < 3; ++column) m[column] = timesPowerOfTwo(vec3(m[column]), exponent);
-    return m;
 }
 
 mat4 cameraFromAxes(const vec3& eye, const vec3& right, const vec3& top, const vec3& forward) {
@@ -131,15 +119,64 @@ double cofactorScale(double squaresOfColumns, double determinant) {
     return (determinant < 0 ? -3 : 3) / squaresOfColumns;
 }
 
+// The sum of numbers as a list of numbers that do not overlap, least first: nothing is rounded off. The last one that is
+// not 0 has the sum's sign. Source: Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric
+// predicates" (1997), grow-expansion.
+class ExactSum {
+  public:
+    void add(double x) {
+        for (std::size_t i = 0; i < count_; ++i) {
+            const double sum = x + part_[i], added = sum - x;
+            part_[i] = (x - (sum - added)) + (part_[i] - added);
+            x = sum;
+        }
+        part_[count_++] = x;
+    }
+    int sign() const {
+        for (std::size_t i = count_; i-- > 0;) {
+            if (part_[i] != 0) return part_[i] > 0 ? 1 : -1;
+        }
+        return 0;
+    }
+
+  private:
+    std::array<double, 24> part_{};
+    std::size_t count_ = 0;
+};
+
+// The sign of the determinant of these columns, whose cofactors are given: by its value where rounding cannot have turned
+// that over, and else exactly.
+int determinantSign(const mat3& m, const mat3& cofactors) {
+    const vec3 terms = cofactors[0] * m[0];
+    const double determinant = terms.x + terms.y + terms.z;
+    const double sizes = std::abs(terms.x) + std::abs(terms.y) + std::abs(terms.z);
+    if (std::abs(determinant) > 1e-15 * sizes) return determinant > 0 ? 1 : -1;
+    ExactSum sum;
+    const auto addProduct = [&](double a, double b, double c) {
+        const double product = a * b, rounding = std::fma(a, b, -product);
+        for (const double part : {product, rounding}) {
+            const double whole = part * c;
+            sum.add(whole);
+            sum.add(std::fma(part, c, -whole));
+        }
+    };
+    for (int i = 0; i < 3; ++i) {
+        const int k = (i + 1) % 3, l = (i + 2) % 3;
+        addProduct(m[0][i], m[1][k], m[2][l]);
+        addProduct(-m[0][i], m[1][l], m[2][k]);
+    }
+    return sum.sign();
+}
+
 // The normal matrix of any m: refuses, scales, and takes care of columns that span little.
 [[gnu::cold, gnu::noinline]] mat3 carefulNormalMatrix(const mat4& m) {
     requireFinite("normalMatrix", "the matrix", m);
 
     // Scaled where needed, so that the products of scale(1e-200) do not vanish.
-    const double size = largestElement(mat3(m));
-    if (size == 0) return mat3(0);
-    const mat3 linear = columnsTimesPowerOfTwo(mat3(m), -scalingExponent(size));
-
+    mat3 linear(m);
+    double largest = 0;
+    for (int i = 0; i < 3; ++i) largest = std::max(largest, largestComponent(vec3(linear[i])));
+    for (int i = 0; i < 3; ++i) linear[i] = timesPowerOfTwo(vec3(linear[i]), -scalingExponent(largest));
     const double xx = glm::dot(linear[0], linear[0]);
     const double yy = glm::dot(linear[1], linear[1]);
     const double zz = glm::dot(linear[2], linear[2]);
@@ -148,17 +185,35 @@ double cofactorScale(double squaresOfColumns, double determinant) {
     const double span = glm::dot(cofactors[0], linear[0]);
     if (spansEnough(span, xx, yy, zz)) return cofactors * cofactorScale(xx + yy + zz, span);
 
-    // Where the columns span little, the plain products have cancelled, and are made again with care; and they are small,
-    // so that their own size is the one to divide by.
+    // Each column by itself, so that the products of scale(1, 1e-200, 1e-200) do not vanish.
+    linear = mat3(m);
+    std::array<int, 3> exponent{};
+    for (int i = 0; i < 3; ++i) {
+        const double size = largestComponent(vec3(linear[i]));
+        if (size == 0) continue;
+        exponent[static_cast<std::size_t>(i)] = std::ilogb(size);
+        linear[i] = timesPowerOfTwo(vec3(linear[i]), -exponent[static_cast<std::size_t>(i)]);
+    }
+
+    // Where the columns span little, plain products would have cancelled; these do not. The cofactors' columns are as much
+    // longer as those of the matrix were shorter, which is made up for relative to the longest.
     cofactors = mat3(accurateCross(linear[1], linear[2]), accurateCross(linear[2], linear[0]),
                      accurateCross(linear[0], linear[1]));
-    const double cofactorSize = largestElement(cofactors);
-    if (cofactorSize == 0) return mat3(0);
-    cofactors = columnsTimesPowerOfTwo(cofactors, -scalingExponent(cofactorSize));
+    const int sign = determinantSign(linear, cofactors);
+    int longest = std::numeric_limits<int>::min();
+    for (int i = 0; i < 3; ++i) {
+        const double size = largestComponent(vec3(cofactors[i]));
+        if (size > 0) longest = std::max(longest, std::ilogb(size) - exponent[static_cast<std::size_t>(i)]);
+    }
     double squares = 0;
-    for (int i = 0; i < 3; ++i) squares += glm::dot(cofactors[i], cofactors[i]);
-    const double determinant = glm::dot(cofactors[0], linear[0]);
-    return cofactors * ((determinant < 0 ? -1 : 1) * std::sqrt(3 / squares));
+    for (int i = 0; i < 3; ++i) {
+        // One that is 0 would overflow the exponents.
+        if (vec3(cofactors[i]) == vec3(0)) continue;
+        cofactors[i] = timesPowerOfTwo(vec3(cofactors[i]), -exponent[static_cast<std::size_t>(i)] - longest);
+        squares += glm::dot(cofactors[i], cofactors[i]);
+    }
+    if (squares == 0) return mat3(0);
+    return cofactors * ((sign < 0 ? -1 : 1) * std::sqrt(3 / squares));
 }
 
 // A matrix written two numbers at a time. Where nothing is computed the stores are the time, and g++ 12 writes what GLM's
