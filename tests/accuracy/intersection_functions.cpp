@@ -142,7 +142,7 @@ struct Volumes {
 Volumes volumesOf(const Wide3& origin, const Wide3& d, const std::array<Wide3, 3>& corners) {
     std::size_t z = 0;
     for (std::size_t i = 1; i < 3; ++i) {
-        if (abs(d[i]) > abs(d[z])) z = i;
+        if (abs(d[i]) >= abs(d[z])) z = i;  // of equal ones the last, as ours
     }
     const std::size_t x = (z + 1) % 3, y = (z + 2) % 3;
     std::array<std::array<Wide, 4>, 3> flat;  // x, y, and their sizes
@@ -185,7 +185,7 @@ Truth triangleTruth(const Arguments& a, double part) {
         const Wide3 p = corners[i] - origin;
         Wide largest = 0, along = 0;
         for (std::size_t k = 0; k < 3; ++k) {
-            if (abs(d[k]) > largest) {
+            if (abs(d[k]) >= largest) {
                 largest = abs(d[k]);
                 along = abs(p[k]) / largest;
             }

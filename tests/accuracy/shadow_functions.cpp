@@ -1,4 +1,7 @@
 // shadow.h and shadow_caster.h.
+#include <algorithm>
+#include <cmath>
+
 #include "accuracy/function.h"
 #include "mv/math/robust.h"
 #include "mv/math/shadow.h"
@@ -227,6 +230,15 @@ std::vector<Function> shadowFunctions() {
                  const double closeness =
                      std::max({closenessOf(clear, 1), closenessOf(above, 1), closenessOf(below, 1)});
                  return verdict(clear > 1 && above > 1 && below > 1 ? 1 : 0, isOpen, closeness);
+             },
+         // Beyond these a plane's unit normal loses the components that decide.
+         .limits = "numbers 0, or from 1e-150 to 1e150",
+         .within =
+             [](const Arguments& a) {
+                 return std::all_of(a.begin(), a.end(), [](double number) {
+                     const double size = std::abs(number);
+                     return size == 0 || (size >= 1e-150 && size <= 1e150);
+                 });
              }},
         [](const Arguments& a) {
             const std::array<vec3, 4> corners{vectorAt(a, cornersAt), vectorAt(a, cornersAt + 3),

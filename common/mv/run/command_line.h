@@ -8,7 +8,7 @@
 #include "mv/demo/demo.h"
 #include "mv/host/context.h"
 #include "mv/run/stage.h"
-#include "mv/run/study_choice.h"
+#include "mv/run/study_bound.h"
 
 namespace mv {
 

@@ -14,6 +14,7 @@
 #include "mv/image/file.h"
 #include "mv/image/picture.h"
 #include "mv/run/render.h"
+#include "mv/run/study_choice.h"
 #include "mv/run/words.h"
 
 namespace mv {
