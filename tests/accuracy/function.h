@@ -56,7 +56,7 @@ struct Function {
     std::string reason;    // why the bound is above 4 ulp; "" where it is not
     std::function<Arguments(Random&, Domain)> sample;
     std::function<Truth(const Arguments&)> truth;
-    std::string limits = "";                            // where the bound holds; "": for all that is accepted
+    std::string limits = {};                            // where the bound holds; "": for all that is accepted
     std::function<bool(const Arguments&)> within = {};  // the limits; none: everything finite
     std::vector<Form> forms = {};
 };

@@ -37,7 +37,7 @@ T changed(T value, Bits& bits) {
             return std::ldexp(value, bits() % 2 == 0 ? 1 : -1);
         case 4: {  // another size altogether
             const int most = bits() % 2 == 0 ? 8 : std::numeric_limits<T>::max_exponent;
-            return std::ldexp(value, static_cast<int>(below(bits, static_cast<std::size_t>(2 * most + 1))) - most);
+            return std::ldexp(value, static_cast<int>(below(bits, 2 * static_cast<std::size_t>(most) + 1)) - most);
         }
         default: {  // low bits cleared: short numbers make exact ties
             const Word mask = (Word{1} << below(bits, mantissaBits + 1)) - 1;

@@ -202,18 +202,19 @@ static void writeStudyDocs(const std::string& root) {
 
 // The pages that are partly generated, each with its new text.
 static std::map<std::string, std::string> pagesAnew(const std::string& root) {
+    const std::string folder = root + "/";
     std::map<std::string, std::string> pages;
-    pages["README.md"] = readmePage(fileText(root + "/README.md"));
+    pages["README.md"] = readmePage(fileText(folder + "README.md"));
     for (const DemoInfo& info : catalogue()) {
         const std::string page = "demos/" + info.name + ".md";
-        pages[page] = lessonPage(fileText(root + "/" + page), info);
+        pages[page] = lessonPage(fileText(folder + page), info);
     }
     std::optional<HeadlessStage> headless;
     NumberSources sources([&](const std::string& demo) { return studyInTree(root, demo); },
                           [&]() -> Stage& { return (headless ? *headless : headless.emplace()).stage; });
     for (const std::string& page : pagesWithNumbers(root)) {
         const auto [text, isNew] = pages.try_emplace(page);
-        if (isNew) text->second = fileText(root + "/" + page);
+        if (isNew) text->second = fileText(folder + page);
         text->second = withNumbers(text->second, page, sources);
     }
     return pages;
@@ -231,7 +232,7 @@ void writeDocs(const std::string& root) {
     writeFileAtomically(root + "/docs/demos.md", std::string_view(cataloguePage()));
     std::cout << root << "/docs/demos.md\n";
     for (const auto& [page, text] : pages) {
-        writeFileAtomically(root + "/" + page, std::string_view(text));
+        writeFileAtomically(std::filesystem::path(root) / page, std::string_view(text));
         std::cout << root << "/" << page << "\n";
     }
     writeStudyDocs(root);

@@ -288,7 +288,7 @@ Quantities quantitiesOf(Stage& stage, int frame) {
 Quantities drawn(Stage& stage, const Command& command) {
     Quantities result;
     for (int frame = command.firstFrame; frame <= command.lastFrame; ++frame) {
-        const Quantities here = quantitiesOf(stage, frame);
+        Quantities here = quantitiesOf(stage, frame);
         if (command.firstFrame == command.lastFrame) return here;
         for (const auto& [name, made] : here) {
             for (const bool isLargest : {true, false}) {

@@ -226,12 +226,12 @@ class Labeller {
         }
         for (const bool ends : {true, false}) {
             for (std::size_t i = 0; i < lines.size(); ++i) {
-                const std::string knob = knobOf(run_, scene, chart_.series[i].method);
+                const std::string prefix = knobOf(run_, scene, chart_.series[i].method) + " ";
                 for (const ChartPoint* point : lines[i]) {
                     const bool isEnd = point == lines[i].front() || point == lines[i].back();
                     if (isEnd != ends) continue;
                     const std::string& value = run_.rows[point->row].parameter;
-                    if (!place(*point, knob + " " + value)) place(*point, value);
+                    if (!place(*point, prefix + value)) place(*point, value);
                 }
             }
         }
@@ -259,14 +259,14 @@ class Labeller {
                                    {across, above},
                                    {across, below}}) {
             const ChartBox box{x, y, x + width, y + height};
-            if (!free(box)) continue;
+            if (!isFree(box)) continue;
             chart_.labels.push_back({point.row, point.series, text, box});
             return true;
         }
         return false;
     }
 
-    bool free(const ChartBox& box) const {
+    bool isFree(const ChartBox& box) const {
         const ChartBox& area = space_.area;
         if (box.left < area.left || box.right > area.right || box.top < area.top || box.bottom > area.bottom) {
             return false;

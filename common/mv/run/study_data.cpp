@@ -131,12 +131,13 @@ std::string knobOf(const StudyRun& run, const std::string& scene, const std::str
 }
 
 std::string problemOf(const StudyRun& run, const StudyRow& row) {
-    for (auto setting = row.settings.rbegin(); setting != row.settings.rend(); ++setting) {
-        if (run.problem.empty() || setting->name != run.problem) continue;
-        const auto value = numberIn(setting->text);  // "1e4" and "10000" are one problem
-        return value ? numberText(*value) : setting->text;
+    std::string problem;
+    for (const KnobSetting& setting : row.settings) {  // of several for one knob the last holds
+        if (run.problem.empty() || setting.name != run.problem) continue;
+        const auto value = numberIn(setting.text);  // "1e4" and "10000" are one problem
+        problem = value ? numberText(*value) : setting.text;
     }
-    return "";
+    return problem;
 }
 
 bool compete(const StudyRun& run, const StudyRow& one, const StudyRow& other) {
