@@ -164,6 +164,16 @@ double anyScale(Random& random, Domain domain, double size) {
     return domain == Domain::whole ? std::exp2(std::floor(random.number(-size, size) * 3.32)) : 1;
 }
 
+std::function<bool(const Arguments&)> sizesBetween(double least, double most) {
+    return [=](const Arguments& a) {
+        return std::all_of(a.begin(), a.end(), [=](double number) {
+            const double size = std::abs(number);
+            return size == 0 || (size >= least && size <= most);
+        });
+    };
+}
+std::function<bool(const Arguments&)> quotientSizes() { return sizesBetween(1e-100, 1e100); }
+
 bool isPictureSize(double size) { return size >= 1 && size <= 16384 && size == std::floor(size); }
 
 std::vector<Wide> valuesOf(const test::WideMatrix& m) {

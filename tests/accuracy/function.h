@@ -166,6 +166,13 @@ double anyNumber(Random& random, Domain domain, double size = 150);
 // A power of two of any size of the domain: 1, or from about 1e-size to 1e+size.
 double anyScale(Random& random, Domain domain, double size);
 
+// Limits: every number is 0, or of a size from `least` to `most`.
+std::function<bool(const Arguments&)> sizesBetween(double least, double most);
+// Those of functions that divide one number by another and multiply the quotient by a third, which then neither vanishes
+// nor overflows.
+inline const std::string quotientLimits = "numbers 0, or from 1e-100 to 1e100 in size";
+std::function<bool(const Arguments&)> quotientSizes();
+
 // Whether a number is one of pixels.
 bool isPictureSize(double size);
 
@@ -173,6 +180,9 @@ bool isPictureSize(double size);
 
 // The size of a value that rounding decides, such as a verdict at its very bound: no error of it counts.
 inline const Wide anySize = ldexp(Wide(1), 100000);
+// A number below this has not all digits; so as the size of a value it counts as if it were this.
+inline const Wide leastSize = ldexp(Wide(1), -1022);
+inline Wide sizeOf(const Wide& value) { return abs(value) + leastSize; }
 
 std::vector<Wide> valuesOf(const test::WideMatrix& m);
 // The angle in radians, whole turns taken off in whole numbers: exact for every double.

@@ -35,12 +35,6 @@ Wide over(const Wide& a, const Wide& b) { return b == 0 ? anySize : std::min<Wid
 
 // Sizes of which products of four leave the range of neither float nor double, without their square roots being rough.
 const std::string ordinarySizes = "numbers 0, or from 1e-4 to 1e4 in size";
-bool haveOrdinarySizes(const Arguments& a) {
-    return std::all_of(a.begin(), a.end(), [](double x) {
-        const double size = std::abs(x);
-        return size == 0 || (size >= 1e-4 && size <= 1e4);
-    });
-}
 
 // A ray from up to 10 away towards somewhere near the origin, with a direction of any length.
 void putRay(Random& random, Domain domain, Arguments& a) {
@@ -254,7 +248,7 @@ template <typename Call>
 Function inBothTypes(Function function, Call call) {
     function.header = "../geometry/ray.h";
     function.limits = ordinarySizes;
-    function.within = haveOrdinarySizes;
+    function.within = sizesBetween(1e-4, 1e4);
     function.forms.push_back(makeForm<double>("mv", call));
     function.forms.push_back(makeForm<float>("mv float", call));
     return function;

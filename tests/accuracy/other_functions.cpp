@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <limits>
 
 #include "accuracy/function.h"
 #include "mv/error.h"
@@ -38,10 +39,6 @@ Arguments cuts(Random& random, Domain domain) {
 std::vector<vec4> cutOf(const Arguments& a) {
     const vec4 bound[] = {pointAt(a, 8)};
     return clipPolygon({pointAt(a, 0), pointAt(a, 4)}, bound);
-}
-
-bool hasNoTinyNumber(const Arguments& a) {
-    return std::all_of(a.begin(), a.end(), [](double x) { return x == 0 || std::abs(x) >= 1e-290; });
 }
 
 bool isOnBothSides(const Arguments& a) {
@@ -85,8 +82,8 @@ Function clipping() {
                                                dot(bound, wide(glm::abs(pointAt(a, 4)))))};
                  return truth;
              },
-         .limits = "numbers 0, or at least 1e-290; ends on both sides",
-         .within = [](const Arguments& a) { return hasNoTinyNumber(a) && isOnBothSides(a); }},
+         .limits = quotientLimits + "; ends on both sides",
+         .within = [sizes = quotientSizes()](const Arguments& a) { return sizes(a) && isOnBothSides(a); }},
         cutOf);
     function.forms[0].values = [](const Arguments& a) { return std::vector<Wide>{insideAtCut(a)}; };
     return function;
@@ -212,7 +209,7 @@ std::vector<Function> otherFunctions() {
                            return truth;
                        },
                    .limits = "coordinates 0, or at least 1e-290",
-                   .within = hasNoTinyNumber},
+                   .within = sizesBetween(1e-290, std::numeric_limits<double>::max())},
                   [](const Arguments& a) {
                       const std::array<vec3, 4> corners{vectorAt(a, 0), vectorAt(a, 3), vectorAt(a, 6), vectorAt(a, 9)};
                       return polygonArea(corners);

@@ -45,10 +45,6 @@ Wide4 unitPlane(const Arguments& a) {
 }
 Wide4 turnedTo(const Wide4& light, const Wide4& plane) { return dot(plane, light) < 0 ? Wide(-1) * plane : plane; }
 
-// A component of a unit vector below this has not all digits; so what it is a factor of counts as if it were this.
-const Wide leastComponent = ldexp(Wide(1), -1022);
-Wide sizeOf(const Wide& component) { return abs(component) + leastComponent; }
-
 // The sum of the sizes of a product's terms, of the first `count`.
 Wide termsOf(const Wide4& n, const Wide4& light, std::size_t count) {
     Wide sum = 0;
@@ -230,21 +226,17 @@ std::vector<Function> shadowFunctions() {
                  const double closeness =
                      std::max({closenessOf(clear, 1), closenessOf(above, 1), closenessOf(below, 1)});
                  return verdict(clear > 1 && above > 1 && below > 1 ? 1 : 0, isOpen, closeness);
-             },
-         // Beyond these a plane's unit normal loses the components that decide.
-         .limits = "numbers 0, or from 1e-150 to 1e150",
-         .within =
-             [](const Arguments& a) {
-                 return std::all_of(a.begin(), a.end(), [](double number) {
-                     const double size = std::abs(number);
-                     return size == 0 || (size >= 1e-150 && size <= 1e150);
-                 });
              }},
         [](const Arguments& a) {
             const std::array<vec3, 4> corners{vectorAt(a, cornersAt), vectorAt(a, cornersAt + 3),
                                               vectorAt(a, cornersAt + 6), vectorAt(a, cornersAt + 9)};
             return judgeCaster("caster", corners, pointAt(a, lightAt), pointAt(a, planeAt)).casts;
         }));
+    // Beyond these a plane's unit normal loses the components that decide.
+    for (Function& function : list) {
+        function.limits = quotientLimits;
+        function.within = quotientSizes();
+    }
     return list;
 }
 

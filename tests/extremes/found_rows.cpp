@@ -1,4 +1,4 @@
-// Y09 to Y17: what a search for the worst arguments (tests/adversary) found, and the forms that failed there.
+// Y09 to Y19: what a search for the worst arguments (tests/adversary) found, and the forms that failed there.
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/matrix.hpp>
 
@@ -205,6 +205,46 @@ double relative(double value, const Wide& truth) { return static_cast<double>(ab
                .ourError = relative(shadowCasterBounds(from, plane)[0].w, truth),
                .tolerance = 1e-15,
                .reason = "a unit vector, its product with the normal and a quotient: 8e-16"};
+});
+
+[[maybe_unused]] const bool y18 = addRow([] {
+    // The near plane's normal is what is left of 2e272 and its neighbour
+    mat4 clipFromWorld = scale(1, 1, 0);
+    clipFromWorld[2][2] = -2e272 * (1 - 1e-9);
+    clipFromWorld[2][3] = 2e272;
+    clipFromWorld[3][3] = 5e-46;
+    const mat4 rows = glm::transpose(clipFromWorld);
+    const vec4 scaled = rows[3] * 0x1p-905 + rows[2] * 0x1p-905;
+    const Wide truth = Wide(5e-46) / (Wide(2e272) + Wide(clipFromWorld[2][2]));
+    const auto steps = [&](double distance) {
+        return static_cast<double>(abs(Wide(distance) - truth) / Wide(0x1p-1074));
+    };
+    return Row{.id = "Y18",
+               .input = "a plane whose distance, 2.5e-309, is smaller than a double can hold with all digits",
+               .measured = "how far the distance is off, in steps of the smallest double",
+               .naive = "all of the row brought to a size of 1, then divided by the normal's length",
+               .naiveError = steps(scaled.w / scaled.z),
+               .ours = "planesFromClip: the normal and the distance scaled each for itself",
+               .ourError = steps(planesFromClip(clipFromWorld)[nearPlane].w),
+               .tolerance = 1,
+               .reason = "two quotients rounded, of which the last keeps no more digits than there are"};
+});
+
+[[maybe_unused]] const bool y19 = addRow([] {
+    const mat4 clipFromWorld(0.1, 0.2, 0.3, 0, 0.4, 0.5, 0.6, 0, 0.7, 0.8, 0.9, 0, 0, 0, 0, 1);
+    const auto off = [&](const vec3& corner) {
+        return static_cast<double>(length(firstThree(wide(clipFromWorld) * wide(vec4(corner, 1))) - wide(vec3(1))));
+    };
+    const vec4 plain = glm::inverse(clipFromWorld) * vec4(1);
+    return Row{.id = "Y19",
+               .input = "0.1 to 0.9 in a matrix, which is singular but for the rounding of its entries",
+               .measured = "how far from (1, 1, 1) the corner comes to lie that goes there",
+               .naive = "glm::inverse in double, divided by w",
+               .naiveError = off(vec3(plain) / plain.w),
+               .ours = "viewVolumeCorners: answers only what the matrix takes back to the cube's corner",
+               .ourError = off(viewVolumeCorners(clipFromWorld)[7]),
+               .tolerance = 3e-15,
+               .reason = "four roundings of each row's terms, which are 1.5 to 2.1 together"};
 });
 
 }  // namespace

@@ -197,7 +197,7 @@ TEST(StudyBound, what_cannot_be_is_said) {
     EXPECT_TRUE(has(refusal([] {
                         chosen({"cube-cull", "--error", "0.1"});
                     }),
-                    "--error: needs a demo whose study is committed"));
+                    "--error: needs a demo with a committed study"));
     EXPECT_TRUE(
         has(refusal([] {
                 chosen({"soft-shadows", "--error", "1%"});

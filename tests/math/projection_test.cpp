@@ -359,6 +359,10 @@ TEST(ViewVolumeCorners, RefusesWhatHasNone) {
     endless[2][2] = -1;  // the limit of far to infinity
     endless[3][2] = -2;
     EXPECT_EQ(refusal([&] { viewVolumeCorners(endless); }).rfind("viewVolumeCorners: the matrix must have", 0), 0U);
+    // Singular, but 1/7 and 4/7 are rounded: elimination finds a last pivot, and an answer that solves nothing.
+    const mat4 flat(1, 2, 3, 0, 4, 5, 6, 0, 7, 8, 9, 0, 0, 0, 0, 1);
+    EXPECT_EQ(refusal([&] { viewVolumeCorners(flat); }),
+              "viewVolumeCorners: the matrix must have an inverse, and the volume an end, none for (-1, -1, -1, 1)");
     EXPECT_EQ(refusal([] { viewVolumeCorners(mat4(notANumber)); }).rfind("viewVolumeCorners: the matrix", 0), 0U);
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <limits>
+#include <optional>
 #include <utility>
 
 #include "mv/error.h"
@@ -99,12 +101,16 @@ double twiceNearFarOver(double d, double near, double far) {
 class Elimination {
   public:
     explicit Elimination(const mat4& m) : m_(m), rows_(glm::transpose(m)) {
+        // A pivot is judged by what its row is made of: a small number beside a row's 1e9 would leave nothing of the others.
+        vec4 sizes;
+        for (int row = 0; row < 4; ++row) sizes[row] = largestComponent(rows_[row]);
         for (int k = 0; k < 4; ++k) {
             int pivot = k;
             for (int row = k + 1; row < 4; ++row) {
-                if (std::abs(rows_[row][k]) > std::abs(rows_[pivot][k])) pivot = row;
+                if (std::abs(rows_[row][k]) * sizes[pivot] > std::abs(rows_[pivot][k]) * sizes[row]) pivot = row;
             }
             std::swap(rows_[k], rows_[pivot]);
+            std::swap(sizes[k], sizes[pivot]);
             std::swap(order_[static_cast<std::size_t>(k)], order_[static_cast<std::size_t>(pivot)]);
             for (int row = k + 1; row < 4; ++row) {
                 const double factor = rows_[row][k] / rows_[k][k];
@@ -114,13 +120,23 @@ class Elimination {
         }
     }
 
-    vec4 solve(const vec4& b) const {
+    // Nothing where no x solves a matrix whose entries differ from m's by but a few roundings.
+    std::optional<vec4> solve(const vec4& b) const {
         vec4 x = once(b);
         for (int step = 0; step < 3; ++step) x += once(rest(b, x));
+        const vec4 left = rest(b, x);
+        for (int row = 0; row < 4; ++row) {
+            double terms = 0;
+            for (int column = 0; column < 4; ++column) terms += std::abs(m_[column][row] * x[column]);
+            if (!(std::abs(left[row]) <= mostLeft * terms)) return {};
+        }
         return x;
     }
 
   private:
+    // What is left of a row, as a part of its terms: x is rounded, which is a quarter of this.
+    static constexpr double mostLeft = 2 * std::numeric_limits<double>::epsilon();
+
     vec4 once(const vec4& b) const {
         vec4 x;
         for (int row = 0; row < 4; ++row) {
@@ -254,26 +270,26 @@ std::array<vec4, 6> planesFromClip(const mat4& clipFromWorld) {
     const mat4 rows = glm::transpose(clipFromWorld);
     std::array<vec4, 6> planes;
     for (std::size_t i = 0; i < planes.size(); ++i) {
-        // Of numbers whose squares neither overflow nor vanish: any multiple of the rows has the same plane.
-        vec4 last = rows[3], row = rows[static_cast<int>(i / 2)];
+        const vec4 &last = rows[3], &row = rows[static_cast<int>(i / 2)];
+        const double sign = i % 2 == 0 ? 1 : -1;
+        // Of numbers whose squares neither overflow nor vanish: any multiple of the rows has the same plane. The distance has
+        // another size, and is brought to the normal's at the end, where nothing is computed with it any more.
         const int exponent = scalingExponent(std::max(largestComponent(vec3(last)), largestComponent(vec3(row))));
-        if (exponent != 0) {
-            last = timesPowerOfTwo(last, -exponent);
-            row = timesPowerOfTwo(row, -exponent);
-        }
-        const vec4 plane = i % 2 == 0 ? last + row : last - row;
-        const double length = glm::length(vec3(plane));
-        const double terms = glm::length(vec3(last)) + glm::length(vec3(row));
+        const int ofDistance = scalingExponent(std::max(std::abs(last.w), std::abs(row.w)));
+        const vec3 ofLast = timesPowerOfTwo(vec3(last), -exponent), ofRow = timesPowerOfTwo(vec3(row), -exponent);
+        const vec3 normal = ofLast + sign * ofRow;
+        const double length = glm::length(normal), terms = glm::length(ofLast) + glm::length(ofRow);
         if (!(length > 1e-10 * terms)) {
             throw Error("planesFromClip",
                         std::string("the ") + names[i] +
                             " plane's normal must not cancel; for an extreme far/near use perspectivePlanes",
                         numberText(length / terms) + " of its terms");
         }
-        planes[i] = plane / length;
+        const double distance = std::scalbn(last.w, -ofDistance) + sign * std::scalbn(row.w, -ofDistance);
+        planes[i] = vec4(normal / length, std::scalbn(distance / length, ofDistance - exponent));
         if (!isFinite(planes[i])) {
             throw Error("planesFromClip", std::string("the ") + names[i] + " plane must not overflow",
-                        vectorText(plane));
+                        vectorText(last + sign * row));
         }
     }
     return planes;
@@ -300,11 +316,11 @@ std::array<vec3, 8> viewVolumeCorners(const mat4& clipFromWorld) {
     std::array<vec3, 8> corners;
     for (unsigned i = 0; i < corners.size(); ++i) {
         const vec4 clip((i & 1U) ? 1 : -1, (i & 2U) ? 1 : -1, (i & 4U) ? 1 : -1, 1);
-        const vec4 world = elimination.solve(clip);
-        corners[i] = vec3(world) / world.w;
-        if (!isFinite(corners[i])) {
+        const std::optional<vec4> world = elimination.solve(clip);
+        if (world) corners[i] = vec3(*world) / world->w;
+        if (!world || !isFinite(corners[i])) {
             throw Error("viewVolumeCorners", "the matrix must have an inverse, and the volume an end",
-                        vectorText(world));
+                        world ? vectorText(*world) : "none for " + vectorText(clip));
         }
     }
     return corners;

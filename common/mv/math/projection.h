@@ -66,7 +66,8 @@ std::array<vec4, 6> perspectivePlanes(double fovy, double aspect, double near, d
 // The eight corners of a view volume in the space that clipFromWorld maps from: corner i is what goes to x, y, z = -1
 // or +1 by bits 0, 1, 2 of i, so 0..3 are near and 4..7 far where z runs from near to far. For drawing a frustum, or to
 // ask what it holds. Each is off by no more than some roundings of the matrix's own entries would move it, for entries that
-// are 0 or from 1e-10 to 1e10 in size. Refused: NaN, infinity, a matrix without an inverse, a volume without end (far at infinity).
+// are 0 or from 1e-10 to 1e10 in size. Refused: NaN, infinity, a matrix without an inverse or so near one without that
+// elimination does not find it, a volume without end (far at infinity).
 std::array<vec3, 8> viewVolumeCorners(const mat4& clipFromWorld);
 
 // clip.xyz / clip.w. Refused: w <= 0 (at or behind the plane through the eye: dividing would show such a point mirrored

@@ -3,6 +3,9 @@
 // A plane is (a, b, c, d) with a x + b y + c z + d = 0; its normal (a, b, c) may have any length but 0 and points to
 // either side. A light is homogeneous: (x, y, z, 1) is a point (another w > 0 is the point (x, y, z)/w), (x, y, z, 0)
 // the direction *towards* a light at infinity.
+//
+// The errors in docs/library.md are of numbers that are 0 or from 1e-100 to 1e100 in size. Beyond, a component of the unit
+// normal, or its product with the light, may vanish: a light may then count as lying in the plane.
 #pragma once
 #include <array>
 #include <concepts>

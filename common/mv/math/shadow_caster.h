@@ -22,7 +22,7 @@ enum class PlaneKind { floor, wall };
 // its upper side. A light in the floor, which shadowProjection refuses, and a light below it are verdicts, not errors;
 // so a demo asks here first. A part casts where it is above the floor and below the light; heights within 1e-12 of the
 // size of the coordinates, the light's and the caster's, count as equal, since that much may be rounding.
-// The verdict is right where each number is 0 or its size is from 1e-150 to 1e150.
+// The verdict is right where each number is 0 or its size is from 1e-100 to 1e100.
 // Refused: no corners, heights that overflow, and what shadowProjection refuses for other reasons than the light's height.
 CasterVerdict judgeCaster(std::string_view name, std::span<const vec3> corners, const vec4& light, const vec4& floor,
                           PlaneKind kind = PlaneKind::floor);

@@ -513,7 +513,7 @@ void chooseByStudy(Command& command) {
     const bool ofTime = bound.of == StudyBound::Of::time;
     const std::string flag = ofTime ? "--within" : "--error";
     auto run = committedStudy(info.name);
-    if (!run) throw Error(flag, "needs a demo whose study is committed; those: see docs/errors-and-times", info.name);
+    if (!run) throw Error(flag, "needs a demo with a committed study, one of docs/errors-and-times", info.name);
     if (bound.percent && run->axis == ErrorAxis::rms) {
         throw UsageError(flag, "must be a number here and no part in percent: the study's error is the " +
                                    errorName(run->axis) + " of " + run->quantity);
