@@ -143,6 +143,18 @@ only() {
     equal "no test" "" "$(ran)"
 }
 
+# All studies are those that a study file adds; none is an error.
+studies() {
+    ./test --update-studies >out 2>err && fail "no study must be an error"
+    says err '^error: --update-studies: demos/\*.study.cpp must hold a study'
+    echo 'static const bool added = addStudy("two", study());' >demos/two.study.cpp
+    mkdir -p build/studies/two && echo 'measured' >build/studies/two/study.json
+    ./test --update-studies >out 2>err || fail "./test --update-studies: $(cat out err)"
+    says out ": two --study $tree/build/studies/two --headless$"
+    silent out ': one --study'
+    says docs/errors-and-times/two.json '^measured$'
+}
+
 # Golden pictures and pages count for the tests that read them.
 reads() {
     cat >>CMakeLists.txt <<'END'
@@ -292,7 +304,7 @@ passed() {
 
 case $case in
     git) git_ ;;
-    flags | moved | waiting | needed | analysis | passed | only | reads | expensive) "$case" ;;
+    flags | moved | waiting | needed | analysis | passed | only | studies | reads | expensive) "$case" ;;
     *) fail "there is no case '$case'" ;;
 esac
 [ $failures -eq 0 ] && echo "passed: $case"
