@@ -262,6 +262,13 @@ mat4 frustum(const FrustumBounds& bounds) {
     return frustum(bounds.left, bounds.right, bounds.bottom, bounds.top, bounds.near, bounds.far);
 }
 
+namespace {
+
+// x 2^exponent. The call costs more than all else of a plane, and ordinary numbers do not need it.
+double scaled(double x, int exponent) { return exponent == 0 ? x : std::scalbn(x, exponent); }
+
+}  // namespace
+
 std::array<vec4, 6> planesFromClip(const mat4& clipFromWorld) {
     requireFinite("planesFromClip", "the matrix", clipFromWorld);
     static constexpr std::array<const char*, 6> names{"left", "right", "bottom", "top", "near", "far"};
@@ -285,8 +292,8 @@ std::array<vec4, 6> planesFromClip(const mat4& clipFromWorld) {
                             " plane's normal must not cancel; for an extreme far/near use perspectivePlanes",
                         numberText(length / terms) + " of its terms");
         }
-        const double distance = std::scalbn(last.w, -ofDistance) + sign * std::scalbn(row.w, -ofDistance);
-        planes[i] = vec4(normal / length, std::scalbn(distance / length, ofDistance - exponent));
+        const double distance = (scaled(last.w, -ofDistance) + sign * scaled(row.w, -ofDistance)) / length;
+        planes[i] = vec4(normal / length, scaled(distance, ofDistance - exponent));
         if (!isFinite(planes[i])) {
             throw Error("planesFromClip", std::string("the ") + names[i] + " plane must not overflow",
                         vectorText(last + sign * row));
