@@ -239,6 +239,8 @@ class Rounds {
             }
             stage().draw(++frame_, true);
         }
+        // What a demo with a memory has been through is kept, a bounded number of frames of it (Timeline's own test).
+        stage().timeline().beginAnew();
         stage().draw(1);
         glFinish();
     }

@@ -140,6 +140,7 @@ TEST(CommandLine, every_pair_of_flags_means_something_or_is_refused) {
                                              {"--preset", {"--preset", "original"}},
                                              {"--shot", {"--shot", "a%d.png"}},
                                              {"--frame", {"--frame", "3"}},
+                                             {"--at", {"--at", "1", "z-dist=-3"}},
                                              {"--frames", {"--frames", "3..5"}},
                                              {"--size", {"--size", "64x48"}},
                                              {"--headless", {"--headless=egl"}},
@@ -168,6 +169,9 @@ TEST(CommandLine, every_pair_of_flags_means_something_or_is_refused) {
          {"--shot", "--frame", "--size", "--headless", "--compare", "--report", "--window", "--study", "--audit",
           "--knobs", "--copyable"}},
         {"--shot", {"--frame", "--frames", "--size", "--headless", "--compare", "--report"}},
+        {"--at",
+         {"--preset", "--cull", "--shot", "--frame", "--size", "--headless", "--compare", "--report", "--window",
+          "--copyable"}},
         {"--frame", {"--size", "--headless", "--compare", "--report", "--window", "--study", "--audit", "--copyable"}},
         {"--size", {"--headless", "--compare", "--report", "--window", "--study", "--copyable"}},
         {"--headless", {"--report", "--study", "--audit"}},
@@ -212,7 +216,7 @@ TEST(CommandLine, every_pair_of_flags_means_something_or_is_refused) {
         EXPECT_EQ(alone == "accepted", idle.count(a) == 0) << a << ": " << alone;
         for (const auto& [b, wordsOfB] : flags) {
             if (a == b) {
-                EXPECT_EQ(refusal(line({a, a})), a + ": must be given once");
+                EXPECT_EQ(refusal(line({a, a})), a == "--at" ? "accepted" : a + ": must be given once");
                 continue;
             }
             const std::string said = refusal(line({a, b}));
@@ -230,7 +234,7 @@ TEST(CommandLine, every_pair_of_flags_means_something_or_is_refused) {
             EXPECT_TRUE(bothNamed || demoMissing || oneIdle) << a << " " << b << ": " << said;
         }
     }
-    EXPECT_EQ(understood + refused, 23 * 22);
+    EXPECT_EQ(understood + refused, 24 * 23);
     EXPECT_NE(refusal({"cube-cull", "--gallery", "g"}), "accepted") << "it would be of all demos";
     EXPECT_NE(refusal({"cube-cull", "--audit", "--all"}), "accepted");
 }
@@ -281,6 +285,28 @@ TEST(CommandLine, a_copyable_command_says_what_differs) {
     // The present value is the first of the two, so it stands nowhere else.
     const std::string both = copyableCommand(info.name, info, *demo, 1, 600, 600, {"cull", "none"});
     EXPECT_EQ(both, "cube-cull --spin-x 0.1 --compare cull=front,none");
+}
+
+TEST(CommandLine, changes_at_frames) {
+    const Command command = parseCommandLine(
+        {"viewpoints", "--at", "30", "view=3", "--frame", "40", "--shot", "a.png", "--at", "7", "view=2"});
+    EXPECT_EQ(command.changes, (std::vector<TimedChange>{{30, "view", "3"}, {7, "view", "2"}}));
+    EXPECT_EQ(refusal({"viewpoints", "--at", "30", "view=3"}), "accepted") << "a window comes to that frame";
+    EXPECT_EQ(refusal({"viewpoints", "--at", "30", "view=3", "--shot", "a.png"}),
+              "--at: must be at a frame that is drawn or before, up to 1 (--frame), 30");
+    EXPECT_EQ(refusal({"viewpoints", "--at", "30", "view=3", "--frames", "1..30", "--shot", "%d.png"}), "accepted");
+    EXPECT_EQ(refusal({"viewpoints", "--at", "0", "view=3"}),
+              "--at: must be at a frame from 1; what holds before is set by the knob's own flag");
+    EXPECT_EQ(refusal({"viewpoints", "--at", "x", "view=3"}), "--at: must be a whole number 0 .. 1000000000, 'x'");
+    EXPECT_EQ(refusal({"viewpoints", "--at", "3", "view"}),
+              "--at: must be a frame, a knob and its value, as --at 300 pull=0.2, 'view'");
+    EXPECT_EQ(refusal({"viewpoints", "--at", "3", "veiw=3"}), "--veiw: is no knob of this demo; did you mean 'view'?");
+    EXPECT_TRUE(has(refusal({"viewpoints", "--at", "3", "view=99"}), "--view: must be"));
+    EXPECT_TRUE(has(refusal({"viewpoints", "--at", "3"}), "--at: must have a value"));
+    EXPECT_TRUE(has(refusal({"viewpoints", "--at", "3", "view=3", "--audit"}), "--at: needs"));
+    EXPECT_EQ(refusal({"viewpoints", "--at", "1", "view=3", "--compare", "view=1,2"}),
+              "--at: must not set the knob that --compare does, view");
+    EXPECT_TRUE(has(refusal({"--at", "3", "view=3"}), "demo: must be named first"));
 }
 
 // A shell gives each word back as it was.

@@ -15,6 +15,11 @@ Readout::Readout(Demo* owner, std::string name, std::string help, std::string un
     owner->add(this);
 }
 
+AnyMemory::AnyMemory(Demo* owner) {
+    if (owner->memory_) throw Error("Memory", "must be one for a demo: put all that it remembers into one struct");
+    owner->memory_ = this;
+}
+
 void Demo::add(Knob* knob) {
     for (const Knob* other : knobs_) {
         if (other->name() == knob->name()) throw Error("knob " + knob->name(), "must be declared once");

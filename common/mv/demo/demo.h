@@ -13,6 +13,7 @@
 #include "mv/demo/frame.h"
 #include "mv/demo/handle.h"
 #include "mv/demo/knob.h"
+#include "mv/demo/memory.h"
 #include "mv/demo/points.h"
 #include "mv/demo/preset.h"
 #include "mv/demo/readout.h"
@@ -42,6 +43,11 @@ class Demo {
     // Headless that ends the program; the window keeps its last picture and shows the sentence.
     virtual void check() const {}
 
+    // For a demo with a Memory: what it remembers at frame 0, by the present knobs; and the way from frame index - 1 to
+    // `index`, 1/60 s later. Neither asks OpenGL for anything.
+    virtual void reset() {}
+    virtual void step(int /*index*/) {}
+
     // For a demo that draws a Scene: what it is at the present settings, in the picture that `frame` describes. The one
     // answer for draw(), check(), references and probes.
     virtual Scene scene(const FrameInfo& frame) const;
@@ -54,6 +60,8 @@ class Demo {
     const std::vector<Readout*>& readouts() const { return readouts_; }
     const std::vector<Binding>& bindings() const { return bindings_; }
     const std::vector<Handle>& handles() const { return handles_; }
+    // None for most.
+    AnyMemory* memory() const { return memory_; }
 
     // The knob of that name, or Error naming the nearest one.
     Knob& knob(std::string_view name) const;
@@ -85,6 +93,7 @@ class Demo {
   private:
     friend class Knob;
     friend class Readout;
+    friend class AnyMemory;
     void add(Knob* knob);
     void add(Readout* readout) { readouts_.push_back(readout); }
 
@@ -92,6 +101,7 @@ class Demo {
     std::vector<Readout*> readouts_;
     std::vector<Binding> bindings_;
     std::vector<Handle> handles_;
+    AnyMemory* memory_ = nullptr;
     std::vector<std::unique_ptr<Readout>> probed_;
     friend void addProbedReadouts(Demo& demo, const std::string& name);
 };
@@ -128,7 +138,7 @@ struct DemoInfo {
     std::string chapter;            // the heading it stands under: one of mv/demo/chapters.h, or none
     int number = 0;                 // its row in the course's catalogue, which orders a chapter
     int width = 512, height = 512;  // the original's canvas
-    bool animated = false;          // the picture depends on the frame index
+    bool animated = false;          // the picture depends on the frame index; always so with a Memory
     // The colour that the picture is cleared to before each draw, with depth to 1 and the stencil to 0; without one, the
     // demo clears. A measured quantity is cleared to -1, which is nothing to compare, by either.
     std::optional<vec4> background = {};

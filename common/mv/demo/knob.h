@@ -69,6 +69,11 @@ class Knob {
         conditions_.push_back({std::move(holds), std::move(reason)});
     }
 
+    // Said in the constructor of a demo with a Memory: a change of this knob calls reset(), as a number of masses does whose
+    // places are remembered. Others (a stiffness) act from the next step on.
+    void beginsAnew() { beginsAnew_ = true; }
+    bool doesBeginAnew() const { return beginsAnew_; }
+
     bool isInitial() const { return text() == initialText(); }
     void reset() { parse(initialText()); }
 
@@ -92,6 +97,7 @@ class Knob {
     };
     std::string name_, help_, unit_;
     std::vector<Condition> conditions_;
+    bool beginsAnew_ = false;
     mutable std::atomic<bool> read_{false};
 };
 

@@ -72,6 +72,33 @@ void readCompare(const std::string& text, const Demo& demo, Command& command) {
     command.compareValues = {a, b};
 }
 
+// A change that the demo takes, which then has it; the knobs before are `command`'s.
+void readChange(const std::string& frame, const std::string& setting, Demo& demo, Command& command) {
+    const int at = frameNumber("--at", frame);
+    const auto [knob, value] = splitAt(setting, "=");
+    if (at < 1) throw UsageError("--at", "must be at a frame from 1; what holds before is set by the knob's own flag");
+    if (knob.empty() || value.empty()) {
+        throw UsageError("--at", "must be a frame, a knob and its value, as --at 300 pull=0.2", "'" + setting + "'");
+    }
+    demo.knob(knob).parse(value);
+    command.changes.push_back({at, knob, demo.knob(knob).text()});
+}
+
+// What cannot be seen, since no frame is drawn that late, and what says twice how a knob is set.
+void checkChanges(const Command& command) {
+    for (const TimedChange& change : command.changes) {
+        if (change.frame > command.lastFrame && (command.action != Action::window || command.frameGiven)) {
+            throw UsageError(
+                "--at",
+                "must be at a frame that is drawn or before, up to " + std::to_string(command.lastFrame) + " (--frame)",
+                std::to_string(change.frame));
+        }
+        if (change.knob == command.compareKnob) {
+            throw UsageError("--at", "must not set the knob that --compare does", change.knob);
+        }
+    }
+}
+
 std::string knobHelp(const Knob& knob) {
     std::string text = knob.help() + "; " + knob.rangeInFull() + ", initially " + knob.initialText();
     for (const Option& option : knob.options()) {
@@ -81,11 +108,13 @@ std::string knobHelp(const Knob& knob) {
 }
 
 constexpr const char* knobGroup = "Knobs";  // their heading in the help
+constexpr std::string_view severalTimes = "--at";
 
 // The flags of the command line; each has one line here, and its value is read below. Which go together: flag_table.cpp.
 struct Flags {
     std::string preset, shot, frame, frames, headless, size, compare, report, knobs, gallery, docs, study, vary;
     std::string within, error;
+    std::vector<std::pair<std::string, std::string>> at;
     bool list = false, version = false, copyable = false, audit = false, all = false, window = false;
     bool measureHere = false;
 };
@@ -97,6 +126,9 @@ void declareFlags(CLI::App& app, Flags& flags, bool launcher) {
     app.add_option("--frame", flags.frame, "which frame, at 60 a second; 1 is the original's first picture")
         ->type_name("N");
     app.add_option("--frames", flags.frames, "several frames; the file is then named a.%04d.png")->type_name("A..B");
+    app.add_option("--at", flags.at, "set a knob at a frame, after the step to it; as often as you like")
+        ->type_name("N KNOB=VALUE")
+        ->allow_extra_args(false);
     app.add_option("--size", flags.size, "of the picture in pixels; the original's canvas if not given")
         ->type_name("WxH");
     app.add_flag("--headless{automatic}", flags.headless,
@@ -174,7 +206,7 @@ GivenFlags givenFlags(const CLI::App& app, bool demo) {
     for (const CLI::Option* option : app.get_options()) {
         if (option->count() == 0) continue;
         const std::string name = option->get_name();
-        if (option->count() > 1) throw UsageError(name, "must be given once");
+        if (option->count() > 1 && name != severalTimes) throw UsageError(name, "must be given once");
         const std::string& value = option->results().front();
         if (value.empty()) throw UsageError(name, "must have a value", "''");
         if (value.starts_with("--")) {
@@ -210,7 +242,7 @@ std::string footerOf(const DemoInfo& info) {
     return text;
 }
 
-Command readFlags(const Flags& flags, Command command, const Demo* demo) {
+Command readFlags(const Flags& flags, Command command, Demo* demo) {
     if (!flags.frame.empty()) command.firstFrame = command.lastFrame = frameNumber("--frame", flags.frame);
     if (!flags.frames.empty()) readFrames(flags.frames, command);
     command.frameGiven = !flags.frame.empty() || !flags.frames.empty();
@@ -238,13 +270,18 @@ Command readFlags(const Flags& flags, Command command, const Demo* demo) {
     const bool wantsDemo = command.action == Action::knobs || command.action == Action::copyable ||
                            command.action == Action::render || command.action == Action::study ||
                            (command.action == Action::audit && !command.all) || !flags.compare.empty() ||
-                           !flags.preset.empty() || !flags.size.empty() || command.frameGiven || command.bound;
+                           !flags.preset.empty() || !flags.size.empty() || command.frameGiven || command.bound ||
+                           !flags.at.empty();
     if (!demo && wantsDemo) {
         throw UsageError("demo", "must be named first, as in: mvgl cube-cull --shot a.png (--list shows them)");
     }
     if (flags.all && demo)
         throw UsageError("--all", "must not stand beside a demo's name", "'" + command.demo->name + "'");
     if (demo && !flags.compare.empty()) readCompare(flags.compare, *demo, command);
+    for (const auto& [frame, setting] : flags.at) {
+        readChange(frame, setting, *demo, command);
+    }
+    checkChanges(command);
     if (command.lastFrame > command.firstFrame && frameFile(flags.shot, 1) == flags.shot) {
         throw UsageError("--shot", "must have %d or %04d in its name for several frames", "'" + flags.shot + "'");
     }
@@ -309,7 +346,9 @@ Command parseCommandLine(const std::vector<std::string>& arguments) {
                 ->group(knobGroup);
         }
     }
-    for (CLI::Option* option : app.get_options()) option->take_last();  // two are refused below, in our words
+    for (CLI::Option* option : app.get_options()) {  // two are refused below, in our words
+        if (option->get_name() != severalTimes) option->take_last();
+    }
     for (const std::string& word : rest) refuseOddValue(app, word);
     try {
         std::reverse(rest.begin(), rest.end());  // CLI11 takes its words from the back
@@ -356,11 +395,21 @@ std::string startOf(const std::string& program, const DemoInfo& info) {
 }
 
 std::string copyableCommand(const std::string& start, const DemoInfo& info, const Demo& demo, int frame, int width,
-                            int height, const ComparedKnob& compared) {
+                            int height, const ComparedKnob& compared, const Timeline* timeline) {
     std::string text = start;
-    for (const Knob* knob : demo.knobs()) {
-        if (knob->name() == compared.name) continue;
-        if (!knob->isInitial()) text += " --" + knob->name() + " " + quotedForShell(knob->text());
+    const auto set = [&](const std::string& knob, const std::string& value) {
+        if (knob != compared.name) text += " --" + knob + " " + quotedForShell(value);
+    };
+    if (timeline && timeline->matters()) {
+        for (const KnobSetting& knob : timeline->beginning()) set(knob.name, knob.text);
+        for (const TimedChange& change : timeline->changesUntil(frame)) {
+            if (change.knob == compared.name) continue;
+            text += " --at " + std::to_string(change.frame) + " " + quotedForShell(change.knob + "=" + change.text);
+        }
+    } else {
+        for (const Knob* knob : demo.knobs()) {
+            if (!knob->isInitial()) set(knob->name(), knob->text());
+        }
     }
     if (!compared.name.empty()) {
         text += " --compare " +

@@ -30,7 +30,8 @@ struct Command {
     std::size_t presetKnobs = 0;     // how many of `knobs` are the preset's
     int firstFrame = 1, lastFrame = 1;
     bool frameGiven = false;
-    int width = 0, height = 0;  // 0: the original's canvas
+    std::vector<TimedChange> changes;  // --at
+    int width = 0, height = 0;         // 0: the original's canvas
     HostKind host = HostKind::automatic;
     std::string shot;         // the picture's file; "" for none. With several frames it contains %d or %04d
     std::string compareKnob;  // "" for no comparison
@@ -55,10 +56,11 @@ struct ComparedKnob {
     std::string name = {}, other = {};
 };
 
-// The command line that reproduces the picture: `start`, the knobs that are not at their initial value, what is compared,
-// frame and size. A shell reads each word as it is meant.
+// The command line that reproduces the picture: `start`, the knobs that are not at their initial value, what was changed and
+// when, what is compared, frame and size. A shell reads each word as it is meant. Without a timeline, the demo's knobs are
+// those that it begins with.
 std::string copyableCommand(const std::string& start, const DemoInfo& info, const Demo& demo, int frame, int width,
-                            int height, const ComparedKnob& compared = {});
+                            int height, const ComparedKnob& compared = {}, const Timeline* timeline = nullptr);
 
 // What to type, where the program was started so, to start that demo: "./run shadow-map", and "build/bin/shadow-map" where the
 // program is that demo's and has its name.

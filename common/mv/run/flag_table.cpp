@@ -33,22 +33,24 @@ const std::vector<Use>& uses() {
         {"--study", Action::study, {demoName, anyKnob, "--preset", "--vary", "--frame", "--size", "--headless"}},
         {"--audit", Action::audit, settingsAnd({"--frame", "--headless", "--all"})},
         {"--knobs", Action::knobs, {demoName, anyKnob, "--preset"}},
-        {"--copyable", Action::copyable, settingsAnd({"--frame", "--size", "--compare"})},
-        {"--window", Action::window, settingsAnd({"--frame", "--size", "--compare", "--report"})},
+        {"--copyable", Action::copyable, settingsAnd({"--at", "--frame", "--size", "--compare"})},
+        {"--window", Action::window, settingsAnd({"--at", "--frame", "--size", "--compare", "--report"})},
         {"--shot", Action::render,
-         settingsAnd({"--frame", "--frames", "--size", "--compare", "--report", "--headless"})},
-        {"--report", Action::render, settingsAnd({"--frame", "--size", "--headless"})},
-        {"--headless", Action::render, settingsAnd({"--frame", "--size"})},
+         settingsAnd({"--at", "--frame", "--frames", "--size", "--compare", "--report", "--headless"})},
+        {"--report", Action::render, settingsAnd({"--at", "--frame", "--size", "--headless"})},
+        {"--headless", Action::render, settingsAnd({"--at", "--frame", "--size"})},
     };
     return all;
 }
 
 // Flags of one action that leave each other nothing to do.
-constexpr std::array<std::array<std::string_view, 2>, 5> apart{{
+constexpr std::array<std::array<std::string_view, 2>, 7> apart{{
     {"--frame", "--frames"},    // two ways to say which
     {"--within", "--error"},    // as well
     {"--compare", "--within"},  // a bound is for one setting
     {"--compare", "--error"},
+    {"--at", "--within"},
+    {"--at", "--error"},
     {"--report", "--compare"},  // a report is of one setting (a window with both reports what is shown)
 }};
 

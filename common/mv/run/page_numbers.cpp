@@ -352,7 +352,7 @@ MadeNumber NumberSources::ofRun(const std::vector<std::string>& fields) {
             study.height = command.height ? command.height : isVaried ? study.height : info.height;
             if (command.frameGiven) study.frame = command.firstFrame;
             stage.open(info, study.width, study.height);
-            applyKnobs(stage.demo(), command.knobs);
+            stage.begin(command.knobs, command.changes);
             if (isVaried) {
                 varied_[text] = runStudy(stage, study, {.timed = false});
             } else {

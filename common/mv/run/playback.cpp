@@ -22,10 +22,12 @@ bool Playback::advance(double seconds) {
     return true;
 }
 
-void Playback::step() {
+void Playback::step() { goTo(frame_ < std::numeric_limits<int>::max() ? frame_ + 1 : frame_); }
+
+void Playback::goTo(int frame) {
     playing_ = false;
     part_ = 0;
-    if (animated_ && frame_ < std::numeric_limits<int>::max()) ++frame_;
+    if (animated_) frame_ = frame;
 }
 
 void Playback::restart() {

@@ -20,6 +20,8 @@ class Playback {
     void toggle() { playing_ = animated_ && !playing_; }
     // One frame further, and paused there.
     void step();
+    // To that frame, and paused there.
+    void goTo(int frame);
     // Back to frame 1, the first picture of an original.
     void restart();
     // Slower or faster; 0.1 .. 4.

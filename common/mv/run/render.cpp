@@ -55,7 +55,10 @@ void render(const Command& command) {
     const int height = command.height ? command.height : info.height;
     if (!command.compareKnob.empty()) requireRoomToCompare(width, height);
     stage.open(info, width, height);
-    applyKnobs(stage.demo(), command.knobs);
+    stage.begin(command.knobs, command.changes);
+    stage.timeline().progress = [](int reached, int wanted) {
+        std::fprintf(stderr, "step %d of %d\n", reached, wanted);
+    };
 
     double firstMs = 0;
     auto shown = start;
@@ -76,7 +79,7 @@ void render(const Command& command) {
         if (!command.shot.empty()) {
             writePng(frameFile(command.shot, index), command.compareKnob.empty() ? stage.picture() : sheet);
         }
-        if (now - shown > std::chrono::seconds(2)) {
+        if (now - shown > std::chrono::seconds(2) && index < command.lastFrame) {
             shown = now;
             std::fprintf(stderr, "frame %d of %d..%d\n", index, command.firstFrame, command.lastFrame);
         }

@@ -98,9 +98,11 @@ void act(const Command& command) {
                 demo->knob(command.compareKnob).parse(command.compareValues[0]);
                 compared = {command.compareKnob, command.compareValues[1]};
             }
+            Timeline timeline(*demo);
+            timeline.setChanges(command.changes);
             return print(copyableCommand(startOf(command.program, info), info, *demo, command.firstFrame,
                                          command.width ? command.width : info.width,
-                                         command.height ? command.height : info.height, compared) +
+                                         command.height ? command.height : info.height, compared, &timeline) +
                          "\n");
         }
         case Action::gallery:

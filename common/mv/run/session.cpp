@@ -11,7 +11,8 @@ namespace mv {
 Session::Session(Stage& stage, const DemoInfo& info, const SessionStart& start)
     : stage_(stage), info_(info), playback_(info.animated, start.frame, start.paused), drawnFrame_(start.frame) {
     stage_.open(info, start.width, start.height);
-    applyKnobs(stage_.demo(), start.knobs);
+    stage_.begin(start.knobs, start.changes);
+    stage_.timeline().record();
 }
 
 std::string Session::set(const std::string& name, const std::string& text) {
@@ -51,6 +52,12 @@ void Session::pointerMove(double x, double y) {
 }
 
 void Session::wheel(double notches) { stale_ |= demo().wheel(notches); }
+
+void Session::restart() {
+    playback_.restart();
+    stage_.timeline().beginAnew();
+    stale_ = true;
+}
 
 // ---- The picture
 

@@ -16,6 +16,7 @@ namespace mv {
 struct SessionStart {
     int width = 0, height = 0;  // of the picture, in pixels
     std::vector<KnobSetting> knobs = {};
+    std::vector<TimedChange> changes = {};
     int frame = 1;
     bool paused = false;  // an animated demo stands still at that frame
 };
@@ -67,6 +68,8 @@ class Session {
     // Over the picture; notches away from the user.
     void wheel(double notches);
 
+    // Back to frame 1, with the settings as they are now and nothing changed since.
+    void restart();
     // Lets so many seconds pass, as the playback has it.
     void advance(double seconds) { stale_ |= playback_.advance(seconds); }
 

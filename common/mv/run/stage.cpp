@@ -107,10 +107,17 @@ void Stage::open(const DemoInfo& info, int width, int height) {
     makeTargets(width, height);
     auto demo = info.make();
     demo->init();
+    timeline_ = std::make_unique<Timeline>(*demo);
     demo_ = std::move(demo);
 }
 
+void Stage::begin(const std::vector<KnobSetting>& knobs, const std::vector<TimedChange>& changes) {
+    applyKnobs(*demo_, knobs);
+    timeline_->setChanges(changes);
+}
+
 void Stage::close() {
+    timeline_.reset();
     demo_.reset();
     notes_ = {};
     targets_[0] = Target();
@@ -130,6 +137,7 @@ void Stage::resize(int width, int height) {
 
 Stage::Drawn Stage::drawInto(const Target& target, int index, FrameMode mode) {
     takeMissing();
+    timeline_->bring(index);
     demo_->check();
     Drawn drawn;
     mode.bindTarget = [&target] { target.bind(); };

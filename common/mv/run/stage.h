@@ -8,6 +8,7 @@
 #include "mv/gl/functions.h"
 #include "mv/gl/target.h"
 #include "mv/host/context.h"
+#include "mv/run/timeline.h"
 
 namespace mv {
 
@@ -28,6 +29,8 @@ class Stage {
 
     // Makes the demo and its target. Error: the driver lacks what the demo needs, or a shader fails.
     void open(const DemoInfo& info, int width, int height);
+    // Says how the demo begins, and what is changed when. Error: no such knob, or a value that it refuses.
+    void begin(const std::vector<KnobSetting>& knobs, const std::vector<TimedChange>& changes = {});
     // Deletes both. Error: the demo leaves GL objects behind.
     void close();
     bool isOpen() const { return demo_ != nullptr; }
@@ -47,6 +50,9 @@ class Stage {
     Picture picture() const { return front().read(); }
     const Target& front() const { return targets_[shown_]; }
 
+    // What the demo has been through until the frame that is drawn.
+    Timeline& timeline() { return *timeline_; }
+    const Timeline& timeline() const { return *timeline_; }
     Demo& demo() { return *demo_; }
     const Demo& demo() const { return *demo_; }
     const DemoInfo& info() const { return *info_; }
@@ -69,6 +75,7 @@ class Stage {
     DriverInfo driver_;
     const DemoInfo* info_ = nullptr;
     std::unique_ptr<Demo> demo_;
+    std::unique_ptr<Timeline> timeline_;
     Target targets_[2];
     Target measured_, probed_;  // made when something is measured, or probed
     int shown_ = 0;

@@ -87,7 +87,14 @@ void Comparison::check(const Demo& demo) {
 
 OtherPicture::Cost Comparison::draw(Stage& stage, int index, bool readouts) {
     Side b;
-    withOther([&] { b = drawSide(stage, index, readouts); });
+    stage.timeline().vary(KnobSetting{knob_->name(), other_});
+    try {
+        withOther([&] { b = drawSide(stage, index, readouts); });
+    } catch (...) {
+        stage.timeline().vary({});
+        throw;
+    }
+    stage.timeline().vary({});
     a_ = drawSide(stage, index, readouts);
     b_ = std::move(b);
     drawnA_ = labelA();

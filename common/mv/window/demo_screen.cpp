@@ -32,6 +32,7 @@ SessionStart startOf(const Command& command) {
     return {.width = sizeGiven ? command.width : command.demo->width,
             .height = sizeGiven ? command.height : command.demo->height,
             .knobs = command.knobs,
+            .changes = command.changes,
             .frame = command.firstFrame,
             .paused = command.frameGiven};
 }
@@ -308,7 +309,6 @@ void DemoScreen::showPanelContent() {
     if (!info_.lookFor.empty()) wrapped(color::dim, "Look for: " + info_.lookFor);
 
     Demo& demo = session_.demo();
-    Playback& playback = session_.playback();
     bool moved = false;
     if (!info_.presets.empty() && section("Presets") && showPresets(info_, demo)) {
         knobs_.closeField();
@@ -316,7 +316,7 @@ void DemoScreen::showPanelContent() {
     }
     if (!demo.knobs().empty() && section("Settings")) moved |= knobs_.show(comparison_);
     if (!demo.knobs().empty() && section("Compare")) moved |= showComparison(demo, comparison_, gui_);
-    if (playback.animated() && section("Time")) moved |= showTime(playback, gui_.scale());
+    if (session_.playback().animated() && section("Time")) moved |= showTime(session_, gui_.scale());
     if (!demo.readouts().empty() && section("Readouts")) showReadouts(demo, comparison_);
     if (study_.any() && section("Error and time")) moved |= study_.show(demo);
     if (moved) session_.touch();
@@ -335,7 +335,8 @@ std::string DemoScreen::defaultName() const {
 std::string DemoScreen::commandLine() const {
     const Target& target = stage_.front();
     return copyableCommand(startOf(program_, info_), info_, session_.demo(), session_.drawnFrame(), target.width(),
-                           target.height(), comparison_.on() ? comparison_.compared() : ComparedKnob{});
+                           target.height(), comparison_.on() ? comparison_.compared() : ComparedKnob{},
+                           &stage_.timeline());
 }
 
 void DemoScreen::showFile() {

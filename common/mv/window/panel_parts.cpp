@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 
 namespace mv {
 namespace {
@@ -258,7 +259,8 @@ void showMatrices(const FrameNotes& notes) {
     }
 }
 
-bool showTime(Playback& playback, float scale) {
+bool showTime(Session& session, float scale) {
+    Playback& playback = session.playback();
     bool moved = false;
     const ImVec2 size{70 * scale, 0};
     const bool playing = playback.playing();
@@ -273,10 +275,10 @@ bool showTime(Playback& playback, float scale) {
     tooltip("one frame further, and pause there");
     ImGui::SameLine();
     if (button("Restart", size)) {
-        playback.restart();
+        session.restart();
         moved = true;
     }
-    tooltip("back to frame 1");
+    tooltip("back to frame 1, with the settings as they are now");
     auto speed = static_cast<float>(playback.speed());
     ImGui::SetNextItemWidth(2 * size.x + ImGui::GetStyle().ItemSpacing.x);
     if (ImGui::SliderFloat("##speed", &speed, 0.1F, 4, "speed %.1fx",
@@ -286,7 +288,15 @@ bool showTime(Playback& playback, float scale) {
     notePlace("speed");
     tooltip("0.1 .. 4 times 60 frames a second");
     ImGui::SameLine();
-    ImGui::Text("frame %d", playback.frame());
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+    int frame = playback.frame();
+    if (ImGui::DragInt("##frame", &frame, 1, 0, std::numeric_limits<int>::max(), "frame %d",
+                       ImGuiSliderFlags_AlwaysClamp)) {
+        playback.goTo(frame);
+        moved = true;
+    }
+    notePlace("frame");
+    tooltip("drag to go back and forth");
     return moved;
 }
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "mv/demo/demo.h"
-#include "mv/run/playback.h"
+#include "mv/run/session.h"
 #include "mv/window/comparison.h"
 #include "mv/window/gui.h"
 
@@ -24,8 +24,8 @@ bool showComparison(Demo& demo, Comparison& comparison, Gui& gui);
 // Live tables of the matrices, laid out as on paper.
 void showMatrices(const FrameNotes& notes);
 
-// Play, pause, step, speed. True when another frame is to be shown.
-bool showTime(Playback& playback, float scale);
+// Play, pause, step, speed, and which frame. True when another frame is to be shown.
+bool showTime(Session& session, float scale);
 
 // What keys, drag and wheel do: the demo's own, then the window's.
 void showControls(const Demo& demo, bool animated, bool menu, bool comparing);
