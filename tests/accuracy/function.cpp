@@ -120,7 +120,7 @@ const std::vector<Function>& functions() {
     static const std::vector<Function> all = [] {
         std::vector<Function> list;
         for (const auto& part : {typesFunctions(), transformFunctions(), projectionFunctions(), shadowFunctions(),
-                                 otherFunctions(), robustFunctions()}) {
+                                 otherFunctions(), robustFunctions(), orientationFunctions()}) {
             list.insert(list.end(), part.begin(), part.end());
         }
         return list;

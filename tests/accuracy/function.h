@@ -48,7 +48,8 @@ struct Form {
 };
 
 struct Function {
-    std::string name, header;
+    std::string name;
+    std::string header;    // in mv/math, or with its floor: "motion/orientation.h"
     std::string returns;   // one line
     std::string measured;  // "entrywise", or what the blocks are
     std::string domain;    // the whole domain's samples, in words
@@ -61,7 +62,7 @@ struct Function {
     std::vector<Form> forms = {};
 };
 
-// Every function of mv/math that computes something, by header and in its order.
+// Every function of mv/math that computes something, by header and in its order, and those of mv/motion that are formulas.
 const std::vector<Function>& functions();
 // These, and the intersections of mv/geometry/ray.h: what tests/adversary looks for the worst errors of.
 const std::vector<Function>& attackedFunctions();
@@ -137,6 +138,7 @@ std::vector<Function> transformFunctions();
 std::vector<Function> projectionFunctions();
 std::vector<Function> shadowFunctions();
 std::vector<Function> otherFunctions();
+std::vector<Function> orientationFunctions();
 std::vector<Function> intersectionFunctions();
 
 // A form of intersectSphere, ours or another, that returns both ends, or two infinities where it finds none: made to return

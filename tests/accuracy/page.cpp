@@ -237,7 +237,7 @@ std::string libraryPage(const ErrorTable& errors, const TimeTable& times, const 
     std::ostringstream page;
     page << R"(# Error and time of the library's functions
 
-What each function of `mv/math` returns, how far that is from the truth, and how long it takes. The truth is computed with
+What each function of `mv/math`, and of `mv/motion` each that is a formula, returns, how far that is from the truth, and how long it takes. The truth is computed with
 50 digits (Boost.Multiprecision) from the very same arguments. Errors are in ulp, units in the last place: the gap between
 neighbouring doubles at the size of the true result; rounding alone costs half of one. *Entrywise* takes each number's own
 size, which asks the most; otherwise the size is that of the largest entry of what is named. Samples are random, with sizes
@@ -259,7 +259,8 @@ Written by `build/bin/mvgl-bench accuracy --write docs`; a test measures the err
     for (const Function& function : functions()) {
         if (function.header != header) {
             header = function.header;
-            page << (function.name == functions().front().name ? "" : "\n") << "### mv/math/" << header << "\n\n"
+            page << (function.name == functions().front().name ? "" : "\n") << "### mv/"
+                 << (header.find('/') == std::string::npos ? "math/" : "") << header << "\n\n"
                  << "| function | returns | error measured | max | mean | ns | samples |\n"
                  << "|---|---|---|--:|--:|--:|---|\n";
         }

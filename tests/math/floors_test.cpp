@@ -17,7 +17,7 @@ namespace {
 
 // From the ground up. A row's floors stand beside each other: neither includes the other.
 const std::vector<std::vector<std::string>> storeys = {
-    {"math"}, {"geometry", "image"}, {"demo"}, {"gl"}, {"host"}, {"run"}, {"window"}};
+    {"math"}, {"geometry", "image", "motion"}, {"demo"}, {"gl"}, {"host"}, {"run"}, {"window"}};
 
 // The highest floor that a demo includes: it draws, and asks for neither a host nor a command line.
 const std::string highestForDemos = "gl";

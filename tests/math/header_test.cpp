@@ -21,6 +21,10 @@
 #include "mv/math/stereo.h"
 #include "mv/math/transform.h"
 #include "mv/math/types.h"
+#include "mv/motion/decomposition.h"
+#include "mv/motion/minimizing_frame.h"
+#include "mv/motion/orientation.h"
+#include "mv/motion/path_frame.h"
 
 #ifndef MVGL_SOURCE_DIR
 #error "define MVGL_SOURCE_DIR as the root of the source tree"
