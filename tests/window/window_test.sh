@@ -538,6 +538,44 @@ paused() {
     quit
 }
 
+# Somebody plays with a demo that remembers: what was done when is in the copied line, and going back brings it back.
+memory() {
+    start 'mvgl: frame-rate' "$(dirname "$cubeCull")/frame-rate" --hours 0 --frame 30 --size 500x980
+    equal "settings at frame 30" "0 0" "$(reported hours) $(reported jitter)"
+    clickOn "preset no-cap"
+    awaitReport cap off step-load 20
+    for _ in 1 2 3 4 5; do clickOn Step; done
+    awaitReport frame 35
+    clickOn "preset stutter"
+    awaitReport cap on jitter 12
+    clickOn Step && clickOn Step
+    awaitReport frame 37
+    press s
+    awaitReport settled true
+    case $(reported command) in
+        *" --hours 0 "*"--at 30 cap=off"*"--at 35 jitter=12"*"--frame 37"*) ;;
+        *) fail "the command has not what was done: $(reported command)" ;;
+    esac
+    sameAsHeadless frame-rate-37.png
+    # Back to frame 32, by dragging the number: the settings are what they were, and so is the picture.
+    local x y
+    read -r x y <<<"$(place frame)"
+    at "$x" "$y" && buttonDown
+    at $((x - 5)) "$y" && buttonUp
+    awaitReport frame 32 cap off jitter 0
+    press s
+    awaitReport settled true
+    sameAsHeadless frame-rate-32.png
+    # A change there is the last; begun anew, there is none.
+    clickOn "preset made-for-60"
+    awaitReport display 60
+    case $(reported command) in *"--at 35"*) fail "what came later is still there: $(reported command)" ;; esac
+    clickOn Restart
+    awaitReport frame 1 display 60
+    equal "command" "$(dirname "$cubeCull")/frame-rate --display 60 --hours 0 --size 500x980" "$(reported command)"
+    quit
+}
+
 reload() {
     mkdir shaders && export PROBE_SHADERS=$PWD/shaders
     cat >shaders/probe.vert <<'END'
@@ -894,7 +932,7 @@ case $case in
     resize) resizing ;;
     storm) stormOfProbe ;;
     storm.*) stormOf "${case#storm.}" ;;
-    opens | keys | held | slider | preset | typed | choice | wheel | drag | hand | replay | save | clipboard | error | torn | twice | density | paused | reload | idle | study | bound | measure | vanish)
+    opens | keys | held | slider | preset | typed | choice | wheel | drag | hand | replay | save | clipboard | error | torn | twice | density | paused | memory | reload | idle | study | bound | measure | vanish)
         "$case"
         ;;
     *) fail "there is no case '$case'" ;;
