@@ -119,8 +119,9 @@ Errors measure(const Function& function, const Form& form, Domain domain, long s
 const std::vector<Function>& functions() {
     static const std::vector<Function> all = [] {
         std::vector<Function> list;
-        for (const auto& part : {typesFunctions(), transformFunctions(), projectionFunctions(), shadowFunctions(),
-                                 otherFunctions(), robustFunctions(), orientationFunctions()}) {
+        for (const auto& part :
+             {typesFunctions(), transformFunctions(), projectionFunctions(), shadowFunctions(), otherFunctions(),
+              robustFunctions(), orientationFunctions(), easeFunctions(), curveFunctions()}) {
             list.insert(list.end(), part.begin(), part.end());
         }
         return list;

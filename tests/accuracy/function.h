@@ -139,6 +139,8 @@ std::vector<Function> projectionFunctions();
 std::vector<Function> shadowFunctions();
 std::vector<Function> otherFunctions();
 std::vector<Function> orientationFunctions();
+std::vector<Function> easeFunctions();
+std::vector<Function> curveFunctions();
 std::vector<Function> intersectionFunctions();
 
 // A form of intersectSphere, ours or another, that returns both ends, or two infinities where it finds none: made to return

@@ -21,8 +21,13 @@
 #include "mv/math/stereo.h"
 #include "mv/math/transform.h"
 #include "mv/math/types.h"
+#include "mv/motion/arc_length.h"
+#include "mv/motion/curve.h"
 #include "mv/motion/decomposition.h"
+#include "mv/motion/ease.h"
+#include "mv/motion/gauss.h"
 #include "mv/motion/minimizing_frame.h"
+#include "mv/motion/nodes.h"
 #include "mv/motion/orientation.h"
 #include "mv/motion/path_frame.h"
 
