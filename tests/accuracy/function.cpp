@@ -133,6 +133,7 @@ const std::vector<Function>& attackedFunctions() {
     static const std::vector<Function> all = [] {
         std::vector<Function> list = functions();
         for (Function& function : intersectionFunctions()) list.push_back(std::move(function));
+        for (Function& function : twoLinkFunctions()) list.push_back(std::move(function));
         return list;
     }();
     return all;

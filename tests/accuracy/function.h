@@ -64,7 +64,7 @@ struct Function {
 
 // Every function of mv/math that computes something, by header and in its order, and those of mv/motion that are formulas.
 const std::vector<Function>& functions();
-// These, and the intersections of mv/geometry/ray.h: what tests/adversary looks for the worst errors of.
+// These, the intersections of mv/geometry/ray.h, and mv/motion/two_link.h: what tests/adversary looks for the worst errors of.
 const std::vector<Function>& attackedFunctions();
 // The forms of a function that are ours: one, or one for each type that it is compiled for.
 std::vector<const Form*> ownForms(const Function& function);
@@ -142,6 +142,7 @@ std::vector<Function> orientationFunctions();
 std::vector<Function> easeFunctions();
 std::vector<Function> curveFunctions();
 std::vector<Function> intersectionFunctions();
+std::vector<Function> twoLinkFunctions();
 
 // A form of intersectSphere, ours or another, that returns both ends, or two infinities where it finds none: made to return
 // where the line is nearest to the centre instead, twice.

@@ -25,11 +25,15 @@
 #include "mv/motion/curve.h"
 #include "mv/motion/decomposition.h"
 #include "mv/motion/ease.h"
+#include "mv/motion/gait.h"
 #include "mv/motion/gauss.h"
+#include "mv/motion/inverse_kinematics.h"
+#include "mv/motion/joint_tree.h"
 #include "mv/motion/minimizing_frame.h"
 #include "mv/motion/nodes.h"
 #include "mv/motion/orientation.h"
 #include "mv/motion/path_frame.h"
+#include "mv/motion/two_link.h"
 
 #ifndef MVGL_SOURCE_DIR
 #error "define MVGL_SOURCE_DIR as the root of the source tree"
