@@ -1,0 +1,185 @@
+#include "mv/motion/ode_adaptive.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "mv/error.h"
+#include "mv/math/require.h"
+#include "mv/motion/one_step.h"
+
+namespace mv {
+namespace {
+
+using Values = std::vector<double>;
+
+constexpr const char* errorTooLarge = "its error is above the tolerance";
+
+void requireOptions(std::string_view subject, const AdaptiveOptions& options) {
+    // Written so that NaN is refused.
+    if (!(options.relative >= 1e-13 && options.relative <= 0.1)) {
+        throw Error(subject, "the relative tolerance must be 1e-13 to 0.1", numberText(options.relative));
+    }
+    requirePositive(subject, "the absolute tolerance", options.absolute);
+    if (options.firstStep != 0) requirePositive(subject, "the first step, where it is given,", options.firstStep);
+    if (options.mostSteps < 1) throw Error(subject, "mostSteps must be 1 or more", std::to_string(options.mostSteps));
+}
+
+// The largest |x_i| in units of the tolerance at the sizes of a and b; the largest and not the mean square, so that no
+// component hides behind many others.
+double inTolerances(std::span<const double> x, std::span<const double> a, std::span<const double> b,
+                    const AdaptiveOptions& options) {
+    double size = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        const double tolerance = options.absolute + options.relative * std::max(std::abs(a[i]), std::abs(b[i]));
+        size = std::max(size, std::abs(x[i]) / tolerance);
+    }
+    return size;
+}
+
+double shortestStep(double t) {
+    return 16 * (std::nextafter(std::abs(t), std::numeric_limits<double>::infinity()) - std::abs(t));
+}
+
+// A first step that an explicit Euler step and the second derivative beside it bear out.
+double firstStep(const OdeProblem& problem, double t, double length, const Values& y, int order,
+                 const AdaptiveOptions& options, OdeCounts& counts) {
+    Values slope(y.size()), moved(y), movedSlope(y.size());
+    problem.slope(t, y, slope);
+    ++counts.evaluations;
+    if (!allFinite(slope)) return length * 1e-6;  // the step itself will say what is wrong
+    const double size = inTolerances(y, y, y, options), speed = inTolerances(slope, y, y, options);
+    double h = size < 1e-5 || speed < 1e-5 ? 1e-6 * length : 0.01 * size / speed;
+    h = std::min(h, length);
+    for (std::size_t i = 0; i < y.size(); ++i) moved[i] += h * slope[i];
+    problem.slope(t + h, moved, movedSlope);
+    ++counts.evaluations;
+    if (!allFinite(movedSlope)) return h / 100;
+    for (std::size_t i = 0; i < y.size(); ++i) movedSlope[i] = (movedSlope[i] - slope[i]) / h;
+    const double largest = std::max(speed, inTolerances(movedSlope, y, y, options));
+    const double byBoth = largest <= 1e-15 ? std::max(1e-6 * length, h * 1e-3) : std::pow(0.01 / largest, 1.0 / order);
+    return std::min({100 * h, byBoth, length});
+}
+
+// Proportional and integral control of the step by the error e of this step and of the one before, both in tolerances.
+class StepControl {
+  public:
+    explicit StepControl(int order) : beta_(0.04), alpha_(1.0 / order - 0.75 * beta_) {}
+
+    double afterAccepted(double e) {
+        const double factor = std::pow(std::max(e, 1e-10), -alpha_) * std::pow(before_, beta_) * safety;
+        before_ = std::max(e, 1e-4);
+        const double most = wasRejected_ ? 1.0 : 8.0;
+        wasRejected_ = false;
+        return std::clamp(factor, 0.2, most);
+    }
+    double afterRejected(double e) {
+        wasRejected_ = true;
+        return std::clamp(std::pow(e, -alpha_) * safety, 0.1, 0.9);
+    }
+    // Where there was no error to go by.
+    double afterFailed() {
+        wasRejected_ = true;
+        return 0.1;
+    }
+
+  private:
+    static constexpr double safety = 0.9;
+    double beta_, alpha_, before_ = 1e-4;
+    bool wasRejected_ = false;
+};
+
+template <typename OneStep>
+OdeResult integrate(const OdeProblem& problem, OdeMethod method, OneStep oneStep, double start, double end, Values y,
+                    const AdaptiveOptions& options) {
+    OdeResult result{.t = start, .y = std::move(y)};
+    OdeCounts& counts = result.counts;
+    Values next(problem.dimension);
+    std::array<Values, 3> vectors;
+    StepControl control(methodOrder(method));
+    double h = options.firstStep > 0
+                   ? std::min(options.firstStep, end - start)
+                   : firstStep(problem, start, end - start, result.y, methodOrder(method), options, counts);
+    std::string last = "there was none";
+    const auto giveUp = [&](const std::string& why) {
+        result.failure = "gave up at t = " + numberText(result.t) + " after " + std::to_string(counts.accepted) +
+                         " steps by " + std::string(methodName(method)) + ", because " + why +
+                         "; the step that failed last: " + last;
+        return std::move(result);
+    };
+
+    while (result.t < end) {
+        if (counts.accepted + counts.rejected == options.mostSteps) {
+            return giveUp(std::to_string(options.mostSteps) + " steps are not enough, the next one being " +
+                          numberText(h) + " long");
+        }
+        if (!(h >= shortestStep(result.t))) {
+            return giveUp("a step of " + numberText(h) + " would be shorter than 16 roundings of t");
+        }
+        // The last step ends at the end, and none is left over that would be too short.
+        const bool isLast = h * 1.01 >= end - result.t;
+        if (isLast) h = end - result.t;
+        const double to = isLast ? end : result.t + h;
+
+        const std::string why = oneStep.step(problem, result.t, h, result.y, next, counts);
+        const double error =
+            why.empty() ? inTolerances(oneStep.error(), result.y, next, options) : std::numeric_limits<double>::max();
+        if (!(error <= 1)) {
+            ++counts.rejected;
+            last = why.empty() ? errorTooLarge : why;
+            h *= why.empty() && std::isfinite(error) ? control.afterRejected(error) : control.afterFailed();
+            continue;
+        }
+        ++counts.accepted;
+        if (options.observe) {
+            oneStep.dense(h, result.y, next, vectors);
+            options.observe(AcceptedStep(result.t, to, result.y, next, vectors));
+        }
+        oneStep.accept();
+        std::swap(result.y, next);
+        result.t = to;
+        h *= control.afterAccepted(error);
+    }
+    return result;
+}
+
+}  // namespace
+
+void AcceptedStep::at(double t, std::span<double> y) const {
+    if (!(t >= from_ && t <= to_)) {
+        throw Error("AcceptedStep", "t must be from " + numberText(from_) + " to " + numberText(to_), numberText(t));
+    }
+    if (y.size() != after_.size()) {
+        throw Error("AcceptedStep", "the result must have room for " + std::to_string(after_.size()) + " numbers",
+                    std::to_string(y.size()));
+    }
+    const double x = (t - from_) / (to_ - from_);
+    for (std::size_t i = 0; i < y.size(); ++i) {
+        const double inner = (*vectors_)[1][i] + (1 - x) * (*vectors_)[2][i];
+        y[i] = before_[i] + x * (after_[i] - before_[i] + (1 - x) * ((*vectors_)[0][i] + x * inner));
+    }
+}
+
+OdeResult integrateAdaptive(const OdeProblem& problem, OdeMethod method, double start, double end,
+                            std::vector<double> y, const AdaptiveOptions& options) {
+    const std::string_view subject = methodName(method);
+    requireProblem(subject, problem, start, y);
+    requireFinite(subject, "end", end);
+    if (!(end > start)) throw Error(subject, "end must be after start", numberText(end));
+    requireFinite(subject, "end - start", end - start);
+    requireOptions(subject, options);
+    switch (method) {
+        case OdeMethod::dormandPrince:
+            return integrate(problem, method, RungeKuttaStep(tableau(method), problem.dimension), start, end,
+                             std::move(y), options);
+        case OdeMethod::rodas:
+            return integrate(problem, method, RosenbrockStep(rodasCoefficients(), problem.dimension), start, end,
+                             std::move(y), options);
+        default:
+            throw Error(subject, "must be Dormand-Prince or RODAS to choose its steps: it has no error estimate");
+    }
+}
+
+}  // namespace mv

@@ -1,0 +1,55 @@
+// Integration of y' = f(t, y) by steps that follow a tolerance.
+#pragma once
+#include <array>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "mv/motion/ode.h"
+#include "mv/motion/ode_method.h"
+
+namespace mv {
+
+// A step that was accepted, with the solution anywhere in it: of order 4 by Dormand-Prince, 3 by RODAS.
+// It is valid while the observer that got it runs.
+class AcceptedStep {
+  public:
+    AcceptedStep(double from, double to, std::span<const double> before, std::span<const double> after,
+                 const std::array<std::vector<double>, 3>& vectors)
+        : from_(from), to_(to), before_(before), after_(after), vectors_(&vectors) {}
+
+    double from() const { return from_; }
+    double to() const { return to_; }
+    std::span<const double> state() const { return after_; }  // at `to`
+
+    // y at time t of the step. Refused: t outside it; a result of another size than the state.
+    void at(double t, std::span<double> y) const;
+
+  private:
+    double from_, to_;
+    std::span<const double> before_, after_;
+    const std::array<std::vector<double>, 3>* vectors_;
+};
+
+struct AdaptiveOptions {
+    // The estimated error of a step stays below absolute + relative |y_i| for each component i. The error at the end is
+    // often some times that, and more where the problem itself spreads errors.
+    double relative = 1e-6;  // 1e-13 to 0.1: below, roundings take over
+    double absolute = 1e-9;  // above 0: from which size on a component matters
+    // 0: chosen from f. Else tried first.
+    double firstStep = 0;
+    // Tried steps, accepted or not, after which it gives up.
+    std::int64_t mostSteps = 100000;
+    // Called after each accepted step, in order.
+    std::function<void(const AcceptedStep&)> observe = {};
+};
+
+// From `start` to `end` by Dormand-Prince or RODAS, whose steps a PI controller chooses. Gives up in words where a
+// step would be shorter than 16 ulp of t (the solution ends, or the tolerance asks for more than doubles have), or
+// after mostSteps (mostly an explicit method on a stiff problem). Each reason names the step that failed last.
+// Refused: what requireProblem refuses, other methods, end <= start, options outside their ranges.
+// Source of the control: Gustafsson; Hairer and Wanner II, IV.2. Of the first step: Hairer, Norsett and Wanner I, II.4.
+OdeResult integrateAdaptive(const OdeProblem& problem, OdeMethod method, double start, double end,
+                            std::vector<double> y, const AdaptiveOptions& options = {});
+
+}  // namespace mv

@@ -1,0 +1,235 @@
+#include "mv/motion/ode_adaptive.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "math/support.h"
+#include "mv/motion/ode_problems.h"
+
+using namespace mv;
+using namespace mv::test;
+
+namespace {
+
+using Values = std::vector<double>;
+
+constexpr std::array adaptiveMethods{OdeMethod::dormandPrince, OdeMethod::rodas};
+
+// The largest error in units of the tolerance; infinity where anything is NaN.
+double inTolerances(const Values& y, const Values& reference, const AdaptiveOptions& options) {
+    double worst = 0;
+    for (std::size_t i = 0; i < y.size(); ++i) {
+        const double error =
+            std::abs(y[i] - reference[i]) / (options.absolute + options.relative * std::abs(reference[i]));
+        worst = std::isnan(error) ? infinite : std::max(worst, error);
+    }
+    return worst;
+}
+
+// The chain's: by the other method, 1000 times as exact. The springs' oscillations of 1e-6 are damped, and it is not
+// stiff for 4000 steps of an explicit method.
+Values referenceOf(const OdeCase& ode) {
+    if (!ode.reference.empty()) return ode.reference;
+    const OdeResult exact = integrateAdaptive(ode.problem, OdeMethod::dormandPrince, ode.start, ode.end, ode.initial,
+                                              {.relative = 1e-10, .absolute = 1e-13});
+    EXPECT_EQ(exact.failure, "");
+    return exact.y;
+}
+
+TEST(OdeAdaptive, EachProblemIsSolvedOrRefused) {
+    for (const OdeCase& ode : odeCases()) {
+        const Values reference = referenceOf(ode);
+        for (const OdeMethod method : adaptiveMethods) {
+            SCOPED_TRACE(ode.name + " by " + std::string(methodName(method)));
+            const AdaptiveOptions options{.relative = 1e-6, .absolute = ode.absolute};
+            const OdeResult result = integrateAdaptive(ode.problem, method, ode.start, ode.end, ode.initial, options);
+            EXPECT_TRUE(allFinite(result.y));
+            if (!result.reachedEnd()) {
+                // Which only an explicit method on a stiff problem may.
+                EXPECT_EQ(method, OdeMethod::dormandPrince);
+                EXPECT_NE(result.failure.find("because 100000 steps are not enough"), std::string::npos)
+                    << result.failure;
+                EXPECT_LT(result.t, ode.end);
+                continue;
+            }
+            EXPECT_EQ(result.t, ode.end);
+            // Stars that pass near each other multiply an error by 1e3.
+            const double allowed = ode.name == "Pleiades" ? 1000 : 100;
+            EXPECT_LT(inTolerances(result.y, reference, options), allowed);
+        }
+    }
+}
+
+TEST(OdeAdaptive, ErrorsFollowTheTolerance) {
+    for (const OdeMethod method : adaptiveMethods) {
+        SCOPED_TRACE(methodName(method));
+        const OdeCase ode = springCase(1, 0.1);
+        for (const double tolerance : {1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12}) {
+            const AdaptiveOptions options{.relative = tolerance, .absolute = tolerance};
+            const OdeResult result = integrateAdaptive(ode.problem, method, ode.start, ode.end, ode.initial, options);
+            EXPECT_EQ(result.failure, "");
+            EXPECT_LT(inTolerances(result.y, ode.reference, options), 10) << tolerance;
+        }
+    }
+}
+
+// What is a sum of components in each slope is one of each state: a Rosenbrock step keeps linear invariants.
+TEST(OdeAdaptive, RodasKeepsTheMassOfRobertsonsReaction) {
+    const OdeCase ode = robertsonCase();
+    int steps = 0;
+    AdaptiveOptions options{.relative = 1e-6, .absolute = ode.absolute};
+    options.observe = [&](const AcceptedStep& step) {
+        const auto y = step.state();
+        ++steps;
+        // 6 roundings of each of 600 steps, and of the elimination, whose factors are up to 1e4.
+        EXPECT_NEAR(y[0] + y[1] + y[2], 1, 1e-11);
+        EXPECT_GE(y[1], 0);
+    };
+    const OdeResult result = integrateAdaptive(ode.problem, OdeMethod::rodas, 0, ode.end, ode.initial, options);
+    EXPECT_EQ(result.failure, "");
+    EXPECT_EQ(steps, result.counts.accepted);
+}
+
+TEST(OdeAdaptive, ADifferencedJacobianServes) {
+    for (OdeCase ode : {robertsonCase(), vanDerPolCase(1e-6), hiresCase(), oregonatorCase()}) {
+        SCOPED_TRACE(ode.name);
+        ode.problem.jacobian = {};
+        const AdaptiveOptions options{.relative = 1e-6, .absolute = ode.absolute};
+        const OdeResult result =
+            integrateAdaptive(ode.problem, OdeMethod::rodas, ode.start, ode.end, ode.initial, options);
+        EXPECT_EQ(result.failure, "");
+        EXPECT_LT(inTolerances(result.y, ode.reference, options), 100);
+        const auto n = static_cast<std::int64_t>(ode.problem.dimension);
+        const OdeCounts& c = result.counts;
+        // Per Jacobian its columns and f; per step tried five stages more; two for the first step's length.
+        EXPECT_EQ(c.evaluations, c.jacobians * (n + 1) + 5 * (c.accepted + c.rejected) + 2);
+    }
+}
+
+TEST(OdeAdaptive, CountsAreRight) {
+    std::int64_t evaluations = 0;
+    OdeCase ode = oregonatorCase();
+    ode.problem.slope = [&, slope = ode.problem.slope](double t, std::span<const double> y, std::span<double> dydt) {
+        ++evaluations;
+        slope(t, y, dydt);
+    };
+    std::int64_t steps = 0;
+    AdaptiveOptions options{.relative = 1e-4, .absolute = 1e-4};
+    options.observe = [&](const AcceptedStep&) { ++steps; };
+    const OdeCounts rodas = integrateAdaptive(ode.problem, OdeMethod::rodas, 0, ode.end, ode.initial, options).counts;
+    EXPECT_EQ(rodas.evaluations, evaluations);
+    EXPECT_EQ(rodas.accepted, steps);
+    EXPECT_GT(rodas.rejected, 0);
+    EXPECT_EQ(rodas.jacobians, rodas.accepted);  // a rejected step starts where the next one does
+    EXPECT_EQ(rodas.factorizations, rodas.accepted + rodas.rejected);
+    EXPECT_EQ(rodas.newtonIterations, 0);
+
+    evaluations = steps = 0;
+    const OdeCounts explicitly =
+        integrateAdaptive(ode.problem, OdeMethod::dormandPrince, 0, 5, ode.initial, options).counts;
+    EXPECT_EQ(explicitly.evaluations, evaluations);
+    EXPECT_EQ(explicitly.accepted, steps);
+    // Six a step, since the last stage is the next one's first; one at the start, two for the first step's length.
+    EXPECT_EQ(explicitly.evaluations, 6 * (explicitly.accepted + explicitly.rejected) + 3);
+    EXPECT_EQ(explicitly.factorizations, 0);
+}
+
+TEST(OdeAdaptive, DenseOutputHasItsOrder) {
+    // q'' = -q and a clock, so that f reads t: y = cos t.
+    const OdeProblem problem{.dimension = 2, .slope = [](double t, std::span<const double> y, std::span<double> dydt) {
+                                 dydt[0] = -std::sin(t) + 0.5 * (y[1] - std::sin(t));
+                                 dydt[1] = std::cos(t) - 0.5 * (y[0] - std::cos(t));
+                             }};
+    for (const OdeMethod method : adaptiveMethods) {
+        SCOPED_TRACE(methodName(method));
+        const auto error = [&](double h) {
+            double worst = 0;
+            AdaptiveOptions options{.relative = 0.1, .absolute = 1, .firstStep = h, .mostSteps = 1};
+            options.observe = [&](const AcceptedStep& step) {
+                for (int i = 0; i <= 10; ++i) {
+                    const double t = std::min(step.from() + i * (step.to() - step.from()) / 10, step.to());
+                    Values y(2);
+                    step.at(t, y);
+                    worst = std::max({worst, std::abs(y[0] - std::cos(t)), std::abs(y[1] - std::sin(t))});
+                    // At the ends a sum of numbers of size 1.
+                    const double expected = i == 0 ? std::cos(step.from()) : step.state()[0];
+                    EXPECT_TRUE((i > 0 && i < 10) || std::abs(y[0] - expected) < 1e-15);
+                }
+                Values two(2), one(1);
+                EXPECT_EQ(refusal([&] { step.at(step.to() + 1, two); }).substr(0, 27), "AcceptedStep: t must be fro");
+                EXPECT_EQ(refusal([&] { step.at(step.to(), one); }),
+                          "AcceptedStep: the result must have room for 2 numbers, 1");
+            };
+            integrateAdaptive(problem, method, 1, 100, {std::cos(1.0), std::sin(1.0)}, options);
+            return worst;
+        };
+        // One step of an interpolation of order q is off by h^(q+1): 4 and 3.
+        EXPECT_NEAR(std::log2(error(0.2) / error(0.1)), method == OdeMethod::rodas ? 4 : 5, 0.4);
+    }
+}
+
+TEST(OdeAdaptive, GivesUpInWords) {
+    // y = 1/(1 - t) has no value at 1.
+    const OdeProblem pole{.dimension = 1, .slope = [](double, std::span<const double> y, std::span<double> dydt) {
+                              dydt[0] = y[0] * y[0];
+                          }};
+    // Where t > 1 there is no f.
+    const OdeProblem end{.dimension = 1, .slope = [](double t, std::span<const double>, std::span<double> dydt) {
+                             dydt[0] = std::sqrt(1 - t);
+                         }};
+    for (const OdeMethod method : adaptiveMethods) {
+        SCOPED_TRACE(methodName(method));
+        const OdeResult atPole = integrateAdaptive(pole, method, 0, 2, {1});
+        EXPECT_NE(atPole.failure.find("shorter than 16 roundings of t"), std::string::npos) << atPole.failure;
+        // As near to the pole as the tolerance lets it be known.
+        EXPECT_NEAR(atPole.t, 1, 1e-4);
+        EXPECT_TRUE(allFinite(atPole.y));
+        EXPECT_GT(atPole.y[0], 1e3);
+
+        const OdeResult atEnd = integrateAdaptive(end, method, 0, 2, {0});
+        EXPECT_NE(atEnd.failure.find("is not finite"), std::string::npos) << atEnd.failure;
+        EXPECT_LE(atEnd.t, 1);
+        EXPECT_NEAR(atEnd.t, 1, 1e-3);
+        EXPECT_TRUE(allFinite(atEnd.y));
+
+        const OdeResult few = integrateAdaptive(pole, method, 0, 0.9, {1}, {.mostSteps = 2});
+        EXPECT_NE(few.failure.find("because 2 steps are not enough"), std::string::npos) << few.failure;
+
+        // A start whose rounding is longer than the interval's sixteenth.
+        const OdeResult late = integrateAdaptive(pole, method, 1e16, 1e16 + 4, {1});
+        EXPECT_NE(late.failure.find("shorter than 16 roundings of t"), std::string::npos) << late.failure;
+        EXPECT_EQ(late.y, Values{1});
+    }
+}
+
+TEST(OdeAdaptive, RestCostsNothing) {
+    const OdeProblem still{.dimension = 1,
+                           .slope = [](double, std::span<const double>, std::span<double> dydt) { dydt[0] = 0; }};
+    for (const OdeMethod method : adaptiveMethods) {
+        const OdeResult result = integrateAdaptive(still, method, 0, 1e9, {3});
+        EXPECT_EQ(result.y, Values{3});
+        EXPECT_LT(result.counts.accepted, 12);  // from 1e-6 of the interval, each step 8 times the one before
+    }
+}
+
+TEST(OdeAdaptive, TheImpossibleIsRefused) {
+    const OdeCase ode = springCase(1, 0);
+    const auto why = [&](OdeMethod method, double end, const AdaptiveOptions& options) {
+        return refusal([&] { integrateAdaptive(ode.problem, method, 0, end, {1, 0}, options); });
+    };
+    const OdeMethod rodas = OdeMethod::rodas;
+    EXPECT_EQ(why(rodas, 1, {.relative = 9e-14}), "RODAS 4(3): the relative tolerance must be 1e-13 to 0.1, 9e-14");
+    EXPECT_EQ(why(rodas, 1, {.relative = notANumber}), "RODAS 4(3): the relative tolerance must be 1e-13 to 0.1, nan");
+    EXPECT_EQ(why(rodas, 1, {.absolute = 0}),
+              "RODAS 4(3): the absolute tolerance must be greater than 0 and finite, 0");
+    EXPECT_EQ(why(rodas, 1, {.firstStep = -1}),
+              "RODAS 4(3): the first step, where it is given, must be greater than 0 and finite, -1");
+    EXPECT_EQ(why(rodas, 1, {.mostSteps = 0}), "RODAS 4(3): mostSteps must be 1 or more, 0");
+    EXPECT_EQ(why(rodas, 0, {}), "RODAS 4(3): end must be after start, 0");
+    EXPECT_EQ(why(rodas, infinite, {}), "RODAS 4(3): end must be finite, inf");
+    EXPECT_EQ(why(OdeMethod::rungeKutta4, 1, {}),
+              "Runge-Kutta 4: must be Dormand-Prince or RODAS to choose its steps: it has no error estimate");
+}
+
+}  // namespace
