@@ -14,10 +14,15 @@ using Keys = std::vector<Keyframe<vec3>>;
 Curve<vec3> parabola() { return Curve<vec3>::bezier({{0, {0, 0, 0}}, {1, {0.5, 0, 0}}, {2, {1, 1, 0}}}); }
 const double parabolaLength = (2 * std::sqrt(5.0) + std::asinh(2.0)) / 4;
 
-// A Bezier curve with a cusp in the middle: x = 3u - 6u^2 + 4u^3, y = 3u - 3u^2, both velocities 0 at 1/2.
-Curve<vec3> cusp() { return Curve<vec3>::bezier({{0, {0, 0, 0}}, {1, {1, 1, 0}}, {2, {0, 1, 0}}, {3, {1, 0, 0}}}); }
-// Twice the integral from 0 to 1/2 of |(12 v^2, 6 v)| over v = 1/2 - u: (8^(1/2) - 1)/... = ((1 + 4 v^2)^(3/2) - 1)/2 at v = 1/2.
-const double cuspLength = std::sqrt(8.0) - 1;
+// A Bezier curve with a cusp: x = 4 w^3, y = 3 w^2 for w = -1/3 .. 2/3, so that no halving of the times 0 .. 3 ends there.
+// Its speed |6 w| sqrt(1 + 4 w^2) has the integral ((1 + 4 w^2)^(3/2) - 1)/2 from the cusp to either end.
+Curve<vec3> cusp() {
+    return Curve<vec3>::bezier({{0, {-4 / 27.0, 1 / 3.0, 0}},
+                                {1, {8 / 27.0, -1 / 3.0, 0}},
+                                {2, {-16 / 27.0, 0, 0}},
+                                {3, {32 / 27.0, 4 / 3.0, 0}}});
+}
+const double cuspLength = (std::pow(13 / 9.0, 1.5) + std::pow(25 / 9.0, 1.5)) / 2 - 1;
 
 Curve<vec3> circle(int count) {
     Keys keys;
@@ -75,6 +80,14 @@ TEST(ArcLength, TimeIsTheInverse) {
         EXPECT_EQ(way.timeAt(way.length()), curve.end());
         const double little = 1e-30 * way.length();
         EXPECT_NEAR(way.lengthAt(way.timeAt(little) - curve.start()), little, 1e-13 * little);
+    }
+}
+
+TEST(ArcLength, TimeIsFoundWhereNewtonsStepLeavesTheCurve) {
+    // From rest, x = t^3: after a millionth of the way the speed at a millionth of the time is 3e-12.
+    const ArcLength way(Curve<vec3>::bezier({{0, vec3(0)}, {1 / 3.0, vec3(0)}, {2 / 3.0, vec3(0)}, {1, {1, 0, 0}}}));
+    for (const double length : {1e-30, 1e-6, 0.13}) {
+        EXPECT_NEAR(way.timeAt(length) / std::cbrt(length), 1, 1e-13) << length;  // a third of 1e-14, and the tolerance
     }
 }
 

@@ -90,6 +90,8 @@ TEST(Curve, HasTheValuesOfItsKeysExactly) {
         EXPECT_EQ(curve.start(), keys.front().time);
         EXPECT_EQ(curve.end(), keys.back().time);
     }
+    // Where p + u (q - p) with u = 1 is 0.
+    EXPECT_EQ(Curve<double>::linear({{0, 1e20}, {1, 1}}).position(1), 1);
     EXPECT_GT(size(Curve<vec3>::bSpline(randomKeys(9)).position(randomKeys(9)[4].time) - randomKeys(9)[4].value), 0.1);
 }
 
@@ -170,6 +172,26 @@ TEST(Curve, ClosedOnesGoOnPastTheirEnds) {
             }
         }
         EXPECT_TRUE(isFinite(curve.at(1e300).position) && isFinite(curve.at(-1e300).position));
+    }
+}
+
+TEST(Curve, ClosedOnesAreTheSameWhereverTheyBegin) {
+    for (const Kind& kind : kinds()) {
+        if (!kind.isClosed) continue;
+        const Keys keys = randomKeys(8, true);
+        const double period = keys.back().time - keys.front().time;
+        Keys later(keys.begin() + 3, keys.end());
+        for (std::size_t i = 1; i < 4; ++i) later.push_back({keys[i].time + period, keys[i].value});
+        const auto curve = kind.make(keys), other = kind.make(later);
+        for (int i = 0; i < 40; ++i) {
+            const double t = curve.start() + (i + 0.5) / 40 * period;
+            // Roundings of times up to 8 and of positions over spans of 0.3.
+            EXPECT_LT(size(curve.position(t) - other.position(t)), 1e-13) << kind.name;
+            EXPECT_LT(size(curve.at(t).velocity - other.at(t).velocity), 1e-12) << kind.name;
+        }
+        // What jumps at the seam is that of the span which begins there.
+        EXPECT_EQ(curve.at(curve.end()).velocity, curve.at(curve.start()).velocity) << kind.name;
+        EXPECT_EQ(curve.at(curve.end()).acceleration, curve.at(curve.start()).acceleration) << kind.name;
     }
 }
 

@@ -43,6 +43,7 @@ TEST(SwingWarning, FromThirteenEquispacedKeysOn) {
         "one polynomial through 13 keys at these times swings between them: a key that is off by 1 moves it by 70 or "
         "more; a spline does not, nor the times of chebyshevNodes");
     EXPECT_TRUE(swingWarning(equispaced(81)));
+    EXPECT_TRUE(swingWarning(std::vector<double>{0, 0.001, 1}));
     EXPECT_FALSE(swingWarning(chebyshevNodes(13, -1, 1)));
     EXPECT_FALSE(swingWarning(chebyshevNodes(100, -1, 1)));
 }

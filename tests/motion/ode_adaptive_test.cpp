@@ -203,6 +203,18 @@ TEST(OdeAdaptive, GivesUpInWords) {
     }
 }
 
+// 1/(h gamma) = 4 is the eigenvalue: there is nothing to divide by, and another step has to be tried.
+TEST(OdeAdaptive, ASingularMatrixShortensTheStep) {
+    const OdeProblem growth{
+        .dimension = 1,
+        .slope = [](double, std::span<const double> y, std::span<double> dydt) { dydt[0] = 4 * y[0]; },
+        .jacobian = [](double, std::span<const double>, std::span<double> j) { j[0] = 4; }};
+    const OdeResult result = integrateAdaptive(growth, OdeMethod::rodas, 0, 2, {1}, {.firstStep = 1});
+    EXPECT_EQ(result.failure, "");
+    EXPECT_GT(result.counts.rejected, 0);
+    EXPECT_NEAR(result.y[0] / std::exp(8.0), 1, 100e-6);  // 100 tolerances
+}
+
 TEST(OdeAdaptive, RestCostsNothing) {
     const OdeProblem still{.dimension = 1,
                            .slope = [](double, std::span<const double>, std::span<double> dydt) { dydt[0] = 0; }};

@@ -97,7 +97,9 @@ TEST(Springs, TheJacobianIsTheDifferencedOne) {
         const Values differenced = differencedJacobian(problem, 0, y, slope, 0, evaluations);
         std::vector<MatrixEntry> entries;
         problem.sparseJacobian(0, y, entries);
-        for (const auto& [row, column, value] : entries) analytic[static_cast<std::size_t>(24 * row + column)] += value;
+        for (const auto& [row, column, value] : entries) {
+            analytic[24 * static_cast<std::size_t>(row) + static_cast<std::size_t>(column)] += value;
+        }
         // Half of the digits of sums of numbers up to 100.
         for (std::size_t i = 0; i < analytic.size(); ++i) EXPECT_NEAR(analytic[i], differenced[i], 1e-5) << i;
     }

@@ -99,7 +99,6 @@ double ArcLength::timeAt(double way) const {
     const Leaf& leaf =
         *std::lower_bound(leaves_.begin(), leaves_.end(), way, [](const Leaf& l, double w) { return l.after < w; });
     if (way <= leaf.before) return leaf.start;
-    if (way == leaf.after) return leaf.end;
     double low = leaf.start, high = leaf.end;
     double time = low + (high - low) * ((way - leaf.before) / (leaf.after - leaf.before));
     for (;;) {

@@ -1,6 +1,7 @@
 // Cubics of which each key moves four spans only: Catmull-Rom curves and B-splines.
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "mv/motion/curve_shape.h"
 

@@ -1,6 +1,7 @@
 // Cubic splines: the accelerations at the keys solve a tridiagonal system, whose rows are divided by the sum of the two
 // spans' lengths: then each is (0..1, 2, 0..1), however uneven the times are, and elimination needs no pivots.
 #include <cstddef>
+#include <utility>
 
 #include "mv/motion/curve_shape.h"
 
@@ -107,6 +108,7 @@ ShapePointer<P> periodicShape(const std::vector<Keyframe<P>>& keys) {
     const Row<P> last = rows.back();
     rows.pop_back();
     std::vector<Row<double>> added;
+    added.reserve(rows.size());
     for (const Row<P>& row : rows) added.push_back({row.before, row.after, 0});
     added.front().right += rows.front().before;
     added.back().right += rows.back().after;

@@ -50,7 +50,6 @@ std::string ImplicitStage::attempt(const OdeProblem& problem, double t, double g
         if (iteration == 0) isOld = matrix_.exists() && matrixG_ == g;
         if ((iteration == 0 && !isOld) || isRough) {
             if (std::string why = makeMatrix(problem, t, g, y, slope, counts); !why.empty()) return why;
-            isRough = false;
         }
         for (std::size_t i = 0; i < n; ++i) correction[i] = (constant[i] - y[i]) / g + slope[i];
         measure();

@@ -67,7 +67,7 @@ bool IterationMatrix::Parts::factorizeSparse(double shift) {
     shifted.setFromTriplets(triplets.begin(), triplets.end());
     // In which order to eliminate is the pattern's affair, and takes as long as eliminating.
     if (!hasSamePattern(shifted, matrix)) sparseFactors.analyzePattern(shifted);
-    matrix = std::move(shifted);
+    matrix.swap(shifted);
     sparseFactors.factorize(matrix);
     return sparseFactors.info() == Eigen::Success;
 }
@@ -124,9 +124,14 @@ void IterationMatrix::solve(std::span<double> x) const {
     if (parts_->isSparse) {
         vector = Eigen::VectorXd(parts_->sparseFactors.solve(vector));
     } else {
+        // Substitution, forwards and back. Most systems here have two or three rows, for which Eigen's own takes memory.
+        const DenseMatrix& lu = parts_->denseFactors.matrixLU();
         vector = parts_->denseFactors.permutationP() * vector;
-        parts_->denseFactors.matrixLU().triangularView<Eigen::UnitLower>().solveInPlace(vector);
-        parts_->denseFactors.matrixLU().triangularView<Eigen::Upper>().solveInPlace(vector);
+        for (Eigen::Index i = 1; i < lu.rows(); ++i) vector[i] -= lu.row(i).head(i).dot(vector.head(i));
+        for (Eigen::Index i = lu.rows() - 1; i >= 0; --i) {
+            const Eigen::Index right = lu.rows() - 1 - i;
+            vector[i] = (vector[i] - lu.row(i).tail(right).dot(vector.tail(right))) / lu(i, i);
+        }
     }
 }
 

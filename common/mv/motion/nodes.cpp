@@ -60,7 +60,7 @@ double lebesgueConstant(std::span<const double> times) {
 
 std::optional<std::string> swingWarning(std::span<const double> times) {
     const double constant = lebesgueConstant(times);
-    if (times.size() < 13 || constant <= 50) return std::nullopt;
+    if (constant <= 50) return std::nullopt;
     char factor[32];
     std::snprintf(factor, sizeof factor, "%.2g", constant);
     return "one polynomial through " + std::to_string(times.size()) +

@@ -20,8 +20,8 @@ std::vector<double> chebyshevNodes(int count, double low, double high);
 // Refused: no times, and times that are not finite or do not increase.
 double lebesgueConstant(std::span<const double> times);
 
-// A sentence, where one polynomial through keys at these times would swing between them: from 13 times on, where the
-// Lebesgue constant is above 50, as it is for 13 equispaced ones. Says how much. Refused: as above.
+// A sentence, where one polynomial through keys at these times would swing between them: where lebesgueConstant is above
+// 50, as it is from 13 equispaced times on, and for fewer that are uneven. Says how much. Refused: as above.
 std::optional<std::string> swingWarning(std::span<const double> times);
 
 }  // namespace mv

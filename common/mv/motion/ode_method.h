@@ -43,7 +43,9 @@ struct ButcherTableau {
     int stages;
     std::vector<double> a, b, c;
     std::vector<double> error = {};
-    double element(int row, int column) const { return a[static_cast<std::size_t>(row * stages + column)]; }
+    double element(int row, int column) const {
+        return a[static_cast<std::size_t>(row) * b.size() + static_cast<std::size_t>(column)];
+    }
 };
 // Of explicit Euler and midpoint, Runge-Kutta 4, Dormand-Prince, implicit Euler and midpoint; Error for the others.
 // Source: Hairer, Norsett and Wanner, "Solving Ordinary Differential Equations I", 2nd ed., II.1 and II.5.

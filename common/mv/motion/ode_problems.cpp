@@ -83,7 +83,8 @@ OdeCase chainCase() {
         }
     };
     for (std::size_t i = 0; i < n; ++i) {
-        chain.initial[i] = std::sin(pi * (static_cast<double>(i / 2) + 0.5) / (static_cast<double>(n) / 2));
+        const std::size_t pair = i / 2;
+        chain.initial[i] = std::sin(pi * (static_cast<double>(pair) + 0.5) / (static_cast<double>(n) / 2));
     }
     return chain;
 }

@@ -278,8 +278,8 @@ Command readFlags(const Flags& flags, Command command, Demo* demo) {
     if (flags.all && demo)
         throw UsageError("--all", "must not stand beside a demo's name", "'" + command.demo->name + "'");
     if (demo && !flags.compare.empty()) readCompare(flags.compare, *demo, command);
-    for (const auto& [frame, setting] : flags.at) {
-        readChange(frame, setting, *demo, command);
+    if (demo) {
+        for (const auto& [frame, setting] : flags.at) readChange(frame, setting, *demo, command);
     }
     checkChanges(command);
     if (command.lastFrame > command.firstFrame && frameFile(flags.shot, 1) == flags.shot) {
