@@ -1,0 +1,193 @@
+// What measures shading: its highlights against those of the exact sphere.
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mv/demo/demo.h"
+#include "mv/geometry/ray.h"
+#include "shared/reflection.h"
+
+using namespace mv;
+using namespace mv::claims;
+
+namespace {
+
+constexpr double radius = 1.5;
+
+// The highlight of the exact sphere where a ray meets it; nothing where it does not, or within a seventh of its radius of
+// the outline, where a coarse mesh has none of it.
+class ExactSphere {
+  public:
+    ExactSphere(const Demo& demo, const FrameInfo& frame)
+        : scene_(demo.scene(frame)),
+          worldFromClip_(glm::inverse(scene_.clipFromWorld())),
+          eye_(glm::inverse(scene_.viewFromWorld)[3]),
+          lamp_(scene_.lights.front().position),
+          lobe_(demo.word("material") == "brushed"  ? Lobe::brushed
+                : demo.word("highlight") == "blinn" ? Lobe::blinn
+                                                    : Lobe::phong),
+          part_(demo.word("material") == "diffuse"       ? 0.0
+                : demo.word("material") == "mirror-like" ? 0.9
+                : demo.word("material") == "brushed"     ? 0.75
+                : demo.word("material") == "emitting"    ? 0.2
+                                                         : 0.5),
+          exponent_(demo.number("exponent")) {}
+
+    // x and y from -1 to 1 over the picture.
+    std::optional<double> at(double x, double y) const {
+        const vec4 far = worldFromClip_ * vec4(x, y, 1, 1);
+        const vec3 way = glm::normalize(vec3(far) / far.w - eye_);
+        const double along = -glm::dot(eye_, way), square = glm::dot(eye_, eye_) - along * along;
+        if (square > std::pow(radius * 6 / 7, 2)) return {};
+        const vec3 point = eye_ + (along - std::sqrt(radius * radius - square)) * way;
+        return part_ * highlight(lobe_, glm::normalize(point), glm::normalize(lamp_ - point), -way, exponent_);
+    }
+
+    // The mean of side x side samples of each pixel, the upper row first; -1 where the middle has none.
+    std::vector<double> picture(int width, int height, int side) const {
+        std::vector<double> values;
+        for (int row = 0; row < height; ++row) {
+            for (int column = 0; column < width; ++column) values.push_back(pixel(column, row, width, height, side));
+        }
+        return values;
+    }
+
+  private:
+    double pixel(int column, int row, int width, int height, int side) const {
+        const auto sample = [&](double right, double down) {
+            return at(2 * (column + right) / width - 1, 1 - 2 * (row + down) / height);
+        };
+        if (!sample(0.5, 0.5)) return -1;
+        double sum = 0;
+        for (int i = 0; i < side * side; ++i)
+            sum += sample((i % side + 0.5) / side, (i / side + 0.5) / side).value_or(0);
+        return sum / (side * side);
+    }
+
+    Scene scene_;
+    mat4 worldFromClip_;
+    vec3 eye_, lamp_;
+    Lobe lobe_;
+    double part_, exponent_;
+};
+
+Reference exactHighlight(const Demo& demo, const ReferenceFrame& frame) {
+    const ExactSphere sphere(demo, frame);
+    Reference reference{.values = sphere.picture(frame.width(), frame.height(), 8)};
+    for (const double value : reference.values) reference.regions.push_back(value < 0 ? -1 : 0);
+    if (frame.ownError) {
+        const auto finer = sphere.picture(frame.width(), frame.height(), 16);
+        double squares = 0, n = 0;
+        for (std::size_t i = 0; i < finer.size(); ++i) {
+            if (finer[i] < 0) continue;
+            squares += std::pow(finer[i] - reference.values[i], 2);
+            ++n;
+        }
+        reference.ownError = std::sqrt(squares / n);
+    }
+    return reference;
+}
+
+// Where the highlight is, in pixels from the left and from above, how many pixels have half of the largest exact value or
+// more, and its sum.
+struct Spot {
+    vec2 place{0};
+    double size = 0, energy = 0;
+};
+Spot spotOf(const std::vector<double>& values, const std::vector<double>& exact, int width) {
+    double largest = 0;
+    for (const double value : exact) largest = std::max(largest, value);
+    Spot spot;
+    for (std::size_t i = 0; i < exact.size(); ++i) {
+        if (exact[i] < 0 || values[i] <= 0) continue;
+        spot.energy += values[i];
+        spot.place += values[i] * vec2(i % std::size_t(width), i / std::size_t(width));
+        if (values[i] >= largest / 2) ++spot.size;
+    }
+    if (spot.energy > 0) spot.place /= spot.energy;
+    return spot;
+}
+
+// Nothing where there is no exact highlight, or no shading.
+struct Spots {
+    Spot shown, exact;
+};
+std::optional<Spots> spots(Probing& probing) {
+    const Demo& demo = probing.demo();
+    if (demo.word("body") != "sphere" || demo.word("shading") == "own") return {};
+    constexpr int width = 480, height = 280;
+    const auto measured = probing.measured(width, height);
+    if (measured.empty()) return {};
+    const FrameInfo frame(probing.frame().index(), width, height);
+    const auto exact = ExactSphere(demo, frame).picture(width, height, 8);
+    const Spots both{spotOf({measured.begin(), measured.end()}, exact, width), spotOf(exact, exact, width)};
+    if (both.exact.energy == 0) return {};
+    return both;
+}
+
+std::vector<double> placeOfSpot(Probing& probing) {
+    const auto both = spots(probing);
+    if (!both || both->shown.energy == 0) return {};
+    return {glm::distance(both->shown.place, both->exact.place)};
+}
+
+std::vector<double> amountOfSpot(Probing& probing) {
+    const auto both = spots(probing);
+    if (!both) return {};
+    return {100 * both->shown.size / both->exact.size, 100 * both->shown.energy / both->exact.energy};
+}
+
+Study study() {
+    Study study;
+    study.quantity = "light of the highlight, more than a seventh of the radius inside the sphere's outline";
+    study.reference = "the mean of 64 rays a pixel to the exact sphere, in double precision";
+    study.makeReference = [](const Demo& demo, const ReferenceFrame& frame, const auto&) {
+        return exactHighlight(demo, frame);
+    };
+    study.width = 480;
+    study.height = 280;
+    study.scenes = {{"exponent 10", {{"exponent", "10"}}}, {"exponent 200", {{"exponent", "200"}}}};
+    for (const std::string shading : {"flat", "gouraud", "phong"}) {
+        study.lines.push_back({.method = shading,
+                               .settings = {{"shading", shading}},
+                               .knob = "edges",
+                               .values = {"8", "16", "32", "64", "128", "256"}});
+    }
+    study.wrongBeyond = 1.0 / 255;
+    const char* const wide = "exponent 10";
+    const char* const narrow = "exponent 200";
+    study.says = {
+        claim("phong-as-the-square",
+              "With the normals interpolated, the error falls nearly as the square of the edges: what is left is the "
+              "mesh beside the sphere.",
+              {slope(of::rms, rows("phong").in(wide), -2.1, -1.8)}),
+        claim("coarse-is-nothing",
+              "With 32 edges and fewer, flat and Gouraud shading show a narrow highlight as wrongly as if there were "
+              "none: no corner lies in it.",
+              {settled(of::rms, rows("flat", "gouraud").in(narrow).upTo(32), 1.01)}),
+        claim("flat-falls-slowly",
+              "Flat shading is off by a step from face to face, which halves at best when the edges double.",
+              {slope(of::rms, rows("flat").in(wide).from(64), -1.1, -0.9)}),
+        claim("fewer-edges", "Phong shading with 64 edges is at least twice as near as Gouraud shading with 128.",
+              {ratio(of::rms, rows("phong").at(64), rows("gouraud").at(128), 0, 0.5)}),
+        claim("pays", "From 64 edges on, nothing that is as fast is as near as Phong shading.",
+              {unbeaten(rows("phong").from(64), rows("flat", "gouraud"))}),
+        note("The outline is left out, since there all three show the mesh: a polygon.")};
+    return study;
+}
+
+const bool studied = addStudy("shading", study());
+const bool probed = addProbes(
+    "shading",
+    {{{{"highlight-off", "how far the highlight's middle is from where it belongs, of 480 pixels across", "px"}},
+      placeOfSpot},
+     {{{"highlight-size", "pixels with half of the exact highlight's most light or more, of as many as there should be",
+        "%"},
+       {"highlight-energy", "light of the whole highlight, of what it should be", "%"}},
+      amountOfSpot}});
+
+}  // namespace
