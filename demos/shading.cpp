@@ -310,7 +310,7 @@ const bool added = addDemo<ShadingDemo>({
              "A narrow highlight within a face: none of the corners sees it, and it is gone.",
              {{"exponent", "400"}, {"edges", "8"}, {"lamp-turn", "15"}, {"lamp-height", "12"}, {"spin-x", "0"}}},
             {"teapot",
-             "Forty years of pictures of one teapot, in Blinn's model.",
+             "The 32 patches of 1975, in Blinn's model.",
              {{"body", "teapot"}, {"shading", "phong"}, {"highlight", "blinn"}, {"edges", "64"}}},
             {"brushed",
              "Metal brushed round its axis: the highlight runs across the brushing.",
