@@ -1,0 +1,29 @@
+// A lap round a closed path whose frames are known at samples.
+#pragma once
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "mv/motion/path_frame.h"
+
+namespace mv {
+
+struct Lap {
+    std::vector<PathSample> samples;
+    std::vector<PathFrame> frames;
+    std::vector<double> ways;        // metres from the first sample, by chords
+    std::vector<double> turns;       // how fast up turns about the path before each sample, deg/m; 0 for the first
+    std::vector<std::size_t> flips;  // samples
+};
+
+// Turns are told against the least turn from each sample to the next. A flip is where up turns by more than 90 degrees
+// within `window` metres, at once or in a whirl, and is named by its fastest sample: so their number does not depend on how
+// near the samples are, as long as there are some in a window. Refused: other numbers of frames than of samples, fewer than
+// two, two samples at one place, and what turnedTo refuses.
+Lap lapOf(std::vector<PathSample> samples, std::vector<PathFrame> frames, double window);
+
+// The frame at a part 0..1 of the lap, all samples being equally far apart in it, where the velocity is this. Between two
+// samples it turns about the path evenly; by more than 90 degrees it turns at the next sample, at once.
+PathFrame frameAt(const Lap& lap, double part, const vec3& velocity);
+
+}  // namespace mv
