@@ -36,6 +36,7 @@
 #include "shared/lap.h"
 #include "shared/pose_sphere.h"
 #include "shared/spin.h"
+#include "shared/strip.h"
 #include "shared/track.h"
 
 using namespace mv;
@@ -49,9 +50,7 @@ enum class LengthBy { adaptive, chords, simpson, gauss };
 
 constexpr double carLength = 4;  // metres
 const vec3 gravity(0, -9.81, 0), worldUp(0, 1, 0);
-const vec4 red(0.80, 0.10, 0.10, 1), green(0.05, 0.55, 0.10, 1), blue(0.10, 0.30, 0.85, 1), orange(0.85, 0.45, 0, 1);
-const vec4 ink(0.1, 0.1, 0.1, 1);
-using Words = std::pair<std::string, vec4>;  // in a colour
+const vec4 ink(0.1, 0.1, 0.1, 1), orange(0.85, 0.45, 0, 1), blue = forwardColor, green = upColor;
 
 struct PathDemo final : Demo {
     Choice<Show> show{
@@ -67,8 +66,8 @@ struct PathDemo final : Demo {
     Choice<Through> curve{this,
                           "curve",
                           Through::spline,
-                          {{"spline", "curvature is continuous"}, {"catmull-rom", "curvature jumps at the keys"}},
-                          "what is laid through its keys"};
+                          {{"spline"}, {"catmull-rom", "its curvature jumps"}},
+                          "what goes through its keys"};
     Choice<Up> up{this,
                   "up",
                   Up::banking,
@@ -84,19 +83,13 @@ struct PathDemo final : Demo {
                                 "how the minimizing frame is carried from sample to sample"};
     Whole steps{this, "steps", 360, {120, 8000}, "samples of the lap that frames are made for"};
     Toggle spread{this, "spread", false, "turn the minimizing frame a little everywhere, so that it closes"};
-    Choice<Pace> pace{
-        this,
-        "pace",
-        Pace::way,
-        {{"way", "equal ways in equal times, by arc length"}, {"parameter", "equal steps of the parameter"}},
-        "how the car goes round"};
+    Choice<Pace> pace{this, "pace", Pace::way, {{"way"}, {"parameter"}}, "of what the car covers equal steps"};
     Real speed{this, "speed", 14, {1, 40}, "of the car, averaged over the lap", "m/s"};
-    Choice<LengthBy> lengthBy{
-        this,
-        "length-by",
-        LengthBy::adaptive,
-        {{"adaptive", "Gauss's rule, halved until it is right"}, {"chords"}, {"simpson"}, {"gauss"}},
-        "how the readout length is made"};
+    Choice<LengthBy> lengthBy{this,
+                              "length-by",
+                              LengthBy::adaptive,
+                              {{"adaptive"}, {"chords"}, {"simpson"}, {"gauss"}},
+                              "rule for the length"};
     Whole pieces{this, "pieces", 4, {2, 64}, "chords, parts or nodes of that rule between two keys"};
     Real start{this, "start", 42, {0, 100}, "where frame 0 is: the part of the lap, or between the poses", "%"};
     PoseKnobs from{this, "from", {0, 40, 0}}, to{this, "to", {180, 55, 180}};
@@ -173,18 +166,12 @@ struct PathDemo final : Demo {
 
     const TrackPath& path() const { return trackPath(track, curve); }
 
-    // Position, velocity and acceleration of the car where the curve has this parameter, per second.
+    // Position, velocity and acceleration of the car where the curve has this parameter, per second. At equal ways the
+    // acceleration has no part along the path; no rule reads that part, so it is left in.
     PathSample motionAt(double parameter) const {
         const CurvePoint<vec3> at = path().curve.at(parameter);
-        if (pace == Pace::parameter) {
-            const double rate = speed / path().way.length();  // laps a second
-            return {at.position, rate * at.velocity, rate * rate * at.acceleration};
-        }
-        // At constant speed the acceleration has no part along the path
-        const double perParameter = glm::length(at.velocity), rate = speed / perParameter;
-        const vec3 forward = at.velocity / perParameter;
-        return {at.position, rate * at.velocity,
-                rate * rate * (at.acceleration - glm::dot(at.acceleration, forward) * forward)};
+        const double rate = speed / (pace == Pace::way ? glm::length(at.velocity) : path().way.length());
+        return {at.position, rate * at.velocity, rate * rate * at.acceleration};
     }
 
     // Of the lap's time that is covered, 0 to 1; and where the car is then.
@@ -253,16 +240,12 @@ struct PathDemo final : Demo {
 
     // ---- the picture of the track
 
-    // A part of the width, above the graphs.
-    static Pane paneOf(const FrameInfo& frame, double from, double to) {
-        const int low = frame.height() * 3 / 10, left = int(from * frame.width());
-        return {left, low, std::max(1, int(to * frame.width()) - left), frame.height() - low};
-    }
-    static Pane outsidePane(const FrameInfo& frame) { return paneOf(frame, 0, 0.58); }
+    static Pane outsidePane(const FrameInfo& frame) { return paneAboveStrip(frame, 0, 0.58); }
 
     mat4 outside(const Pane& pane) const {
-        return perspective(34, pane.aspect(), 20, 400) * lookAt(vec3(-7, 72, 92), vec3(-7, 0, 4), worldUp) *
-               spin.turn();
+        const double half = 0.306 * std::max(1.0, 1.42 / pane.aspect());  // of what is 1 before the eye
+        return perspective(2 * degrees(std::atan(half)), pane.aspect(), 20, 400) *
+               lookAt(vec3(-7, 72, 92), vec3(-7, 0, 4), worldUp) * spin.turn();
     }
 
     void drawTrack(const Frame& frame) {
@@ -277,17 +260,18 @@ struct PathDemo final : Demo {
         frame.show("worldFromCar", worldFromCar);
         frame.show("chaseFromWorld", chaseFromWorld);
 
-        const Pane left = outsidePane(frame), right = paneOf(frame, 0.58, 1);
+        const Pane left = outsidePane(frame), right = paneAboveStrip(frame, 0.58, 1);
         drawing.in(left);
         drawFrom(left, outside(left), worldFromCar);
-        markLap(outside(left));
-        drawAxes(outside(left), now.position, axes, 6, 3);
-        words(frame, {6, left.height - 6}, {{"up: " + up.text(), ink}});
-        words(frame, {6, left.height - 6 - 1.6 * textSize(frame)}, {{lengthText(), ink}});
-        words(frame, {6, 1.6 * textSize(frame)}, {{"forward", blue}, {"up", green}, {"right", red}});
+        drawLap(drawing, outside(left), lap);
+        for (const std::size_t i : vanishedAt) drawing.point(outside(left), lap.samples[i].position, 9, orange);
+        drawFrame(drawing, outside(left), now.position, axes, 6, 3);
+        drawWords(drawing, frame, left, 0, {{"up: " + up.text(), ink}});
+        drawWords(drawing, frame, left, 1, {{lengthText(), ink}});
+        drawWords(drawing, frame, left, -1, {{"forward", forwardColor}, {"up", upColor}, {"right", rightColor}});
         drawing.in(right);
         drawFrom(right, perspective(60, right.aspect(), 1, 400) * chaseFromWorld, worldFromCar);
-        words(frame, {6, right.height - 6}, {{"chase camera", ink}});
+        drawWords(drawing, frame, right, 0, {{"chase camera", ink}});
         drawGraphs(frame, part, now);
         measure(now, axes);
     }
@@ -308,24 +292,6 @@ struct PathDemo final : Demo {
         car.draw();
     }
 
-    void drawAxes(const mat4& clipFromWorld, const vec3& at, const PathFrame& axes, double size, double width) {
-        drawing.edge(clipFromWorld, at, at + size * axes.forward, {blue, width});
-        drawing.edge(clipFromWorld, at, at + size * axes.up, {green, width});
-        drawing.edge(clipFromWorld, at, at + size * axes.right, {red, width});
-    }
-
-    // Small frames along the curve; where up turns over, and where the rule has none.
-    void markLap(const mat4& clipFromWorld) {
-        double next = 0;
-        for (std::size_t i = 0; i < lap.samples.size(); ++i) {
-            if (lap.ways[i] < next) continue;
-            next = lap.ways[i] + 5;
-            drawAxes(clipFromWorld, lap.samples[i].position, lap.frames[i], 3, 1.5);
-        }
-        for (const std::size_t i : vanishedAt) drawing.point(clipFromWorld, lap.samples[i].position, 9, orange);
-        for (const std::size_t i : lap.flips) drawing.point(clipFromWorld, lap.samples[i].position, 11, red);
-    }
-
     void drawGraphs(const Frame& frame, double part, const PathSample& now) {
         const ArcLength& way = path().way;
         std::vector<vec2> byParameter, turns;
@@ -342,35 +308,14 @@ struct PathDemo final : Demo {
         }
         drawing.in({0, 0, frame.width(), frame.height()});
         const Axis along{0, way.length(), "m along the lap"};
-        const Plot speeds{graphBox(frame, 0, 1), along, {0, 1.15 * fastest}};
+        const Plot speeds{graphInStrip(frame, 0, 0.5), along, {0, 1.15 * fastest}};
         drawing.curve(speeds, std::array{vec2(0, speed), vec2(way.length(), speed)}, {blue, 2});
         drawing.curve(speeds, byParameter, {orange, 2});
         drawing.point(speeds.pixel({way.lengthAt(parameterAt(part)), glm::length(now.velocity)}), 8, ink);
-        nameGraph(frame, speeds, {{"speed, m/s:", ink}, {"equal ways", blue}, {"equal parameters", orange}});
-        const Plot turning{graphBox(frame, 1, 2), along, {-1.15 * most, 1.15 * most}};
+        drawAxes(drawing, frame, speeds, {{"speed, m/s:", ink}, {"equal ways", blue}, {"equal parameters", orange}});
+        const Plot turning{graphInStrip(frame, 0.5, 1), along, {-1.15 * most, 1.15 * most}};
         drawing.curve(turning, turns, {green, 1.5});
-        nameGraph(frame, turning, {{"turn of up about the path, deg/m", green}});
-    }
-
-    // From one half of the width to another.
-    static Box graphBox(const FrameInfo& frame, int from, int to) {
-        const double w = frame.width(), low = std::min(46.0, 0.1 * frame.height());
-        return {{from * w / 2 + std::min(64.0, w / 8), low}, {to * w / 2 - w / 60, 0.26 * frame.height()}};
-    }
-    void nameGraph(const Frame& frame, const Plot& plot, const std::vector<Words>& title) {
-        drawing.axes(plot);
-        words(frame, {plot.box.low.x, plot.box.high.y + 1.4 * textSize(frame)}, title);
-    }
-
-    static int textSize(const FrameInfo& frame) {
-        return std::max(8, std::min(frame.width() / 60, frame.height() / 35));
-    }
-    void words(const Frame& frame, vec2 at, const std::vector<Words>& parts) {
-        for (const auto& [text, color] : parts) {
-            const TextStyle style{textSize(frame), color, vec4(1, 1, 1, 0.6)};
-            drawing.text(at, text, style);
-            at.x += textWidth(text, style) + 4;
-        }
+        drawAxes(drawing, frame, turning, {{"turn of up about the path, deg/m", green}});
     }
 
     void measure(const PathSample& now, const PathFrame& axes) {
@@ -405,7 +350,7 @@ struct PathDemo final : Demo {
     }
 
     static Pane posePane(const FrameInfo& frame, std::size_t way) {
-        return paneOf(frame, double(way) / 3, double(way + 1) / 3);
+        return paneAboveStrip(frame, double(way) / 3, double(way + 1) / 3);
     }
     mat4 poseView(const Pane& pane) const {
         const double half = 1.2 * std::max(1.0, 1 / pane.aspect());  // of the world, 5 before the eye
@@ -414,7 +359,8 @@ struct PathDemo final : Demo {
     }
 
     void drawPoses(const Frame& frame) {
-        static const std::array<Words, 3> names{{{"three angles", orange}, {"slerp", blue}, {"nlerp", green}}};
+        static const std::array<ColoredWords::value_type, 3> names{
+            {{"three angles", orange}, {"slerp", blue}, {"nlerp", green}}};
         const double t = between(frame);
         std::array<Turning, 3> turnings;
         mat4 last(0);
@@ -431,12 +377,16 @@ struct PathDemo final : Demo {
             drawing.in(pane);
             drawTurning(drawing, clipFromWorld, turning, names[way].second);
             if (way == 0)
-                drawGimbal(drawing, clipFromWorld, anglesAt(t), {red, green, blue});
+                drawGimbal(drawing, clipFromWorld, anglesAt(t), {rightColor, upColor, forwardColor});
             else
-                drawAxes(clipFromWorld, vec3(0), {-vec3(turn[2]), vec3(turn[1]), vec3(turn[0])}, 1, 2);
-            words(frame, {6, pane.height - 6}, {names[way]});
-            words(frame, {6, pane.height - 6 - 1.6 * textSize(frame)},
-                  {{rounded("turns by %.1f°", turning.whole), ink}});
+                drawFrame(drawing, clipFromWorld, vec3(0), {-vec3(turn[2]), vec3(turn[1]), vec3(turn[0])}, 1, 2);
+            drawWords(drawing, frame, pane, 0, {names[way]});
+            drawWords(drawing, frame, pane, 1, {{rounded("turns by %.1f°", turning.whole), ink}});
+            if (way == 0)
+                drawWords(drawing, frame, pane, -1, {{"yaw", upColor}, {"pitch", rightColor}, {"roll", forwardColor}});
+            else
+                drawWords(drawing, frame, pane, -1,
+                          {{"forward", forwardColor}, {"up", upColor}, {"right", rightColor}});
             turned[way] = turning.whole;
             uneven[way].clear();
             if (turning.slowest > 1e-9) uneven[way] = turning.fastest / turning.slowest;
@@ -446,9 +396,9 @@ struct PathDemo final : Demo {
 
         const double fastest = std::max({turnings[0].fastest, turnings[1].fastest, turnings[2].fastest, 1.0});
         drawing.in({0, 0, frame.width(), frame.height()});
-        const Plot plot{graphBox(frame, 0, 2), {0, 1, "t"}, {0, 1.15 * fastest}};
+        const Plot plot{graphInStrip(frame, 0, 1), {0, 1, "t"}, {0, 1.15 * fastest}};
         for (std::size_t way = 0; way < 3; ++way) drawing.curve(plot, turnings[way].speeds, {names[way].second, 2});
-        nameGraph(frame, plot, {{"speed of the turn, deg per t:", ink}, names[0], names[1], names[2]});
+        drawAxes(drawing, frame, plot, {{"speed of the turn, deg per t:", ink}, names[0], names[1], names[2]});
     }
 
     void sayLock(const Frame& frame) const {

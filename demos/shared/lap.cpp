@@ -47,4 +47,21 @@ PathFrame frameAt(const Lap& lap, double part, const vec3& velocity) {
     return std::abs(turn) > 90 ? before : rolled(before, (place - double(i)) * turn);
 }
 
+void drawFrame(Drawing& drawing, const mat4& clipFromWorld, const vec3& at, const PathFrame& frame, double size,
+               double width) {
+    drawing.edge(clipFromWorld, at, at + size * frame.forward, {forwardColor, width});
+    drawing.edge(clipFromWorld, at, at + size * frame.up, {upColor, width});
+    drawing.edge(clipFromWorld, at, at + size * frame.right, {rightColor, width});
+}
+
+void drawLap(Drawing& drawing, const mat4& clipFromWorld, const Lap& lap) {
+    double next = 0;
+    for (std::size_t i = 0; i < lap.samples.size(); ++i) {
+        if (lap.ways[i] < next) continue;
+        next = lap.ways[i] + 5;
+        drawFrame(drawing, clipFromWorld, lap.samples[i].position, lap.frames[i], 3, 1.5);
+    }
+    for (const std::size_t i : lap.flips) drawing.point(clipFromWorld, lap.samples[i].position, 11, rightColor);
+}
+
 }  // namespace mv
