@@ -127,11 +127,12 @@ struct PathDemo final : Demo {
             return pictureFromPane(pane, outside(pane), motionAt(parameterAt(lapPart(frame))).position);
         });
         for (const auto& [name, pose] : {std::pair("from", &from), std::pair("to", &to)}) {
-            bindHandle(name, {&pose->yaw, &pose->pitch}, [this, pose](const FrameInfo& frame) -> std::optional<vec2> {
-                if (show != Show::poses) return std::nullopt;
-                const vec3 nose(-rotationMatrix(pose->orientation())[2]);
-                return pictureFromPane(posePane(frame, 1), poseView(posePane(frame, 1)), nose);
-            });
+            bindHandle(std::string("nose at ") + name, {&pose->yaw, &pose->pitch},
+                       [this, pose](const FrameInfo& frame) -> std::optional<vec2> {
+                           if (show != Show::poses) return std::nullopt;
+                           const vec3 nose(-rotationMatrix(pose->orientation())[2]);
+                           return pictureFromPane(posePane(frame, 1), poseView(posePane(frame, 1)), nose);
+                       });
         }
         const auto isTrack = [this] { return show == Show::track; };
         const auto isPoses = [this] { return show == Show::poses; };
@@ -295,7 +296,7 @@ struct PathDemo final : Demo {
     void drawGraphs(const Frame& frame, double part, const PathSample& now) {
         const ArcLength& way = path().way;
         std::vector<vec2> byParameter, turns;
-        double fastest = 0, most = 1;
+        double fastest = 0, most = 0.1;
         for (int i = 0; i <= 400; ++i) {
             const double parameter = i / 400.0;
             const double speedThere = glm::length(path().curve.at(parameter).velocity) * speed / way.length();
@@ -308,12 +309,12 @@ struct PathDemo final : Demo {
         }
         drawing.in({0, 0, frame.width(), frame.height()});
         const Axis along{0, way.length(), "m along the lap"};
-        const Plot speeds{graphInStrip(frame, 0, 0.5), along, {0, 1.15 * fastest}};
+        const Plot speeds{graphInStrip(frame, 0, 0.5), along, {0, roundAbove(fastest)}};
         drawing.curve(speeds, std::array{vec2(0, speed), vec2(way.length(), speed)}, {blue, 2});
         drawing.curve(speeds, byParameter, {orange, 2});
         drawing.point(speeds.pixel({way.lengthAt(parameterAt(part)), glm::length(now.velocity)}), 8, ink);
         drawAxes(drawing, frame, speeds, {{"speed, m/s:", ink}, {"equal ways", blue}, {"equal parameters", orange}});
-        const Plot turning{graphInStrip(frame, 0.5, 1), along, {-1.15 * most, 1.15 * most}};
+        const Plot turning{graphInStrip(frame, 0.5, 1), along, {-roundAbove(most), roundAbove(most)}};
         drawing.curve(turning, turns, {green, 1.5});
         drawAxes(drawing, frame, turning, {{"turn of up about the path, deg/m", green}});
     }
@@ -396,7 +397,7 @@ struct PathDemo final : Demo {
 
         const double fastest = std::max({turnings[0].fastest, turnings[1].fastest, turnings[2].fastest, 1.0});
         drawing.in({0, 0, frame.width(), frame.height()});
-        const Plot plot{graphInStrip(frame, 0, 1), {0, 1, "t"}, {0, 1.15 * fastest}};
+        const Plot plot{graphInStrip(frame, 0, 1), {0, 1, "t"}, {0, roundAbove(fastest)}};
         for (std::size_t way = 0; way < 3; ++way) drawing.curve(plot, turnings[way].speeds, {names[way].second, 2});
         drawAxes(drawing, frame, plot, {{"speed of the turn, deg per t:", ink}, names[0], names[1], names[2]});
     }
@@ -434,7 +435,7 @@ const bool added = addDemo<PathDemo>({
              {{"up", "acceleration"}},
              {{"flips", 3, 3}}},
             {"fixed",
-             "The world's up is right until the loop, where the car turns over twice.",
+             "Upright in every bend, until the path points at the sky: in the loop the car turns over twice.",
              {{"up", "fixed"}},
              {{"flips", 2, 2}}},
             {"minimizing",

@@ -1,6 +1,9 @@
 #include "shared/strip.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "mv/error.h"
 
 namespace mv {
 
@@ -26,6 +29,15 @@ Pane paneAboveStrip(const FrameInfo& frame, double from, double to) {
 Box graphInStrip(const FrameInfo& frame, double from, double to) {
     const double w = frame.width(), low = std::min(46.0, 0.1 * frame.height());
     return {{from * w + std::min(64.0, w / 8), low}, {to * w - w / 60, 0.26 * frame.height()}};
+}
+
+double roundAbove(double value) {
+    if (!(value > 0)) throw Error("roundAbove", "must be above 0", numberText(value));
+    const double power = std::pow(10, std::floor(std::log10(value)));
+    for (const double factor : {1.0, 2.0, 5.0}) {
+        if (value <= factor * power) return factor * power;
+    }
+    return 10 * power;
 }
 
 void drawWords(Drawing& drawing, const FrameInfo& frame, const Pane& pane, int line, const ColoredWords& words) {

@@ -122,15 +122,19 @@ TEST(Path, flips_at_inflections) {
             EXPECT_EQ(run.readout("flips"), rule == std::string("acceleration") ? 2 : 0) << rule << ", " << steps;
         }
     }
-    // In the loop of the park the world's up turns over twice, at any number of samples.
+    // Whirls of the park are counted at any number of samples: twice in its loop, where the path is nearly upright.
     for (const int steps : {120, 361, 3000}) {
-        (void)run.set("track", "park").set("up", "fixed").set("steps", steps).picture();
+        run.set("track", "park").set("steps", steps);
+        (void)run.set("up", "fixed").picture();
         EXPECT_EQ(run.readout("flips"), 2) << steps;
+        (void)run.set("up", "acceleration").picture();
+        EXPECT_EQ(run.readout("flips"), 3) << steps;
     }
-    // Too fast over the hill, nothing presses the car onto the track: up turns over there.
+    // Too fast on the hill up points below the level, and goes over from there.
     (void)run.set("up", "banking").set("steps", 360).picture();
     EXPECT_EQ(run.readout("flips"), 0);
-    (void)run.set("speed", 24).picture();
+    (void)run.set("speed", 24).set("start", 60).picture();
+    EXPECT_LT(run.readout("lean"), -90);
     EXPECT_GT(run.readout("flips"), 0);
 }
 

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "../math/support.h"
+
 using namespace mv;
+using namespace mv::test;
 
 namespace {
 
@@ -30,6 +33,15 @@ TEST(Strip, HasPanesAndGraphsInAPixel) {
         EXPECT_GT(graph.size().x, 0);
         EXPECT_GT(graph.size().y, 0);
     }
+}
+
+TEST(Strip, RoundsUpToATick) {
+    EXPECT_EQ(roundAbove(1), 1);
+    EXPECT_EQ(roundAbove(1.01), 2);
+    EXPECT_EQ(roundAbove(35.7), 50);
+    EXPECT_EQ(roundAbove(51), 100);
+    EXPECT_NEAR(roundAbove(0.0012), 0.002, 1e-18);
+    EXPECT_EQ(refusal([] { roundAbove(0); }), "roundAbove: must be above 0, 0");
 }
 
 }  // namespace
