@@ -126,13 +126,13 @@ struct PathDemo final : Demo {
             const Pane pane = outsidePane(frame);
             return pictureFromPane(pane, outside(pane), motionAt(parameterAt(lapPart(frame))).position);
         });
-        for (const auto& [name, pose] : {std::pair("from", &from), std::pair("to", &to)}) {
-            bindHandle(std::string("nose at ") + name, {&pose->yaw, &pose->pitch},
-                       [this, pose](const FrameInfo& frame) -> std::optional<vec2> {
-                           if (show != Show::poses) return std::nullopt;
-                           const vec3 nose(-rotationMatrix(pose->orientation())[2]);
-                           return pictureFromPane(posePane(frame, 1), poseView(posePane(frame, 1)), nose);
-                       });
+        for (PoseKnobs* pose : {&from, &to}) {
+            const auto where = [this, pose](const FrameInfo& frame) -> std::optional<vec2> {
+                if (show != Show::poses) return std::nullopt;
+                const vec3 nose(-rotationMatrix(pose->orientation())[2]);
+                return pictureFromPane(posePane(frame, 1), poseView(posePane(frame, 1)), nose);
+            };
+            bindHandle(pose == &from ? "nose at from" : "nose at to", {&pose->yaw, &pose->pitch}, where);
         }
         const auto isTrack = [this] { return show == Show::track; };
         const auto isPoses = [this] { return show == Show::poses; };

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -47,7 +48,7 @@ TrackPath makePath(Track track, Through through) {
 
 // Corners in their order round it.
 void addQuad(MeshData& mesh, const std::array<vec3, 4>& corners, const vec3& normal, const vec3& color) {
-    for (const std::size_t i : {0, 1, 2, 0, 2, 3}) {
+    for (const std::size_t i : std::initializer_list<std::size_t>{0, 1, 2, 0, 2, 3}) {
         mesh.positions.emplace_back(corners.at(i));
         mesh.normals.emplace_back(normal);
         mesh.colors.emplace_back(color, 1);
