@@ -17,6 +17,7 @@
 #include "mv/gl/gl.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
+#include "shared/car.h"
 
 using namespace mv;
 
@@ -150,10 +151,10 @@ struct Viewpoints final : Demo {
 
     void drawCar(const mat4& viewFromCar) {
         program.set("paint", vec4(0, 0, 1, 1));
-        program.set("viewFromModel", viewFromCar * scale(10, 3, 2) * translate(0, 0, 0.5));
-        cube.draw();
-        program.set("viewFromModel", viewFromCar * scale(4, 3, 2) * translate(-0.2, 0, 1.5));
-        cube.draw();
+        for (const mat4& carFromCube : carFromCubes()) {
+            program.set("viewFromModel", viewFromCar * carFromCube);
+            cube.draw();
+        }
     }
 
     // From the matrix that was used, whichever way it was made: its inverse has the eye's place and axes as columns.

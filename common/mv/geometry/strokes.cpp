@@ -131,7 +131,7 @@ std::vector<vec2> circle(const vec2& middle, double radius) {
 }
 
 void cutTo(Painted& painted, std::size_t first, const Box& box) {
-    Painted kept(painted.begin(), painted.begin() + std::ptrdiff_t(first));
+    Painted kept;  // not what is before `first`: a drawing of n strokes cuts n times
     for (std::size_t i = first; i + 2 < painted.size(); i += 3) {
         const std::array<PaintedVertex, 3> corner{painted[i], painted[i + 1], painted[i + 2]};
         if (std::all_of(corner.begin(), corner.end(), [&](const auto& c) { return box.holds(vec2(c.position)); })) {
@@ -155,7 +155,8 @@ void cutTo(Painted& painted, std::size_t first, const Box& box) {
         for (std::size_t k = 1; k + 1 < rest.size(); ++k)
             kept.insert(kept.end(), {mixed(rest[0]), mixed(rest[k]), mixed(rest[k + 1])});
     }
-    painted = std::move(kept);
+    painted.resize(first);
+    painted.insert(painted.end(), kept.begin(), kept.end());
 }
 
 }  // namespace mv

@@ -1,0 +1,53 @@
+#include "shared/strip.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mv/error.h"
+
+namespace mv {
+
+namespace {
+
+int textSize(const FrameInfo& frame) { return std::max(8, std::min(frame.width() / 60, frame.height() / 35)); }
+
+void drawAt(Drawing& drawing, const FrameInfo& frame, vec2 at, const ColoredWords& words) {
+    for (const auto& [text, color] : words) {
+        const TextStyle style{textSize(frame), color, vec4(1, 1, 1, 0.6)};
+        drawing.text(at, text, style);
+        at.x += textWidth(text, style) + 4;
+    }
+}
+
+}  // namespace
+
+Pane paneAboveStrip(const FrameInfo& frame, double from, double to) {
+    const int low = frame.height() * 3 / 10, left = static_cast<int>(from * frame.width());
+    return {left, low, std::max(1, static_cast<int>(to * frame.width()) - left), frame.height() - low};
+}
+
+Box graphInStrip(const FrameInfo& frame, double from, double to) {
+    const double w = frame.width(), low = std::min(46.0, 0.1 * frame.height());
+    return {{from * w + std::min(64.0, w / 8), low}, {to * w - w / 60, 0.26 * frame.height()}};
+}
+
+double roundAbove(double value) {
+    if (!(value > 0)) throw Error("roundAbove", "must be above 0", numberText(value));
+    const double power = std::pow(10, std::floor(std::log10(value)));
+    for (const double factor : {1.0, 2.0, 5.0}) {
+        if (value <= factor * power) return factor * power;
+    }
+    return 10 * power;
+}
+
+void drawWords(Drawing& drawing, const FrameInfo& frame, const Pane& pane, int line, const ColoredWords& words) {
+    const double each = 1.6 * textSize(frame);
+    drawAt(drawing, frame, {6, line < 0 ? -line * each : pane.height - 6 - line * each}, words);
+}
+
+void drawAxes(Drawing& drawing, const FrameInfo& frame, const Plot& plot, const ColoredWords& title) {
+    drawing.axes(plot);
+    drawAt(drawing, frame, {plot.box.low.x, plot.box.high.y + 1.4 * textSize(frame)}, title);
+}
+
+}  // namespace mv

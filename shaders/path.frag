@@ -1,0 +1,4 @@
+in vec4 vertexColor;
+out vec4 fragColor;
+
+void main() { fragColor = vertexColor; }
