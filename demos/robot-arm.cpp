@@ -49,7 +49,7 @@ constexpr int mostIterations = 64, cycleFrames = 84;
 constexpr NumberRange beyondReach{1e-3, 100, Scale::logarithmic, true};
 constexpr double table = -0.7;  // m, below the shoulder
 const vec4 ink(0.1, 0.1, 0.1, 1), grey(0.6, 0.6, 0.6, 1), red(0.8, 0.15, 0.1, 1), pale(0.25, 0.42, 0.70, 0.3);
-const vec4 reachable(0.89, 0.94, 0.99, 1), earth(0.80, 0.77, 0.70, 1), other(0.10, 0.55, 0.40, 0.7);
+const vec4 earth(0.80, 0.77, 0.70, 1), other(0.10, 0.55, 0.40, 0.7);
 
 struct RobotArm final : Demo {
     Choice<Which> which{this, "scene", Which::links, {{"two-links"}, {"arm"}, {"walker"}}, "what is moved"};
@@ -96,9 +96,8 @@ struct RobotArm final : Demo {
 
     Program program;
     Mesh box, cylinder;
-    Drawing below, above;
-    View view;      // of what is being drawn
-    int lines = 0;  // of words in its corner
+    JointedOverlay overlay;
+    bool doesReach = true;  // whether the walker's leg comes to all of the foot's way
 
     RobotArm() {
         bindHandle("target", {&targetX, &targetY, &targetZ}, [this](const FrameInfo& frame) -> std::optional<vec2> {
@@ -111,10 +110,10 @@ struct RobotArm final : Demo {
         only("two links have these angles", [this] { return isLinks(); }, {&theta1, &theta2});
         only("the closed form asks for no start", [this] { return method != Method::closed; }, {&theta1, &theta2});
         only("two links move so by forward kinematics", [this] { return isLinks() && isForward(); }, {&rate1, &rate2});
-        only("the arm has these angles", [this] { return isArm(); }, {&turn, &shoulder, &elbow, &wrist});
+        only("the arm has these joints", [this] { return isArm(); }, {&turn, &shoulder, &elbow, &wrist, &limits});
         only("the others lie in a plane", [this] { return isArm(); },
              {&turntable.spin.x, &turntable.spin.y, &turntable.distance});
-        only("the arm has these by inverse kinematics", [this] { return isArm() && !isForward(); }, {&limits, &others});
+        only("the arm has these by inverse kinematics", [this] { return isArm() && !isForward(); }, {&others});
         only("forward there is no target, and the walker's feet have theirs", [this] { return hasTarget(); },
              {&targetX, &targetY, &targetZ, &beyond});
         only("only the arm's target leaves the plane", [this] { return isArm(); }, {&targetZ});
@@ -192,13 +191,12 @@ struct RobotArm final : Demo {
     // ---- the picture
 
     void draw(const Frame& frame) override {
-        below.begin(frame);
-        above.begin(frame);
+        overlay.begin(frame);
         if (isWalker())
             drawWalkers(frame);
         else
             drawOne(frame);
-        above.draw(frame);
+        overlay.above.draw(frame);
     }
 
     // Left of the matrices and the plot, where these are shown.
@@ -215,10 +213,10 @@ struct RobotArm final : Demo {
 
     // What is behind, and then all parts: each is a few boxes that go where its matrix says, and a cylinder for its joint.
     void beginThings(const Frame& frame) {
-        below.draw(frame);
+        overlay.below.draw(frame);
         glEnable(GL_DEPTH_TEST);
         program.use();
-        program.set("clipFromWorld", view.clipFromWorld);
+        program.set("clipFromWorld", overlay.clipFromWorld());
     }
     void drawThing(const Pane& pane, const Jointed& thing, const std::vector<mat4>& worldFromPart) {
         glViewport(pane.x, pane.y, pane.width, pane.height);
@@ -249,12 +247,8 @@ struct RobotArm final : Demo {
     void drawOne(const Frame& frame) {
         const Jointed thing = isArm() ? arm(upper, lower, limits) : twoLinks(upper, lower);
         Angles angles = isArm() ? Angles{turn, shoulder, elbow, wrist} : Angles{theta1, theta2};
-        look(paneOf(frame), projection(paneOf(frame)));
-        if (isLinks()) {  // the ring in which the end can be
-            const vec2 middle = view.pixel(vec3(0)), size = 2.0 * (view.pixel(vec3(1, 1, 0)) - middle);
-            below.point(middle, size.x * leg(), reachable);
-            below.point(middle, size.x * std::abs(upper - lower), vec4(1));
-        }
+        overlay.look(paneOf(frame), projection(paneOf(frame)));
+        if (isLinks()) overlay.ring(std::abs(upper - lower), leg());
         std::vector<std::string> words{"forward: the angles are given"};
         if (method == Method::closed) angles = solve(thing, words);
         if (iterates()) angles = iterate(frame, thing, angles, words);
@@ -262,22 +256,22 @@ struct RobotArm final : Demo {
             std::vector<vec2> path;  // of the end, in the last 300 frames
             for (int i = std::max(0, frame.index() - 300); i <= frame.index(); ++i) {
                 angles = {theta1 + i * rate1, theta2 + i * rate2};
-                path.push_back(view.pixel(vec3(twoLinkEnd(upper, lower, {angles[0], angles[1]}), 0)));
+                path.push_back(overlay.pixel(vec3(twoLinkEnd(upper, lower, {angles[0], angles[1]}), 0)));
             }
-            above.line(path, {red, 1.5});
+            overlay.above.line(path, {red, 1.5});
         }
 
         const std::vector<mat4> worldFromPart = worldFromParts(thing.tree, angles);
         beginThings(frame);
-        drawThing(view.pane, thing, worldFromPart);
+        drawThing(overlay.pane(), thing, worldFromPart);
         if (isArm()) drawTable();
         glViewport(0, 0, frame.width(), frame.height());
         const vec3 end = stickOf(thing, worldFromPart).back();
-        above.point(view.clipFromWorld, end, 7, ink);
+        overlay.above.point(overlay.clipFromWorld(), end, 7, ink);
         words.push_back("end at " + place(end));
-        for (const std::string& each : words) say(frame, each);
-        drawAngles(above, view, thing, worldFromPart, angles, textHeightIn(frame));
-        if (matrices) drawProduct(above, frame, thing, worldFromPart, angles, view.pane.width, isLinks());
+        for (const std::string& each : words) overlay.say(each);
+        overlay.angles(thing, worldFromPart, angles);
+        if (matrices) overlay.product(frame, thing, worldFromPart, angles, overlay.pane().width, isLinks());
         endX = end.x;
         endY = end.y;
         endZ = end.z;
@@ -290,51 +284,59 @@ struct RobotArm final : Demo {
         const vec3 direction = glm::length(at) > 0 ? glm::normalize(at) : vec3(1, 0, 0);
         return (leg() + (isArm() ? armHand : 0) + beyond) * direction;
     }
-    void showTarget(const vec3& goal) {
-        const vec3 at = target();
-        if (isArm()) above.edge(view.clipFromWorld, at, {at.x, table, at.z}, {grey, 1});
-        above.edge(view.clipFromWorld, at, goal, {red, 1.5});
-        above.point(view.clipFromWorld, at, 13, red);
-        above.point(view.clipFromWorld, at, 8, vec4(1));
-        if (goal != at) above.point(view.clipFromWorld, goal, 11, red);
+    std::string place(const vec3& at) const {
+        const std::string inPlane = shortNumber(at.x) + ", " + shortNumber(at.y);
+        return "(" + inPlane + (isArm() ? ", " + shortNumber(at.z) : "") + ")";
+    }
+    void stick(const Jointed& thing, const Angles& angles, const Stroke& stroke) {
+        overlay.stick(thing, worldFromParts(thing.tree, angles), stroke);
     }
 
-    // In closed form: how many solutions there are, the other one, or some of all.
-    Angles solve(const Jointed& thing, std::vector<std::string>& words) {
+    // How many solutions two links have for the target.
+    std::string counted(const TwoLinkAnswer& answer) {
         static const std::array<std::string, 4> counts{"no solution", "one solution", "two solutions",
                                                        "infinitely many solutions"};
+        if (answer.solutions != TwoLinkSolutions::infinitelyMany) solutions = double(answer.solutions);
+        return counts.at(static_cast<std::size_t>(answer.solutions));
+    }
+
+    // In closed form: all solutions, or some of infinitely many, and why there are so many.
+    Angles solve(const Jointed& thing, std::vector<std::string>& words) {
         const TwoLinkAnswer answer = twoLinkAngles(upper, lower, vec2(target()));
-        words = {counts.at(static_cast<std::size_t>(answer.solutions)) + ":"};
+        words = {counted(answer) + ":"};
         for (const auto& part : std::views::split(answer.reason, std::string_view(": ")))
             words.emplace_back(part.begin(), part.end());
         if (answer.distance > 0) words.push_back(rounded("nearest point: %.3g m away", answer.distance));
         const Angles angles = byFormula(vec2(target()), 1);
         if (answer.solutions == TwoLinkSolutions::infinitelyMany) {
-            for (int degrees = 0; degrees < 360; degrees += 15)
-                drawPale(thing, {double(degrees), angles[1]}, {pale, 3});
+            for (int degrees = 0; degrees < 360; degrees += 15) stick(thing, {double(degrees), angles[1]}, {pale, 3});
         } else {
-            solutions = double(answer.solutions);
-            drawPale(thing, byFormula(vec2(target()), 0), {pale, 7});
+            stick(thing, byFormula(vec2(target()), 0), {pale, 7});
         }
-        showTarget(stickOf(thing, worldFromParts(thing.tree, angles)).back());
+        overlay.target(target(), stickOf(thing, worldFromParts(thing.tree, angles)).back());
         return angles;
     }
 
     // By iteration: each pose from the start on, and how fast each of the methods comes near.
     Angles iterate(const Frame& frame, const Jointed& thing, const Angles& start, std::vector<std::string>& words) {
-        static const std::array<std::string, 5> ends{"reached", "out of reach, and its projection reached",
-                                                     "out of reach, and its projection, too",
+        static const std::array<std::string, 5> ends{"reached", "out of reach, its projection reached",
+                                                     "out of reach, its projection not yet",
                                                      "stalled: no step comes nearer", "not yet there"};
         const IkResult result = byIteration(thing, start, target(), iterations, method);
         const int taken = static_cast<int>(result.history.size()) - 1;
         for (int k = 0; k < taken; ++k)  // a run of fewer iterations is the beginning of a longer one
-            drawPale(thing, byIteration(thing, start, target(), k, method).degrees, {pale, 2.5});
+            stick(thing, byIteration(thing, start, target(), k, method).degrees, {pale, 2.5});
         for (int k = 0; isArm() && others && k < 8; ++k)
-            drawPale(thing, byIteration(thing, armStart(k), target(), mostIterations, method).degrees, {other, 2.5});
-        showTarget(result.goal);
+            stick(thing, byIteration(thing, armStart(k), target(), mostIterations, method).degrees, {other, 2.5});
+        overlay.target(target(), result.goal);
+        if (isArm()) overlay.above.edge(overlay.clipFromWorld(), target(), {target().x, table, target().z}, {grey, 1});
+        if (isArm() && std::abs(target().y) < leg() + armHand)  // where the ball of its reach is cut at that height
+            overlay.circleAt(target().y, std::sqrt(std::pow(leg() + armHand, 2) - std::pow(target().y, 2)));
         words = {
             method.text() + ": " + ends.at(static_cast<std::size_t>(result.end)),
             rounded("iterations: %.0f", taken) + rounded(", joints at a limit: %.0f", double(result.atLimit.size())),
+            isArm() ? "4 angles for 3 coordinates: in general infinitely many solutions"
+                    : counted(twoLinkAngles(upper, lower, vec2(target()))),
             "target at " + place(target())};
         if (result.goal != target()) {
             words.push_back("projected to " + place(result.goal));
@@ -347,12 +349,13 @@ struct RobotArm final : Demo {
         return result.degrees;
     }
 
-    // For the study: how far the arm's end is from the target, from each of 60 starts.
+    // For the study: how far the arm's end is from the target, from each of 60 starts; at the start where nothing iterates.
     std::vector<double> values() const override {
         const Jointed thing = arm(upper, lower, limits);
+        const Method by = iterates() ? Method(method) : Method::dls;
+        const int most = iterates() ? int(iterations) : 0;
         std::vector<double> distances;
-        for (int k = 0; k < 60; ++k)
-            distances.push_back(byIteration(thing, armStart(k), target(), iterations, method).distance);
+        for (int k = 0; k < 60; ++k) distances.push_back(byIteration(thing, armStart(k), target(), most, by).distance);
         return distances;
     }
 
@@ -364,63 +367,47 @@ struct RobotArm final : Demo {
             const Pane pane = paneOf(frame), part{0, pane.height - height * (row + 1), pane.width, height};
             const double wide = 1.6 * leg() * part.aspect();
             const mat4 clipFromView = ortho(-0.7 * wide, 0.3 * wide, -0.2 * leg(), 1.4 * leg(), -20, 20);
-            look(part, clipFromView * rotateY(-18) * translate(-x, 0, 0));
+            overlay.look(part, clipFromView * rotateY(-18) * translate(-x, 0, 0));
             const double off = showTrack(now, row == 0 ? Method::forward : method);
             (row == 0 ? slide : slip) = off;
-            say(frame, row == 0 ? rounded("forward, %.0f right poses a cycle", poses) : "inverse: " + method.text());
-            say(frame, rounded("the foot that stands is off by up to %.2g m", off), off > 1e-3 ? red : ink);
+            overlay.say(row == 0 ? rounded("forward, %.0f right poses a cycle", poses) : "inverse: " + method.text());
+            overlay.say(rounded("the foot that stands is off by up to %.2g m", off), off > 1e-3 ? red : ink);
+            if (row == 1 && !doesReach) overlay.say("the leg does not reach all of the foot's way", red);
         }
         beginThings(frame);
         const Jointed thing = legs(upper, lower, walk().hip(now));
         for (int row = 0; row < rows; ++row) {
             const Angles angles = walking(now, row == 0 ? Method::forward : method);
             const std::vector<mat4> worldFromPart = worldFromParts(thing.tree, angles);
-            drawThing({0, frame.height() - height * (row + 1), view.pane.width, height}, thing, worldFromPart);
+            drawThing({0, frame.height() - height * (row + 1), overlay.pane().width, height}, thing, worldFromPart);
             if (matrices && row == rows - 1)
-                drawProduct(above, frame, thing, worldFromPart, angles, view.pane.width, true);
+                overlay.product(frame, thing, worldFromPart, angles, overlay.pane().width, true);
         }
         glViewport(0, 0, frame.width(), frame.height());
     }
 
     // The near foot in each frame of the last two cycles; returns how far it was off while it stood, at most.
     double showTrack(double now, Method by) {
-        below.fill({{0, 0}, {double(view.pane.width), view.pixel(vec3(0)).y}}, earth);
+        overlay.below.fill({{0, 0}, {double(overlay.pane().width), overlay.pixel(vec3(0)).y}}, earth);
         double most = 0;
+        doesReach = true;
         std::vector<vec2> track;
         for (int i = -2 * cycleFrames; i <= 0; ++i) {
             const double cycles = now + double(i) / cycleFrames;
             const Jointed thing = legs(upper, lower, walk().hip(cycles));
             const vec3 foot = thing.tree.endPosition(walking(cycles, by), thing.end);
-            track.push_back(view.pixel(foot));
+            track.push_back(overlay.pixel(foot));
             const FootTarget wanted = walk().foot(0, cycles);
+            const vec2 way = wanted.position - walk().hip(cycles);
+            doesReach = doesReach && twoLinkAngles(upper, lower, way).solutions != TwoLinkSolutions::none;
             if (!wanted.stands) continue;
             most = std::max(most, glm::distance(vec2(foot), wanted.position));
-            const vec2 mark = view.pixel(vec3(wanted.position, legSide));
-            below.line(mark - vec2(0, 14), mark, {ink, 1.5});
-            above.point(track.back(), 5, red);
+            const vec2 mark = overlay.pixel(vec3(wanted.position, legSide));
+            overlay.below.line(mark - vec2(0, 14), mark, {ink, 1.5});
+            overlay.above.point(track.back(), 5, red);
         }
-        above.line(track, {grey, 1.5});
+        overlay.above.line(track, {grey, 1.5});
         return most;
-    }
-
-    // ---- lines and words
-
-    void look(const Pane& pane, const mat4& clipFromWorld) {
-        view = {pane, clipFromWorld};
-        lines = 0;
-        below.in(pane);
-        above.in(pane);
-    }
-    void drawPale(const Jointed& thing, const Angles& angles, const Stroke& stroke) {
-        drawStick(below, view, thing, worldFromParts(thing.tree, angles), stroke);
-    }
-    void say(const Frame& frame, const std::string& words, const vec4& color = ink) {
-        const int size = textHeightIn(frame);
-        above.text({size / 2, view.pane.height - size / 3.0 - 1.3 * size * lines++}, words, {size, color, vec4(0)});
-    }
-    std::string place(const vec3& at) const {
-        const std::string inPlane = shortNumber(at.x) + ", " + shortNumber(at.y);
-        return "(" + inPlane + (isArm() ? ", " + shortNumber(at.z) : "") + ")";
     }
 
     void plotResiduals(const Frame& frame, const Jointed& thing, const Angles& start) {
@@ -430,15 +417,14 @@ struct RobotArm final : Demo {
             const IkResult result = byIteration(thing, start, target(), mostIterations, by);
             curves.push_back({names[static_cast<std::size_t>(by)].word, result.history, by == method});
         }
-        drawResiduals(above, frame, curves, paneOf(frame).width, iterations, mostIterations);
-        above.in(view.pane);
+        overlay.residuals(frame, curves, paneOf(frame).width, iterations, mostIterations);
     }
 };
 
 const bool added = addDemo<RobotArm>({
     .name = "robot-arm",
     .sentence = "From the angles of joints to the hand and back: two links, an arm, and a walker's feet.",
-    .lookFor = "Drag the target out of the ring and into its hole: there are two solutions, one, none.",
+    .lookFor = "The first angle stands in one matrix, and both links turn by it: the second one's is a product.",
     .chapter = "Motion",
     .number = 36,
     .width = 960,

@@ -71,10 +71,8 @@ Study study() {
                ratio(of::time, rows("dls").in("at the edge").at(64), rows("transpose").in("at the edge").at(64), 0,
                      0.6)}),
         note("Times are of 60 targets: 1 ms is 17 microseconds for each. A method ends when it is at its goal, so what "
-             "is "
-             "allowed beyond that costs nothing. Beyond the reach the goal is inside of it by a thousandth, 2.4 mm, "
-             "which "
-             "is what remains. No joint turns by more than 20 degrees in an iteration."),
+             "is allowed beyond that costs nothing. Beyond the reach the goal is inside of it by a thousandth, 2.4 mm, "
+             "which is what remains. No joint turns by more than 20 degrees in an iteration."),
     };
     study.ofValues = true;
     return study;

@@ -15,16 +15,11 @@ TEST(JointedOverlay, numbers_are_short_and_never_minus_nothing) {
     EXPECT_EQ(shortNumber(1.0 / 3), "0.333");
 }
 
-TEST(JointedOverlay, a_view_has_pixels_of_its_pane) {
-    const View view{{100, 50, 200, 100}, ortho(-2, 2, -1, 1, -1, 1)};
-    EXPECT_EQ(view.pixel({0, 0, 0}), vec2(100, 50));
-    EXPECT_EQ(view.pixel({2, -1, 0}), vec2(200, 0));
-}
-
-TEST(JointedOverlay, words_shrink_with_the_picture_but_not_below_what_can_be_read) {
-    EXPECT_EQ(textHeightIn(FrameInfo(1, 960, 560)), 16);
-    EXPECT_EQ(textHeightIn(FrameInfo(1, 1920, 1120)), 32);
-    EXPECT_EQ(textHeightIn(FrameInfo(1, 1, 1)), 8);
+TEST(JointedOverlay, pixels_are_those_of_its_pane) {
+    JointedOverlay overlay;
+    overlay.look({100, 50, 200, 100}, ortho(-2, 2, -1, 1, -1, 1));
+    EXPECT_EQ(overlay.pixel({0, 0, 0}), vec2(100, 50));
+    EXPECT_EQ(overlay.pixel({2, -1, 0}), vec2(200, 0));
 }
 
 // Neighbours in the product match, and it is what it says.
@@ -35,9 +30,9 @@ TEST(JointedOverlay, factors_are_shown_by_their_names_and_their_product_last) {
         const auto worldFromPart = thing.tree.worldFromJoints(degrees);
         FrameNotes notes;
         const Frame frame(FrameInfo(1, 960, 560), notes, {});
-        Drawing drawing;
-        drawing.begin(frame);
-        drawProduct(drawing, frame, thing, worldFromPart, degrees, 576, !isArm);
+        JointedOverlay overlay;
+        overlay.begin(frame);
+        overlay.product(frame, thing, worldFromPart, degrees, 576, !isArm);
         std::vector<std::string> names;
         mat4 product(1);
         for (const auto& [name, matrix] : notes.matrices) {
