@@ -5,11 +5,11 @@
 // - [product] Where a part is is the product of the matrices on the way to it; two links end where the slide's formula says.
 // - [by-rates] The angles of a frame are those of the start plus its number times the rates: no sum, no drift.
 // - [solutions] Two links have none, one, two or infinitely many solutions, each named, and each drawn ends at the target.
-// - [all-arrive] All methods bring the two links, and the arm, to targets well within reach.
+// - [all-arrive] All methods bring the two links, and the arm, within a millimetre of targets that are well within reach.
 // - [never-farther] No iteration of any method leaves the end farther from its goal than it was.
-// - [nearest] Out of reach the end comes within a thousandth of the reach of the nearest point that there is.
-// - [straight-stalls] A straight arm with its target on its lower link does not move, by any method; bent by a degree it
-//   arrives.
+// - [nearest] Out of reach damped least squares ends within a thousandth of the reach of the nearest point there is.
+// - [straight-stalls] A straight arm with its target on its lower link does not move, by any method. Bent by a degree it
+//   arrives, but for coordinate descent, which makes it straight again and stays.
 // - [limits-hold] No joint of the arm leaves its limits; without them it reaches targets that it does not reach with them.
 // - [foot-slides] By angles between right poses the foot that stands slides: the less the more poses, and never not.
 // - [foot-stands] By inverse kinematics it stands: in closed form to rounding, by iteration to its tolerance.
@@ -19,9 +19,7 @@
 #include <functional>
 #include <glm/geometric.hpp>
 #include <optional>
-#include <ranges>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "mv/demo/demo.h"
@@ -179,9 +177,9 @@ struct RobotArm final : Demo {
         Jointed thing = legs(upper, lower, walk().hip(cycles));
         for (const int side : {0, 1}) {
             const vec2 foot = walk().foot(side, cycles).position;
-            thing.end.joint = static_cast<std::size_t>(2 + 2 * side);
+            thing.end.joint = side == 0 ? 2 : 4;
             if (by == Method::closed)
-                std::ranges::copy(byFormula(foot - walk().hip(cycles), 1), &angles[thing.end.joint - 1]);
+                std::ranges::copy(byFormula(foot - walk().hip(cycles), 1), angles.begin() + 2 * side + 1);
             if (by >= Method::ccd)
                 angles = byIteration(thing, angles, vec3(foot, side == 0 ? legSide : -legSide), iterations, by).degrees;
         }
@@ -303,11 +301,12 @@ struct RobotArm final : Demo {
     // In closed form: all solutions, or some of infinitely many, and why there are so many.
     Angles solve(const Jointed& thing, std::vector<std::string>& words) {
         const TwoLinkAnswer answer = twoLinkAngles(upper, lower, vec2(target()));
-        words = {counted(answer) + ":"};
-        for (const auto& part : std::views::split(answer.reason, std::string_view(": ")))
-            words.emplace_back(part.begin(), part.end());
+        const std::string why(answer.reason);
+        const std::size_t colon = why.find(':');  // a long reason has two lines
+        words = {counted(answer) + ":", why.substr(0, colon)};
+        if (colon != std::string::npos) words.push_back(why.substr(colon + 2));
         if (answer.distance > 0) words.push_back(rounded("nearest point: %.3g m away", answer.distance));
-        const Angles angles = byFormula(vec2(target()), 1);
+        Angles angles = byFormula(vec2(target()), 1);
         if (answer.solutions == TwoLinkSolutions::infinitelyMany) {
             for (int degrees = 0; degrees < 360; degrees += 15) stick(thing, {double(degrees), angles[1]}, {pale, 3});
         } else {
@@ -354,8 +353,8 @@ struct RobotArm final : Demo {
         const Jointed thing = arm(upper, lower, limits);
         const Method by = iterates() ? Method(method) : Method::dls;
         const int most = iterates() ? int(iterations) : 0;
-        std::vector<double> distances;
-        for (int k = 0; k < 60; ++k) distances.push_back(byIteration(thing, armStart(k), target(), most, by).distance);
+        std::vector<double> distances(60);
+        for (int k = 0; double& each : distances) each = byIteration(thing, armStart(k++), target(), most, by).distance;
         return distances;
     }
 

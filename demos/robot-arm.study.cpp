@@ -37,16 +37,10 @@ Study study() {
             {.method = method, .settings = {{"method", method}}, .knob = "iterations", .values = iterations});
     }
     study.wrongBeyond = 0.0025;
-    const std::vector<std::string> edgeAndBeyond{"at the edge", "1e-3 beyond", "1 beyond", "100 beyond"};
-    std::vector<Predicate> stillFar;
-    for (const std::string& scene : edgeAndBeyond) {
-        stillFar.push_back(atLeast(of::rms, rows("ccd", "transpose").in(scene), 0.01));
-    }
-    std::vector<Predicate> asFar;
-    for (const char* method : {"ccd", "transpose", "dls"}) {
-        asFar.push_back(
-            ratio(of::rms, rows(method).in("100 beyond").from(8), rows(method).in("1e-3 beyond").from(8), 0.9, 1.1));
-    }
+    const auto far = [](const char* scene) { return atLeast(of::rms, rows("ccd", "transpose").in(scene), 0.01); };
+    const auto asNear = [](const char* method) {
+        return ratio(of::rms, rows(method).in("100 beyond").from(8), rows(method).in("1e-3 beyond").from(8), 0.9, 1.1);
+    };
     study.says = {
         claim("all-starts",
               "Damped least squares is within 2.5 mm of the nearest point after 32 iterations, from all starts.",
@@ -58,13 +52,13 @@ Study study() {
         claim("slow-where-straight",
               "At the edge and beyond, where the arm ends up straight, coordinate descent and Jacobian transpose are "
               "after 64 iterations still more than a centimetre off.",
-              stillFar),
+              {far("at the edge"), far("1e-3 beyond"), far("1 beyond"), far("100 beyond")}),
         claim("first-steps", "In up to eight iterations coordinate descent comes nearer than both others.",
               {ratio(of::rms, rows("ccd").upTo(8), rows("dls").upTo(8), 0, 0.99),
                ratio(of::rms, rows("ccd").upTo(8), rows("transpose").upTo(8), 0, 0.99)}),
         claim("far-is-as-near",
               "How far beyond the reach the target is makes from eight iterations on no difference above a tenth.",
-              asFar),
+              {asNear("ccd"), asNear("transpose"), asNear("dls")}),
         claim("done-sooner",
               "At the edge damped least squares is done in less than 0.6 of the time of 64 iterations of the others.",
               {ratio(of::time, rows("dls").in("at the edge").at(64), rows("ccd").in("at the edge").at(64), 0, 0.6),
