@@ -203,10 +203,11 @@ struct RobotArm final : Demo {
         return {0, 0, std::max(besides ? frame.width() * 3 / 5 : frame.width(), 1), frame.height()};
     }
     mat4 projection(const Pane& in) const {
-        const double half = 1.3 * leg() * std::max(1.0, 1 / in.aspect());
+        const double narrow = std::max(1.0, 1 / in.aspect()), half = 1.3 * leg() * narrow;
         if (isLinks()) return ortho(-half * in.aspect(), half * in.aspect(), -half, half, -5, 5);
         const mat4 viewFromWorld = lookAt(vec3(1.6, 2.4, 6.6), vec3(0, 0.55, 0), vec3(0, 1, 0));
-        return perspective(36 * std::max(1.0, 1 / in.aspect()), in.aspect(), 0.5, 60) * turntable.seenBy(viewFromWorld);
+        const double fovy = 2 * degrees(std::atan(0.325 * narrow));
+        return perspective(fovy, in.aspect(), 0.5, 60) * turntable.seenBy(viewFromWorld);
     }
 
     // What is behind, and then all parts: each is a few boxes that go where its matrix says, and a cylinder for its joint.
@@ -331,11 +332,13 @@ struct RobotArm final : Demo {
         if (isArm()) overlay.above.edge(overlay.clipFromWorld(), target(), {target().x, table, target().z}, {grey, 1});
         if (isArm() && std::abs(target().y) < leg() + armHand)  // where the ball of its reach is cut at that height
             overlay.circleAt(target().y, std::sqrt(std::pow(leg() + armHand, 2) - std::pow(target().y, 2)));
+        const std::string armSolutions = result.goal == target()
+                                             ? "4 angles for 3 coordinates: in general infinitely many solutions"
+                                             : "no solution";
         words = {
             method.text() + ": " + ends.at(static_cast<std::size_t>(result.end)),
             rounded("iterations: %.0f", taken) + rounded(", joints at a limit: %.0f", double(result.atLimit.size())),
-            isArm() ? "4 angles for 3 coordinates: in general infinitely many solutions"
-                    : counted(twoLinkAngles(upper, lower, vec2(target()))),
+            isArm() ? armSolutions : counted(twoLinkAngles(upper, lower, vec2(target()))),
             "target at " + place(target())};
         if (result.goal != target()) {
             words.push_back("projected to " + place(result.goal));
