@@ -29,6 +29,7 @@ constexpr Stage stages[] = {{"vert", GL_VERTEX_SHADER, true},
 struct Uniform {
     GLint location;
     GLenum type;
+    GLint count;  // elements, 1 but for an array
 };
 
 // The sources of a program, by stage; made anew for each compilation, so that an edited file is read again.
@@ -72,7 +73,11 @@ std::map<std::string, Uniform, std::less<>> activeUniforms(GLuint program) {
         GLint size = 0;
         GLenum type = 0;
         glGetActiveUniform(program, static_cast<GLuint>(i), sizeof name, nullptr, &size, &type, name);
-        uniforms[name] = {glGetUniformLocation(program, name), type};
+        const GLint location = glGetUniformLocation(program, name);
+        const std::string_view array = "[0]";
+        std::string ownName(name);
+        if (ownName.ends_with(array)) ownName.resize(ownName.size() - array.size());
+        uniforms[ownName] = {location, type, size};
     }
     return uniforms;
 }
@@ -273,6 +278,20 @@ void Program::set(const char* name, const vec3& value) const {
     requireFinite(name, &value.x, 3);
     const fvec3 rounded(value);
     glUniform3fv(location(name, {GL_FLOAT_VEC3}), 1, &rounded.x);
+}
+void Program::set(const char* name, std::span<const vec3> values) const {
+    const GLint at = location(name, {GL_FLOAT_VEC3});
+    const GLint count = state_->linked.uniforms.find(std::string_view(name))->second.count;
+    if (values.size() != static_cast<std::size_t>(count)) {
+        throw Error(std::string("uniform ") + name, "must be set with as many elements as the shader's array has, " +
+                    std::to_string(count), std::to_string(values.size()));
+    }
+    std::vector<fvec3> rounded;
+    for (const vec3& value : values) {
+        requireFinite(name, &value.x, 3);
+        rounded.emplace_back(value);
+    }
+    glUniform3fv(at, count, &rounded.front().x);
 }
 void Program::set(const char* name, const vec4& value) const {
     requireFinite(name, &value.x, 4);

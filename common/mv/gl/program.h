@@ -1,6 +1,7 @@
 // A linked GLSL program, made from the shader files of its name.
 #pragma once
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,7 @@ class Program {
     void set(const char* name, const vec2& value) const;
     void set(const char* name, const vec3& value) const;
     void set(const char* name, const vec4& value) const;
+    void set(const char* name, std::span<const vec3> values) const;  // all elements of an array
     void set(const char* name, const mat3& value) const;
     void set(const char* name, const mat4& value) const;
 

@@ -1,0 +1,146 @@
+// What measures procedural: its numbers against the true mean of each pixel.
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mv/demo/demo.h"
+#include "mv/math/transform.h"
+#include "shared/procedural.h"
+
+using namespace mv;
+using namespace mv::claims;
+
+namespace {
+
+Pattern patternOf(const std::string& word) {
+    return word == "brick"    ? Pattern::brick
+           : word == "wood"   ? Pattern::wood
+           : word == "marble" ? Pattern::marble
+                              : Pattern::noise;
+}
+
+// Which point of the pattern a place of the picture shows, as an offset from its centre.
+class Shown {
+  public:
+    Shown(const Demo& demo, const FrameInfo& frame)
+        : view_(demo.word("view")),
+          zoom_(view_ == "wall" ? demo.number("zoom") : 1),
+          turn_(view_ == "sphere" ? rotateX(20) * rotateY(demo.number("turn")) : mat4(1)),
+          frame_(frame),
+          bodyFromClip_(glm::inverse(demo.scene(frame).clipFromWorld())) {}
+
+    double zoom() const { return zoom_; }
+
+    // Columns and rows from the upper left corner. Nothing beside the body; of the floor nothing beyond 20 units, of the sphere
+    // nothing that is turned away by more than 60 degrees.
+    std::optional<vec3> at(double column, double row, bool isMiddle = false) const {
+        const vec2 place(2 * column / frame_.width() - 1, 1 - 2 * row / frame_.height());
+        if (view_ == "wall") return vec3(1.5 * frame_.aspect() * place.x, 1.5 * place.y, 0) / zoom_;
+        const vec4 near = bodyFromClip_ * vec4(place, -1, 1), far = bodyFromClip_ * vec4(place, 0.5, 1);
+        const vec3 from = vec3(near) / near.w, way = glm::normalize(vec3(far) / far.w - from);
+        if (view_ == "floor") {
+            const double t = -from.y / way.y;
+            const vec3 offset = 400.0 * vec3(from.x + t * way.x, 0.5 - (from.z + t * way.z), 0);
+            return t > 0 && (!isMiddle || offset.y < 20) ? std::optional(offset) : std::nullopt;
+        }
+        const double along = -glm::dot(from, way), square = glm::dot(from, from) - along * along;
+        if (square > 1.69) return {};
+        const vec3 point = from + (along - std::sqrt(1.69 - square)) * way;
+        return !isMiddle || (turn_ * vec4(point, 0)).z > 0.5 * 1.3 ? std::optional(point) : std::nullopt;
+    }
+
+  private:
+    std::string view_;
+    double zoom_;
+    mat4 turn_;
+    FrameInfo frame_;
+    mat4 bodyFromClip_;
+};
+
+// The mean of side x side points of each pixel, the upper row first; -1 where nothing is asked.
+std::vector<double> trueMeans(const Demo& demo, const FrameInfo& frame, int side) {
+    const Shown shown(demo, frame);
+    const bool zooms = shown.zoom() != 1 && demo.word("endless") == "on";
+    const Pattern pattern = patternOf(demo.word("pattern"));
+    const PatternPlace place{pattern, pattern == Pattern::brick ? 1 : static_cast<int>(demo.number("octaves")),
+                             zooms ? std::log2(shown.zoom()) : 0.0, patternCentre(demo.number("distance"))};
+    std::vector<double> means;
+    std::vector<vec3> offsets;
+    for (int row = 0; row < frame.height(); ++row) {
+        for (int column = 0; column < frame.width(); ++column) {
+            if (!shown.at(column + 0.5, row + 0.5, true)) {
+                means.push_back(-1);
+                continue;
+            }
+            offsets.clear();
+            for (int i = 0; i < side * side; ++i) {
+                const auto offset = shown.at(column + (i % side + 0.5) / side, row + (i / side + 0.5) / side);
+                if (offset) offsets.push_back(*offset);
+            }
+            double sum = 0;
+            for (const double value : patternAt(place, offsets)) sum += value;
+            means.push_back(sum / double(offsets.size()));
+        }
+    }
+    return means;
+}
+
+Reference reference(const Demo& demo, const ReferenceFrame& frame) {
+    Reference right{.values = trueMeans(demo, frame, 20)};
+    for (const double value : right.values) right.regions.push_back(value < 0 ? -1 : 0);
+    if (frame.ownError) {
+        const auto finer = trueMeans(demo, frame, 40);
+        double squares = 0, n = 0;
+        for (std::size_t i = 0; i < finer.size(); ++i) {
+            if (finer[i] < 0) continue;
+            squares += std::pow(finer[i] - right.values[i], 2);
+            ++n;
+        }
+        right.ownError = std::sqrt(squares / n);
+    }
+    return right;
+}
+
+Study study() {
+    Study study;
+    study.quantity = "the pattern's number 0..1 in the pixels of a floor, up to 20 times the eye's height away";
+    study.reference = "the mean of 400 points of each pixel, in double precision";
+    study.makeReference = [](const Demo& demo, const ReferenceFrame& frame, const auto&) {
+        return reference(demo, frame);
+    };
+    study.width = 240;
+    study.height = 180;
+    const auto floorOf = [](const std::string& pattern) {
+        return std::vector<KnobSetting>{{"view", "floor"}, {"pattern", pattern}, {"octaves", "6"}};
+    };
+    study.scenes = {{"noise", floorOf("noise")}, {"brick", floorOf("brick")}};
+    study.lines = {{.method = "one point", .settings = {{"filter", "none"}}},
+                   {.method = "samples",
+                    .settings = {{"filter", "samples"}},
+                    .knob = "samples",
+                    .values = {"2", "3", "4", "6", "8"}},
+                   {.method = "left out", .settings = {{"filter", "leave-out"}}}};
+    study.wrongBeyond = 0.05;
+    study.says = {claim("samples", "Four times the samples, twice a side, leave at most 0.7 of the error.",
+                        {ratio(of::rms, rows("samples").at(4), rows("samples").at(2), 0, 0.7),
+                         ratio(of::rms, rows("samples").at(8), rows("samples").at(4), 0, 0.7)}),
+                  claim("bricks-left-out",
+                        "Bricks averaged over the pixel by a formula have less than half of the error of one point.",
+                        {ratio(of::rms, rows("left out").in("brick"), rows("one point").in("brick"), 0, 0.5)}),
+                  claim("cheap", "Leaving out takes at most 1.5 times as long as one point a pixel.",
+                        {ratio(of::time, rows("left out"), rows("one point"), 0, 1.5)}),
+                  claim("octaves-left-out",
+                        "Noise without the octaves that a pixel cannot show has at most 0.9 of the error of one point.",
+                        {ratio(of::rms, rows("left out").in("noise"), rows("one point").in("noise"), 0, 0.9)}),
+                  note("It is not nearer by more, since the mean of an octave over a few of its cells is not 0, and "
+                       "only samples find it; "
+                       "but it does not flicker.")};
+    return study;
+}
+
+const bool studied = addStudy("procedural", study());
+
+}  // namespace

@@ -1,0 +1,128 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "mv/math/transform.h"
+#include "shared/procedural.h"
+#include "support/demo_run.h"
+
+using namespace mv;
+using namespace mv::test;
+
+namespace {
+
+constexpr int width = 160, height = 120;
+
+struct Named {
+    const char* name;
+    Pattern pattern;
+};
+constexpr std::array<Named, 4> patterns{
+    {{"brick", Pattern::brick}, {"wood", Pattern::wood}, {"marble", Pattern::marble}, {"noise", Pattern::noise}}};
+
+// What the demo draws, as numbers, the upper row first.
+std::vector<float> drawn(DemoRun& run) {
+    (void)run.picture();
+    return stage().measure(1);
+}
+
+// The wall in double precision: the offset of a pixel's middle, as the demo's header says it.
+vec3 onWall(int x, int y, double zoom) {
+    return {(2 * (x + 0.5) / width - 1) * 1.5 * width / height / zoom, (1 - 2 * (y + 0.5) / height) * 1.5 / zoom, 0};
+}
+
+// The largest difference of all pixels but the part that may be wrong since an edge runs through their middles.
+double largestOff(const std::vector<float>& shown, const PatternPlace& place, double zoom, double mayBeWrong = 0) {
+    std::vector<vec3> offsets;
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) offsets.push_back(onWall(x, y, zoom));
+    }
+    const auto truth = patternAt(place, offsets);
+    std::vector<double> off;
+    for (std::size_t i = 0; i < truth.size(); ++i) off.push_back(std::abs(truth[i] - double(shown[i])));
+    std::sort(off.begin(), off.end());
+    return off[off.size() - 1 - static_cast<std::size_t>(mayBeWrong * double(off.size()))];
+}
+
+// An octave's points are up to 32 cells from its middle, where floats are 2e-6 apart. Its noise changes by 4 a cell at most
+// and has the weight 1/16, so five of them are off by 3e-6; marble and wood bend by that, and go round pi times as fast:
+// 1e-5. Rings of wood that are counted in floats, 4 times 2e-7 times pi, and the sums' own roundings are some 5e-6 more.
+constexpr double floats = 2e-5;
+
+}  // namespace
+
+TEST(Procedural, no_texels) {
+    for (const Named& one : patterns) {
+        DemoRun run("procedural", width, height);
+        run.set("view", "wall").set("pattern", one.name);
+        for (const double zoom : {1.0, 1e3, 1e6}) {
+            const auto shown = drawn(run.set("zoom", zoom));
+            // A brick's edge through a pixel's middle may be judged otherwise: the wall has a row of pixels of them.
+            const double atEdges = one.pattern == Pattern::brick ? 0.02 : 0;
+            const PatternPlace place{one.pattern, 5, std::log2(zoom), patternCentre(0)};
+            EXPECT_LE(largestOff(shown, place, zoom, atEdges), floats) << one.name << " " << zoom;
+        }
+    }
+}
+
+TEST(Procedural, float_breaks) {
+    DemoRun run("procedural", width, height);
+    run.set("view", "wall").set("pattern", "noise").set("zoom", 1e6);
+    const auto columns = [&](const char* origin) {
+        const auto shown = drawn(run.set("origin", origin));
+        return std::set<float>(shown.begin(), shown.begin() + width).size();
+    };
+    const std::size_t near = columns("near");
+    EXPECT_GT(near, std::size_t(width * 9 / 10));
+    // A row has as many different points as there are floats across it, and one more at each end; its height, which is
+    // interpolated, may round to two.
+    const std::size_t far = columns("far");
+    EXPECT_LE(double(far), 2 * (3.0 * width / height / 1e6 / run.readout("float-step") + 2));
+    EXPECT_LT(far, near / 3);
+    EXPECT_GT(run.readout("float-step"), 3 * run.readout("pixel"));
+}
+
+TEST(Procedural, near_is_far) {
+    for (const Named& one : patterns) {
+        DemoRun run("procedural", width, height);
+        run.set("view", "wall").set("pattern", one.name).set("distance", 16'777'216);
+        const PatternPlace place{one.pattern, 5, 0, patternCentre(16'777'216)};
+        const double atEdges = one.pattern == Pattern::brick ? 0.02 : 0;
+        // The rings of wood are there 7e7 times round: double itself has 1e-8 of one.
+        EXPECT_LE(largestOff(drawn(run), place, 1, atEdges), floats) << one.name;
+        EXPECT_GT(largestOff(drawn(run.set("origin", "far")), place, 1, atEdges), 0.1) << one.name;
+    }
+}
+
+TEST(Procedural, goes_through) {
+    DemoRun run("procedural", width, height);
+    run.set("pattern", "marble").set("octaves", 1);
+    const PatternPlace place{Pattern::marble, 1, 0, patternCentre(0)};
+    for (const double turn : {0.0, 130.0}) {
+        const auto shown = drawn(run.set("turn", turn));
+        const mat4 bodyFromClip = glm::inverse(run.demo().scene(FrameInfo(1, width, height)).clipFromWorld());
+        int asked = 0;
+        for (int y = 0; y < height; ++y) {
+            for (int x = 0; x < width; ++x) {
+                const vec2 at(2 * (x + 0.5) / width - 1, 1 - 2 * (y + 0.5) / height);
+                const vec4 near = bodyFromClip * vec4(at, -1, 1), far = bodyFromClip * vec4(at, 0.5, 1);
+                const vec3 a = vec3(near) / near.w, way = glm::normalize(vec3(far) / far.w - a);
+                const double along = -glm::dot(a, way), square = glm::dot(a, a) - along * along;
+                if (square > 1) continue;  // near the outline the mesh is not the sphere
+                const vec3 point = a + (along - std::sqrt(1.69 - square)) * way;
+                // The mesh lies up to 0.002 within the sphere; marble of one octave changes by 2 pi (1 + 1.5 * 2) / 2 a unit.
+                EXPECT_NEAR(shown[pixelIndex(x, y, width)], patternAt(place, point), 0.002 * 13) << x << " " << y;
+                ++asked;
+            }
+        }
+        EXPECT_GT(asked, 1000);
+    }
+}
