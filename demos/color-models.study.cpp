@@ -1,10 +1,13 @@
 // What measures color-models: how uneven the steps of its strips are, against the time they take; and what 8 bits do.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <string>
 #include <vector>
 
 #include "mv/demo/demo.h"
+#include "mv/math/clip.h"
 #include "mv/math/color.h"
 
 using namespace mv;
@@ -28,10 +31,33 @@ std::vector<double> offIn8Bits(Probing& probing) {
             off(rgbFromHsv(Hsv{360 * in8(hsv.hue / 360), in8(hsv.saturation), in8(hsv.value)}))};
 }
 
+// What the diagram holds beyond the line through two of sRGB's primaries, in percent of all that is seen.
+std::vector<double> beyondSides(Probing& probing) {
+    const bool isUv = probing.demo().word("diagram") == "uv";
+    const auto place = [&](const vec2& xy) { return isUv ? uvFromXy(xy) : xy; };
+    std::vector<vec4> seen;
+    for (const vec2& xy : spectralLocus()) seen.emplace_back(place(xy), 0, 1);
+    const auto area = [](const std::vector<vec4>& corners) {
+        std::vector<vec3> flat;
+        for (const vec4& corner : corners) flat.emplace_back(corner.x / corner.w, corner.y / corner.w, 0);
+        return polygonArea(flat);
+    };
+    const auto beyond = [&](const vec2& from, const vec2& to) {
+        const vec2 along = place(to) - place(from), outwards(along.y, -along.x);
+        const std::array<vec4, 1> side{vec4(outwards, 0, -glm::dot(outwards, place(from)))};
+        return 100 * area(clipPolygon(seen, side)) / area(seen);
+    };
+    const auto& [red, green, blue] = srgbPrimaries;
+    return {beyond(green, blue), beyond(blue, red)};
+}
+
 const bool probed = addProbes(
     "color-models", {{.numbers = {{"hsl-in-8-bits", "how far HSL in 8 bits a number takes the colour", "/255"},
                                   {"hsv-in-8-bits", "the same for HSV", "/255"}},
-                      .measure = offIn8Bits}});
+                      .measure = offIn8Bits},
+                     {.numbers = {{"beyond-cyan", "of the diagram, beyond the line through sRGB's green and blue", "%"},
+                                  {"beyond-purple", "of the diagram, beyond that through blue and red", "%"}},
+                      .measure = beyondSides}});
 
 std::vector<KnobSetting> between(const std::vector<std::string>& from, const std::vector<std::string>& to) {
     return {{"red", from[0]},  {"green", from[1]},  {"blue", from[2]},
