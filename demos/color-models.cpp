@@ -25,10 +25,10 @@
 #include "mv/gl/drawing.h"
 #include "mv/gl/gl.h"
 #include "mv/gl/on_demand.h"
-#include "mv/math/clip.h"
 #include "mv/math/color.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
+#include "shared/chromaticity_diagram.h"
 #include "shared/spin.h"
 
 using namespace mv;
@@ -37,7 +37,6 @@ namespace {
 
 enum class Shows { solids, diagram };
 enum class Way { srgb, linear, hsl, oklab };
-enum class Diagram { xy, uv };
 enum Solid { cube, doubleCone, cone };
 
 const vec4 ink(0.1, 0.1, 0.1, 1), faint(0.35, 0.35, 0.35, 1), white(1, 1, 1, 1);
@@ -159,11 +158,11 @@ struct ColorModels final : Demo {
     vec3 to() const { return {toRed, toGreen, toBlue}; }
 
     // Where the colour is in the picture: in a solid, or in the diagram, which is the fourth.
-    std::optional<vec2> markIn(const FrameInfo& frame, int figure, const vec3& color) const {
-        if ((shows == Shows::diagram) != (figure == 3)) return std::nullopt;
-        if (figure < 3) return pictureFromPane(paneOf(frame, figure), clipFromModel(frame), placeOf(figure, color));
-        const auto at = inDiagram(color);
-        return at ? std::optional(plotOf(frame).pixel(*at)) : std::nullopt;
+    std::optional<vec2> markIn(const FrameInfo& frame, int where, const vec3& color) const {
+        if ((shows == Shows::diagram) != (where == 3)) return std::nullopt;
+        if (where < 3) return pictureFromPane(paneOf(frame, where), clipFromModel(frame), placeOf(where, color));
+        const auto at = figure().placeOf(color);
+        return at ? std::optional(figure().plotIn(frame).pixel(*at)) : std::nullopt;
     }
 
     void draw(const Frame& frame) override {
@@ -181,9 +180,9 @@ struct ColorModels final : Demo {
 
     void drawMarks(const Frame& frame) {
         drawing.in({0, 0, frame.width(), frame.height()});
-        for (int figure = 0; figure < 4; ++figure) {
+        for (int where = 0; where < 4; ++where) {
             for (const auto& [color, size] : {std::pair(to(), 13), {from(), 19}}) {
-                const auto at = markIn(frame, figure, color);
+                const auto at = markIn(frame, where, color);
                 if (!at) continue;
                 drawing.point(*at, size, ink);
                 drawing.point(*at, size - 2, white);
@@ -283,17 +282,18 @@ struct ColorModels final : Demo {
     void label(const Frame& frame, int solid, const Pane& pane) {
         const Hsl hsl = hslFromRgb(from());
         const Hsv hsv = hsvFromRgb(from());
-        const bool isGrey = hsl.saturation == 0;
-        const std::array<std::string, 3> names{"RGB: cube", "HSL: double cone", "HSV: cone"};
-        const auto three = [](const char* format, double a, double b, double c) {
-            return rounded(format, a) + rounded(" %.2f", b) + rounded(" %.2f", c);
+        const std::string turn = hsl.saturation == 0 ? "no hue" : rounded("%.0f°", hsl.hue);
+        const auto numbers = [](const std::string& first, double second, double third) {
+            return first + rounded("  %.2f", second) + rounded("  %.2f", third);
         };
-        const std::array<std::string, 3> numbers{
-            three("%.2f", red, green, blue), three(isGrey ? "no hue" : "%.0f°", hsl.hue, hsl.saturation, hsl.lightness),
-            three(isGrey ? "no hue" : "%.0f°", hsv.hue, hsv.saturation, hsv.value)};
-        const auto i = static_cast<std::size_t>(solid);
-        words(frame, {12, pane.height / unit(frame) - 8}, names.at(i), ink, 18);
-        words(frame, {12, pane.height / unit(frame) - 32}, numbers.at(i), faint, 15);
+        const bool isCube = solid == cube, isDouble = solid == doubleCone;
+        const double top = pane.height / unit(frame);
+        words(frame, {12, top - 8}, isCube ? "RGB: cube" : isDouble ? "HSL: double cone" : "HSV: cone", ink, 18);
+        words(frame, {12, top - 32},
+              isCube     ? numbers(rounded("%.2f", red), green, blue)
+              : isDouble ? numbers(turn, hsl.saturation, hsl.lightness)
+                         : numbers(turn, hsv.saturation, hsv.value),
+              faint, 15);
     }
 
     // In units of 1/640 of the picture's height, or 1/960 of its width, from the lower left corner.
@@ -370,77 +370,22 @@ struct ColorModels final : Demo {
         for (const vec2& xy : spectralLocus()) mesh.positions.emplace_back(xy, 0);
         return mesh;
     }
-    vec2 inDiagram(const vec2& xy) const { return diagram == Diagram::uv ? uvFromXy(xy) : xy; }
-    // Black has no place.
-    std::optional<vec2> inDiagram(const vec3& srgb) const {
-        const vec3 xyz = xyzFromLinear() * linearFromSrgb(srgb);
-        if (!(xyz.x + xyz.y + xyz.z > 0)) return std::nullopt;
-        return inDiagram(chromaticity(xyz));
-    }
-
-    double partHeld() const {
-        const auto area = [this](std::span<const vec2> places) {
-            std::vector<vec3> corners;
-            for (const vec2& xy : places) corners.emplace_back(inDiagram(xy), 0);
-            return polygonArea(corners);
-        };
-        return 100 * area(srgbPrimaries) / area(spectralLocus());
-    }
-
-    Plot plotOf(const FrameInfo& frame) const {
-        const vec2 low(-0.08, 0), high = diagram == Diagram::xy ? vec2(0.8, 0.9) : vec2(0.7, 0.65), range = high - low;
-        const vec2 size(frame.width(), frame.height());
-        const double each = std::max(1.0, std::min((size.x - 100) / range.x, (size.y - 90) / range.y));
-        const vec2 corner((size.x - each * range.x) / 2, 54);
-        const bool isXy = diagram == Diagram::xy;
-        return {
-            {corner, corner + each * range}, {low.x, high.x, isXy ? "x" : "u'"}, {low.y, high.y, isXy ? "y" : "v'"}};
-    }
+    ChromaticityDiagram figure() const { return {diagram}; }
 
     void drawDiagram(const Frame& frame) {
-        const Plot plot = plotOf(frame);
-        // From x and y to u' and v' by a matrix, too: their divisor is w
-        mat4 diagramFromXy(1);
-        if (diagram == Diagram::uv) {
-            diagramFromXy = mat4(4, 0, 0, -2, 0, 9, 0, 12, 0, 0, 1, 0, 0, 0, 0, 3);
-        }
-        const vec2 size(frame.width(), frame.height());
-        const vec2 zero = plot.pixel(vec2(0)) / size, one = plot.pixel(vec2(1)) / size;
-        const mat4 clipFromDiagram = translate(-1, -1, 0) * scale(2, 2, 1) * translate(zero.x, zero.y, 0) *
-                                     scale(one.x - zero.x, one.y - zero.y, 1);
+        const Plot plot = figure().plotIn(frame);
         ofDiagram->use();
-        ofDiagram->set("clipFromXy", clipFromDiagram * diagramFromXy);
+        ofDiagram->set("clipFromXy", ChromaticityDiagram::clipFromPlace(plot, frame) * figure().placeFromXy());
         ofDiagram->set("linearFromXyz", linearFromXyz());
         spectrum->draw();
 
-        std::vector<vec2> outline, triangle, line;
-        for (const vec2& xy : spectralLocus()) outline.push_back(inDiagram(xy));
-        outline.push_back(outline.front());
-        for (const std::size_t i : {0, 1, 2, 0}) triangle.push_back(inDiagram(srgbPrimaries.at(i)));
+        std::vector<vec2> line;
         for (int i = 0; i <= 64; ++i) {
-            if (const auto at = inDiagram(mixed(way, from(), to(), i / 64.0))) line.push_back(*at);
+            if (const auto at = figure().placeOf(mixed(way, from(), to(), i / 64.0))) line.push_back(*at);
         }
-        drawing.axes(plot);
-        drawing.curve(plot, outline, {ink, 2});
-        drawing.curve(plot, triangle, {ink, 1.5});
+        figure().draw(drawing, frame);
         drawing.curve(plot, line, {ink, 4});
         drawing.curve(plot, line, {white, 2});
-        drawing.point(plot.pixel(inDiagram(srgbWhite)), 5, ink);
-
-        const auto note = [&](const vec2& at, const vec2& moved, const std::string& text, const vec4& color = ink) {
-            const int pixels = std::max(6, static_cast<int>(14 * unit(frame)));
-            drawing.textAround(plot.pixel(at) + moved * unit(frame), text, {pixels, color, vec4(0)});
-        };
-        const vec2 middle = inDiagram(vec2(1 / 3.0));
-        for (const int nanometres : {450, 480, 490, 500, 510, 520, 540, 560, 580, 600, 620, 700}) {
-            const vec2 at = outline.at(static_cast<std::size_t>(nanometres - 380) / 5);
-            note(at, 24.0 * glm::normalize(at - middle), std::to_string(nanometres), faint);
-        }
-        note(inDiagram(srgbWhite), {0, -14}, "white");
-        const vec2 aside = plot.value(plot.box.high) * (diagram == Diagram::xy ? vec2(0.78, 0.9) : vec2(0.8, 0.2));
-        note(aside, {0, 20}, rounded("sRGB holds %.1f %%", partHeld()));
-        note(aside, {0, 0}, "of the area in this diagram");
-        note(aside, {0, -20}, "grey: seen, and not in sRGB", faint);
     }
 
     // ---- readouts
@@ -461,7 +406,7 @@ struct ColorModels final : Demo {
         if (*beyond.value() > 0 && shows == Shows::solids) {
             frame.say("OKLab mixes colours that no sRGB screen shows: underlined, they are cut off.");
         }
-        partOfDiagram = partHeld();
+        partOfDiagram = figure().heldBySrgb();
     }
 };
 

@@ -1,14 +1,12 @@
 // What measures color-models: how uneven the steps of its strips are, against the time they take; and what 8 bits do.
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <string>
 #include <vector>
 
 #include "mv/demo/demo.h"
-#include "mv/math/clip.h"
 #include "mv/math/color.h"
+#include "shared/chromaticity_diagram.h"
 
 using namespace mv;
 using namespace mv::claims;
@@ -33,22 +31,9 @@ std::vector<double> offIn8Bits(Probing& probing) {
 
 // What the diagram holds beyond the line through two of sRGB's primaries, in percent of all that is seen.
 std::vector<double> beyondSides(Probing& probing) {
-    const bool isUv = probing.demo().word("diagram") == "uv";
-    const auto place = [&](const vec2& xy) { return isUv ? uvFromXy(xy) : xy; };
-    std::vector<vec4> seen;
-    for (const vec2& xy : spectralLocus()) seen.emplace_back(place(xy), 0, 1);
-    const auto area = [](const std::vector<vec4>& corners) {
-        std::vector<vec3> flat;
-        for (const vec4& corner : corners) flat.emplace_back(corner.x / corner.w, corner.y / corner.w, 0);
-        return polygonArea(flat);
-    };
-    const auto beyond = [&](const vec2& from, const vec2& to) {
-        const vec2 along = place(to) - place(from), outwards(along.y, -along.x);
-        const std::array<vec4, 1> side{vec4(outwards, 0, -glm::dot(outwards, place(from)))};
-        return 100 * area(clipPolygon(seen, side)) / area(seen);
-    };
+    const ChromaticityDiagram diagram{probing.demo().word("diagram") == "uv" ? Diagram::uv : Diagram::xy};
     const auto& [red, green, blue] = srgbPrimaries;
-    return {beyond(green, blue), beyond(blue, red)};
+    return {diagram.beyondSide(green, blue), diagram.beyondSide(blue, red)};
 }
 
 const bool probed = addProbes(
