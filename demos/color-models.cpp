@@ -226,27 +226,30 @@ struct ColorModels final : Demo {
 
     void drawSolids(const Frame& frame) {
         const mat4 clip = clipFromModel(frame);
+        frame.show("clipFromModel", clip);
         vec3 cuts(2);  // above all
         for (int solid = 0; solid < 3 && cut; ++solid) cuts[solid] = placeOf(solid, from()).y;
-        frame.show("clipFromModel", clip);
         glEnable(GL_DEPTH_TEST);
-        program->use();
-        program->set("clipFromModel", clip);
-        program->set("rgbFromModel", inverse(modelFromRgb));
-        program->set("cuts", cuts);
-        for (int solid = 0; solid < 3; ++solid) {
-            const Pane pane = paneOf(frame, solid);
-            if (cuts[solid] > 0) {  // of a solid cut at black nothing is left
+        if (cuts != vec3(0)) {  // cut at black, nothing is left of any
+            program->use();
+            program->set("clipFromModel", clip);
+            program->set("rgbFromModel", inverse(modelFromRgb));
+            program->set("cuts", cuts);
+            for (int solid = 0; solid < 3; ++solid) {
+                const Pane pane = paneOf(frame, solid);
                 glViewport(pane.x, pane.y, pane.width, pane.height);
                 program->set("model", solid);
                 solids[static_cast<std::size_t>(solid)]->draw();
             }
+            glViewport(0, 0, frame.width(), frame.height());
+        }
+        for (int solid = 0; solid < 3; ++solid) {
+            const Pane pane = paneOf(frame, solid);
             drawing.in(pane);
             drawOutline(solid, clip);
             drawWay(solid, pane, clip);
             label(frame, solid, pane);
         }
-        glViewport(0, 0, frame.width(), frame.height());
     }
 
     // The edges of the whole solid, and the greys.
