@@ -72,9 +72,9 @@ Truth matrixTruth(const WideRows& rows) {
     return oneBlock(columns);
 }
 
-// A component: in the whole domain down to 1e-12, or up to 1e3.
+// A component: in the whole domain down to 1e-12, or up to 2.
 Arguments parts(Random& random, Domain domain) {
-    return {domain == Domain::whole ? random.logarithmic(1e-12, 1e3) : random.number(0, 1)};
+    return {domain == Domain::whole ? random.logarithmic(1e-12, 2) : random.number(0, 1)};
 }
 // A colour: in the whole domain also as dark as 1e-12, as light, and as grey.
 Arguments colors(Random& random, Domain domain) {
@@ -114,7 +114,7 @@ double hueWithoutTurn(double hue, const Arguments& a) {
 }
 Truth cylinderTruth(const Arguments& a, bool isValue) {
     const Wide most = std::max({a[0], a[1], a[2]}), least = std::min({a[0], a[1], a[2]}), chroma = most - least;
-    const Wide room = isValue ? most : Wide(1) - abs(most + least - 1);
+    const Wide room = isValue ? most : most + least <= 1 ? Wide(most + least) : Wide(2 - most - least);
     const Wide saturation = chroma == 0 ? Wide(0) : chroma / room;
     Truth truth = entrywise({trueHue(a, most, chroma), saturation, isValue ? most : (most + least) / 2});
     truth.sizes = {Wide(360), sizeOf(truth.values[1]), sizeOf(truth.values[2])};
@@ -138,28 +138,28 @@ Truth hueTruth(const Arguments& a, bool isValue) {
 }  // namespace
 
 std::vector<Function> colorFunctions() {
-    const std::string partsDomain = "1e-12 to 1e3";
+    const std::string partsDomain = "1e-12 to 2";
     std::vector<Function> list;
-    list.push_back(withForms({.name = "linearFromSrgb",
-                              .header = "color.h",
-                              .returns = "the light of an sRGB component",
-                              .measured = "entrywise",
-                              .domain = partsDomain,
-                              .bound = 5,
-                              .reason = "a power of 2.4 makes 2.4 of each of three roundings",
-                              .sample = parts,
-                              .truth =
-                                  [](const Arguments& a) {
-                                      const Wide size = abs(Wide(a[0]));
-                                      const Wide light =
-                                          std::abs(a[0]) <= 0.04045
-                                              ? Wide(size / decimal("12.92"))
-                                              : Wide(pow((size + decimal("0.055")) / decimal("1.055"), decimal("2.4")));
-                                      return entrywise({a[0] < 0 ? -light : light});
-                                  },
-                              .limits = "0, or from 1e-150 to 1e3",
-                              .within = sizesBetween(1e-150, 1e3)},
-                             [](const Arguments& a) { return linearFromSrgb(a[0]); }));
+    list.push_back(withForms(
+        {.name = "linearFromSrgb",
+         .header = "color.h",
+         .returns = "the light of an sRGB component",
+         .measured = "entrywise",
+         .domain = partsDomain,
+         .bound = 8,
+         .reason = "a power of 2.4 makes 2.4 of each of three roundings, and each may be a whole place of the result",
+         .sample = parts,
+         .truth =
+             [](const Arguments& a) {
+                 const Wide size = abs(Wide(a[0]));
+                 const Wide light = std::abs(a[0]) <= 0.04045
+                                        ? Wide(size / decimal("12.92"))
+                                        : Wide(pow((size + decimal("0.055")) / decimal("1.055"), decimal("2.4")));
+                 return entrywise({a[0] < 0 ? -light : light});
+             },
+         .limits = "0, or from 1e-150 to 2 in size",
+         .within = sizesBetween(1e-150, 2)},
+        [](const Arguments& a) { return linearFromSrgb(a[0]); }));
     list.push_back(withForms(
         {.name = "srgbFromLinear",
          .header = "color.h",
@@ -177,8 +177,8 @@ std::vector<Function> colorFunctions() {
                                        : Wide(decimal("1.055") * pow(size, 1 / decimal("2.4")) - decimal("0.055"));
                  return entrywise({a[0] < 0 ? -code : code});
              },
-         .limits = "0, or from 1e-150 to 1e3",
-         .within = sizesBetween(1e-150, 1e3)},
+         .limits = "0, or from 1e-150 to 2 in size",
+         .within = sizesBetween(1e-150, 2)},
         [](const Arguments& a) { return srgbFromLinear(a[0]); }));
     const std::string hueDomain = "colours, down to 1e-12 of black, white or a grey";
     list.push_back(withForms({.name = "hslFromRgb",
@@ -198,13 +198,14 @@ std::vector<Function> colorFunctions() {
     const std::string turnsDomain = "hues of -1000 to 1000 turns, down to 1e-12 of black or white";
     const std::string turnsLimits = "hues up to 1000 turns; the others 0, or from 1e-150 to 1";
     const std::string turnsReason =
-        "a sixth of a turn is told from the next to half a last place of 6, which is 2 ulp of 1";
+        "a hue is rounded to half a last place of 360 where turns are dropped and of 6 where sixths are counted, 2 ulp "
+        "of 1 each";
     list.push_back(withForms({.name = "rgbFromHsl",
                               .header = "color.h",
                               .returns = "the colour of hue, saturation and lightness",
                               .measured = "ulp of the largest component",
                               .domain = turnsDomain,
-                              .bound = 8,
+                              .bound = 12,
                               .reason = turnsReason,
                               .sample = hues,
                               .truth = [](const Arguments& a) { return hueTruth(a, false); },
@@ -232,7 +233,7 @@ std::vector<Function> colorFunctions() {
                               .returns = "the colour of hue, saturation and value",
                               .measured = "ulp of the largest component",
                               .domain = turnsDomain,
-                              .bound = 8,
+                              .bound = 12,
                               .reason = turnsReason,
                               .sample = hues,
                               .truth = [](const Arguments& a) { return hueTruth(a, true); },
@@ -247,7 +248,7 @@ std::vector<Function> colorFunctions() {
          .returns = "OKLab of light",
          .measured = "ulp of L",
          .domain = hueDomain,
-         .bound = 12,
+         .bound = 24,
          .reason = "a is a difference of terms up to 2.4 times L, of which each has roundings",
          .sample = colors,
          .truth =
@@ -264,7 +265,7 @@ std::vector<Function> colorFunctions() {
          .returns = "the light of an OKLab colour",
          .measured = "ulp of the terms, without their signs, of the cubes' roots too",
          .domain = "L from 1e-12 to 1, a and b up to 0.4 of it",
-         .bound = 16,
+         .bound = 32,
          .reason =
              "a cube makes 3 of each rounding of its root, and the inverses of the matrices have roundings of their "
              "own",
