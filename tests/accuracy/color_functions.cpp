@@ -64,14 +64,6 @@ const WideRows& xyzFromLight() {
     }();
     return rows;
 }
-Truth matrixTruth(const WideRows& rows) {
-    std::vector<Wide> columns;
-    for (std::size_t k = 0; k < 3; ++k) {
-        for (const Wide3& row : rows) columns.push_back(row[k]);
-    }
-    return oneBlock(columns);
-}
-
 // A component: in the whole domain down to 1e-12, or up to 2.
 Arguments parts(Random& random, Domain domain) {
     return {domain == Domain::whole ? random.logarithmic(1e-12, 2) : random.number(0, 1)};
@@ -291,32 +283,47 @@ std::vector<Function> colorFunctions() {
          .limits = "numbers 0, or from 1e-90 to 1e90 in size",
          .within = sizesBetween(1e-90, 1e90)},
         [](const Arguments& a) { return linearFromOklab(vectorAt(a, 0)); }));
-    const auto nothing = [](Random&, Domain) { return Arguments{}; };
-    list.push_back(withForms({.name = "xyzFromLinear",
-                              .header = "color.h",
-                              .returns = "the matrix from linear sRGB to XYZ",
-                              .measured = "ulp of its largest entry",
-                              .domain = "it has no arguments",
-                              .reason = "",
-                              .sample = nothing,
-                              .truth = [](const Arguments&) { return matrixTruth(xyzFromLight()); }},
-                             [](const Arguments&) { return xyzFromLinear(); }));
-    list.push_back(withForms({.name = "linearFromXyz",
-                              .header = "color.h",
-                              .returns = "the matrix from XYZ to linear sRGB",
-                              .measured = "ulp of its largest entry",
-                              .domain = "it has no arguments",
-                              .reason = "",
-                              .sample = nothing,
-                              .truth = [](const Arguments&) { return matrixTruth(inverted(xyzFromLight())); }},
-                             [](const Arguments&) { return linearFromXyz(); }));
+    list.push_back(withForms(
+        {.name = "xyzFromLinear",
+         .header = "color.h",
+         .returns = "the matrix from linear sRGB to XYZ (timed and measured: its product with a colour)",
+         .measured = "ulp of the largest of X, Y and Z",
+         .domain = hueDomain,
+         .bound = 8,
+         .reason = "the matrix's own roundings, of its inverse and its scale, and those of the product",
+         .sample = colors,
+         .truth = [](const Arguments& a) { return oneBlock(listOf(times(xyzFromLight(), wide(vectorAt(a, 0))))); },
+         .limits = "components 0, or from 1e-150 to 1",
+         .within = areParts},
+        [](const Arguments& a) { return xyzFromLinear() * vectorAt(a, 0); }));
+    list.push_back(
+        withForms({.name = "linearFromXyz",
+                   .header = "color.h",
+                   .returns = "the matrix from XYZ to linear sRGB (timed and measured: its product with X, Y and Z)",
+                   .measured = "ulp of the terms, without their signs",
+                   .domain = hueDomain,
+                   .bound = 8,
+                   .reason = "the roundings of both matrices' inverses, and those of the product",
+                   .sample = colors,
+                   .truth =
+                       [](const Arguments& a) {
+                           static const WideRows rows = inverted(xyzFromLight());
+                           Truth truth = entrywise(listOf(times(rows, wide(vectorAt(a, 0)))));
+                           truth.sizes = listOf(timesSizes(rows, wide(vectorAt(a, 0))));
+                           for (Wide& size : truth.sizes) size = sizeOf(size);
+                           return truth;
+                       },
+                   .limits = "X, Y and Z 0, or from 1e-150 to 1",
+                   .within = areParts},
+                  [](const Arguments& a) { return linearFromXyz() * vectorAt(a, 0); }));
     list.push_back(withForms(
         {.name = "luminance",
          .header = "color.h",
          .returns = "how bright light is",
          .measured = "entrywise",
          .domain = hueDomain,
-         .reason = "",
+         .bound = 8,
+         .reason = "the roundings of the matrix and of the product, as of xyzFromLinear",
          .sample = colors,
          .truth = [](const Arguments& a) { return entrywise({dot(xyzFromLight()[1], wide(vectorAt(a, 0)))}); },
          .limits = "components 0, or from 1e-150 to 1",
