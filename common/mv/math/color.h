@@ -112,7 +112,8 @@ struct SpectralLight {
 std::span<const SpectralLight> colorMatching();
 
 // The chromaticities (x, y) of light of one wavelength, from 380 to 700 nm by 5 nm, round what is seen: inside of them, and
-// of the line from the last to the first, which no single wavelength has. As a polygon it leaves out 0.3 % of the area.
+// of the line from the last to the first, which no single wavelength has. As a polygon its area is
+// short by about 0.3 %: it is 0.9 % larger than by steps of 10 nm.
 std::vector<vec2> spectralLocus();
 
 }  // namespace mv
