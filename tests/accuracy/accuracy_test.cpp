@@ -108,6 +108,8 @@ TEST(Accuracy, every_function_of_the_headers_is_measured) {
                                                "isOrdinary",      // comparisons
                                                "clipVolume",      // a constant
                                                "jitteredSquare",  // random points: none is right
+                                               "colorMatching",   // a table
+                                               "spectralLocus",   // its chromaticities
                                                "textbookShadow",  // the lecture's forms, to compare with
                                                "textbookShadowAcrossAxis"};
     std::set<std::string> measured;

@@ -121,7 +121,7 @@ const std::vector<Function>& functions() {
         std::vector<Function> list;
         for (const auto& part :
              {typesFunctions(), transformFunctions(), projectionFunctions(), shadowFunctions(), otherFunctions(),
-              robustFunctions(), orientationFunctions(), easeFunctions(), curveFunctions()}) {
+              robustFunctions(), colorFunctions(), orientationFunctions(), easeFunctions(), curveFunctions()}) {
             list.insert(list.end(), part.begin(), part.end());
         }
         return list;

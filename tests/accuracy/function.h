@@ -138,6 +138,7 @@ std::vector<Function> transformFunctions();
 std::vector<Function> projectionFunctions();
 std::vector<Function> shadowFunctions();
 std::vector<Function> otherFunctions();
+std::vector<Function> colorFunctions();
 std::vector<Function> orientationFunctions();
 std::vector<Function> easeFunctions();
 std::vector<Function> curveFunctions();

@@ -1,0 +1,36 @@
+// The figure of the chromaticity diagrams: where a colour is in them, and their outlines and words.
+#pragma once
+#include <optional>
+
+#include "mv/demo/frame.h"
+#include "mv/geometry/plot.h"
+#include "mv/gl/drawing.h"
+
+namespace mv {
+
+enum class Diagram { xy, uv };  // of 1931, and u', v' of 1976
+
+struct ChromaticityDiagram {
+    Diagram which;
+
+    // Where x and y of 1931 are in this one.
+    vec2 place(const vec2& xy) const;
+    // The same as a matrix for homogeneous points (x, y, z, 1): the divisor of u' and v' is w.
+    mat4 placeFromXy() const;
+    // Where an sRGB colour is; nothing for black.
+    std::optional<vec2> placeOf(const vec3& srgb) const;
+
+    // Of the area inside of the spectrum, and of the line that closes it, in percent: what sRGB's triangle holds, and what
+    // is beyond the line through two of its primaries, seen from the third.
+    double heldBySrgb() const;
+    double beyondSide(const vec2& from, const vec2& to) const;
+
+    // The plot that fills the picture, with units of one length along both axes.
+    Plot plotIn(const FrameInfo& frame) const;
+    // The same as a matrix, from values of the plot's axes to the picture's clip space.
+    static mat4 clipFromPlace(const Plot& plot, const FrameInfo& frame);
+    // The axes, spectrum and triangle, white, the wavelengths in nm, and the part that sRGB holds.
+    void draw(Drawing& drawing, const FrameInfo& frame) const;
+};
+
+}  // namespace mv
