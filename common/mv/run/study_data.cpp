@@ -109,6 +109,7 @@ bool isOnLine(const StudyRun& run, const StudyRow& row) { return isPlotted(row) 
 std::string errorText(double value) { return value == 0 ? "0" : formatted("%.3g", value); }
 
 std::string errorName(ErrorAxis axis) {
+    if (axis == ErrorAxis::max) return "largest error";
     return axis == ErrorAxis::rms ? "root mean square error" : "part that is wrong";
 }
 
@@ -173,7 +174,7 @@ std::string studyJson(const StudyRun& run) {
     json["demo"] = run.demo;
     json["quantity"] = run.quantity;
     json["reference"] = run.reference;
-    json["axis"] = run.axis == ErrorAxis::rms ? "rms" : "fraction";
+    json["axis"] = run.axis == ErrorAxis::rms ? "rms" : run.axis == ErrorAxis::max ? "max" : "fraction";
     if (!run.problem.empty()) json["problem"] = run.problem;
     json["wrong_beyond"] = run.wrongBeyond;
     json["width"] = run.width;
@@ -263,7 +264,8 @@ StudyRun readStudy(const std::string& text) {
         run.demo = in(json, "demo");
         run.quantity = in(json, "quantity");
         run.reference = in(json, "reference");
-        run.axis = in(json, "axis") == "rms" ? ErrorAxis::rms : ErrorAxis::fraction;
+        const auto axis = in(json, "axis");
+        run.axis = axis == "rms" ? ErrorAxis::rms : axis == "max" ? ErrorAxis::max : ErrorAxis::fraction;
         if (json.contains("problem")) run.problem = in(json, "problem");
         run.wrongBeyond = in(json, "wrong_beyond");
         run.width = in(json, "width");

@@ -1,0 +1,233 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "mv/demo/demo.h"
+#include "support/demo_run.h"
+
+using namespace mv;
+using namespace mv::test;
+
+namespace {
+
+const std::vector<std::string> kinds{"linear",   "ease",        "lagrange",    "natural",  "clamped",
+                                     "periodic", "catmull-rom", "centripetal", "b-spline", "bezier"};
+
+// Where the middle of the orange ball is in the left pane, in pixels from the lower left corner. Its arrow is as orange:
+// at rest there is none.
+vec2 ballAt(const Picture& picture) {
+    vec2 sum(0);
+    double count = 0;
+    for (int y = 0; y < picture.height; ++y) {
+        for (int x = 0; x < picture.width * 7 / 12; ++x) {
+            const Pixel pixel = picture.at(x, y);
+            if (std::abs(pixel.red - 230) > 12 || std::abs(pixel.green - 128) > 12 || pixel.blue > 60) continue;
+            sum += vec2(x + 0.5, picture.height - y - 0.5);
+            count += 1;
+        }
+    }
+    EXPECT_GT(count, 100);
+    return sum / count;
+}
+
+// Of the picture's 560 lines those with a pixel of the figure's body or head, in the columns of its middle.
+int subjectLines(const Picture& picture) {
+    int lines = 0;
+    for (int y = 0; y < picture.height; ++y) {
+        const Pixel pixel = picture.at(280, y);
+        lines += pixel.red > 130 && pixel.red > pixel.blue + 45 && pixel.red > pixel.green + 25;
+    }
+    return lines;
+}
+
+double errorOf(DemoRun& run, int nodes, const char* readout) {
+    (void)run.set("nodes", nodes).picture();
+    return run.readout(readout);
+}
+
+}  // namespace
+
+// The first key and the last while the ball rests there. Between them a still picture has an arrow over the ball; so its
+// place there is told by Motion, of which tests/shared/key_curve_test.cpp has the same for all kinds and keys.
+TEST(Keyframes, through_its_keys) {
+    DemoRun run("keyframes", 960, 560);
+    for (const std::string& kind : kinds) {
+        SCOPED_TRACE(kind);
+        run.set("curve", kind);
+        // 12.5 m over 560 pixels; the middle of a disc of 24 pixels is found to a tenth of one, but its edge may be covered
+        // by an arrow, which the closed curve alone has at its start.
+        const double metre = 560 / 12.5;
+        const vec2 first = vec2(280) + metre * (vec2(0.5, 2) - vec2(5)),
+                   last = vec2(280) + metre * (vec2(9.5, 7) - vec2(5));
+        if (kind == "periodic") continue;
+        EXPECT_NEAR(glm::length(ballAt(run.picture(10)) - first), 0, 0.5);
+        EXPECT_NEAR(glm::length(ballAt(run.picture(30 + 300 + 10)) - last), 0, 0.5);
+    }
+    // The overshoot tells of the keys between: a curve through them has all of the rectangle's sides.
+    for (const char* kind : {"b-spline", "bezier"}) {
+        (void)run.set("curve", kind).picture();
+        EXPECT_LT(run.readout("overshoot"), 1e-12) << kind << " stays within the hull of its keys";
+    }
+}
+
+TEST(Keyframes, speed_jumps) {
+    DemoRun run("keyframes", 240, 140);
+    const auto jump = [&](const std::string& kind, const char* readout) {
+        (void)run.set("curve", kind).picture();
+        return run.readout(readout);
+    };
+    // Of keys a second apart: the largest of |p[i+1] - 2 p[i] + p[i-1]|, at the fourth, from (1, -4.5) to (3, -3.5) ...
+    const std::vector<vec2> keys{{0.5, 2}, {1.5, 7.5}, {4, 9}, {5, 4.5}, {8, 1}, {9.5, 7}};
+    double largest = 0;
+    for (std::size_t i = 1; i + 1 < keys.size(); ++i) {
+        largest = std::max(largest, glm::length(keys[i + 1] - 2.0 * keys[i] + keys[i - 1]));
+    }
+    EXPECT_NEAR(jump("linear", "velocity-jump"), largest, 1e-12);
+    // Roundings of velocities of 10 m/s and accelerations of 50 m/s^2, and the step to the side of a key, 1e-15 s.
+    for (const std::string kind : {"natural", "clamped", "periodic", "lagrange", "bezier", "b-spline"}) {
+        EXPECT_LT(jump(kind, "velocity-jump"), 1e-12) << kind;
+        EXPECT_LT(jump(kind, "acceleration-jump"), 1e-11) << kind;
+    }
+    EXPECT_LT(jump("catmull-rom", "velocity-jump"), 1e-12);
+    EXPECT_GT(jump("catmull-rom", "acceleration-jump"), 1);
+    // Its knots are not the keys' times, so that its velocity keeps the direction alone.
+    EXPECT_GT(jump("centripetal", "velocity-jump"), 0.1);
+    // What ends at 0 and starts at 0 jumps nowhere: the quadratic ease does not end so.
+    run.set("ease", "bezier");
+    EXPECT_LT(jump("ease", "velocity-jump"), 1e-12);
+    run.set("ease", "quadratic");
+    EXPECT_GT(jump("ease", "velocity-jump"), 1);
+}
+
+TEST(Keyframes, ends) {
+    DemoRun run("keyframes", 240, 140);
+    for (const std::string& kind : kinds) {
+        SCOPED_TRACE(kind);
+        (void)run.set("curve", kind).set("ease", "bezier").picture();
+        if (kind == "clamped" || kind == "ease" || kind == "periodic") {
+            EXPECT_LT(run.readout("end-jump"), 1e-12);
+        } else {
+            EXPECT_GT(run.readout("end-jump"), 1);
+        }
+    }
+    run.set("curve", "ease");
+    for (const char* ease : {"quadratic", "logistic"}) {
+        (void)run.set("ease", ease).picture();
+        EXPECT_GT(run.readout("end-jump"), 0.1) << ease;
+    }
+    // The root starts at infinite speed, which no readout has and a sentence says.
+    (void)run.set("ease", "root").picture();
+    EXPECT_FALSE(run.measured("end-jump"));
+    EXPECT_FALSE(run.measured("velocity-jump"));
+    EXPECT_EQ(run.messages().size(), 1U);
+}
+
+// Moves key 10 of 16 and looks where the way differs: on the left of the picture, where key i is at x = 0.6 i.
+TEST(Keyframes, who_feels_a_key) {
+    DemoRun run("keyframes", 960, 560);
+    const auto felt = [&](const char* kind) {
+        std::array<Picture, 2> pictures;
+        for (const bool isMoved : {false, true}) {
+            std::string keys;
+            for (int i = 0; i < 16; ++i) {
+                const double y = i == 10 && isMoved ? 5.5 : 5 + (i % 2) * 0.3;
+                keys += (i > 0 ? "/" : "") + numberText(i * 6 / 10.0) + "," + numberText(y);
+            }
+            pictures.at(isMoved) = run.set("curve", kind).set("keys", keys).picture(10);
+        }
+        int first = 16, last = -1;
+        for (int span = 0; span < 15; ++span) {
+            // Between two keys' discs of 20 pixels; a span is 27 wide
+            const double metre = 560 / 12.5;
+            const int middle = static_cast<int>(280 + metre * (0.6 * (span + 0.5) - 5));
+            bool differs = false;
+            for (int x = middle - 2; x <= middle + 2; ++x) {
+                for (int y = 60; y < 560; ++y) differs |= pictures[0].at(x, y) != pictures[1].at(x, y);
+            }
+            if (!differs) continue;
+            first = std::min(first, span);
+            last = std::max(last, span);
+        }
+        return std::array{first, last};
+    };
+    EXPECT_EQ(felt("linear"), (std::array{9, 10}));
+    EXPECT_EQ(felt("catmull-rom"), (std::array{8, 11}));
+    EXPECT_EQ(felt("b-spline"), (std::array{8, 11}));
+    EXPECT_EQ(felt("lagrange"), (std::array{0, 14}));
+    // Of a spline it fades, by a factor of 3.7 a key, and so below what a pixel shows.
+    EXPECT_LT(felt("natural")[0], 8);
+    EXPECT_GT(felt("natural")[1], 11);
+}
+
+TEST(Keyframes, swings) {
+    DemoRun run("keyframes", 240, 140);
+    run.set("scene", "runge").set("curve", "natural");
+    double last = 0;
+    for (const int nodes : {5, 7, 9, 11, 13, 21, 31, 41, 61, 81}) {
+        const double error = errorOf(run, nodes, "polynomial-error");
+        EXPECT_TRUE(nodes == 5 || error > last) << nodes;
+        last = error;
+        EXPECT_EQ(run.messages().size(), nodes >= 13 ? 1U : 0U) << nodes;
+    }
+    EXPECT_NEAR(errorOf(run, 21, "polynomial-error"), 60, 0.5);  // as the literature has it
+    EXPECT_NEAR(last, 5e11, 0.6e11);                             // to one digit
+    // Both come nearer with each node that is added.
+    for (const char* spread : {"even", "chebyshev"}) {
+        run.set("nodes-at", spread);
+        const char* readout = std::string(spread) == "even" ? "curve-error" : "polynomial-error";
+        double before = 1;
+        for (const int nodes : {5, 11, 21, 41, 81}) {
+            const double error = errorOf(run, nodes, readout);
+            EXPECT_LT(error, before) << readout << " " << nodes;
+            before = error;
+        }
+        EXPECT_LT(before, 1e-4);
+        EXPECT_EQ(run.messages().empty(), std::string(spread) == "chebyshev");
+    }
+}
+
+TEST(Keyframes, float_swings_too) {
+    DemoRun run("keyframes", 240, 140);
+    run.set("scene", "runge").set("function", "sine").set("curve", "natural");
+    // In double the nodes' roundings of 1e-16, 41 nodes' constant of 1e10 at most: 1e-5.
+    EXPECT_LT(errorOf(run, 41, "polynomial-error"), 1e-5);
+    EXPECT_LT(errorOf(run.set("form", "textbook"), 41, "polynomial-error"), 1e-5);
+    // In float 6e-8 of them: larger than the function.
+    EXPECT_GT(errorOf(run.set("form", "float"), 41, "polynomial-error"), 1);
+    EXPECT_LT(errorOf(run, 21, "polynomial-error"), 0.01);
+}
+
+TEST(Keyframes, dolly_zoom) {
+    DemoRun run("keyframes", 960, 560);
+    run.set("scene", "camera");
+    for (const char* kind : {"linear", "ease", "natural", "clamped", "periodic", "catmull-rom", "bezier"}) {
+        SCOPED_TRACE(kind);
+        run.set("curve", kind);
+        (void)run.set("zoom", "computed").picture(0);
+        const double size = run.readout("subject-size");
+        double door = run.readout("door-size"), smallest = size;
+        for (int frame = 20; frame <= 180; frame += 20) {
+            (void)run.set("zoom", "computed").picture(frame);
+            EXPECT_NEAR(run.readout("subject-size"), size, 1e-14) << frame;
+            EXPECT_GE(run.readout("door-size"), door) << frame;
+            door = run.readout("door-size");
+            (void)run.set("zoom", "keys").picture(frame);
+            smallest = std::min(smallest, run.readout("subject-size"));
+        }
+        EXPECT_GT(door, 2 * size * 3 / 2 * 4 / 24) << "from 4 m and 24 m away to more than twice that";
+        if (std::string(kind) == "bezier") continue;  // which is at no key but the first and the last
+        (void)run.set("zoom", "keys").picture(180);
+        EXPECT_NEAR(run.readout("subject-size"), size, 1e-12);
+        EXPECT_LT(smallest, 0.6 * size);
+    }
+    // The same in pixels: the figure's height of the picture, give or take a line at either end.
+    run.set("curve", "linear").set("zoom", "computed");
+    const int lines = subjectLines(run.picture(0));
+    EXPECT_NEAR(lines, run.readout("subject-size") * 560, 8);
+    for (const int frame : {45, 90, 135, 180}) EXPECT_NEAR(subjectLines(run.picture(frame)), lines, 8) << frame;
+    EXPECT_LT(subjectLines(run.set("zoom", "keys").picture(90)), 0.6 * lines);
+}
