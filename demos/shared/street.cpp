@@ -29,10 +29,10 @@ Scene figureInStreet() {
             add("window", box({x - 0.8, 1.5, front - 0.1}, {x + 0.8, 3.5, front}), {0.45, 0.60, 0.75});
         }
     }
-    const std::vector<vec2> body{{0, 0}, {0.45, 0}, {0.15, 1.35}, {0, 1.45}};
-    add("body", lathe(body, 32), {0.85, 0.3, 0.2});
+    // The camera looks from below the plane between them
     add("head", sphere(0.35, 32, 16), {0.95, 0.75, 0.6});
     street.objects.back().worldFromObject = translate(0, figureHeight - 0.35, 0);
+    add("body", lathe(std::vector<vec2>{{0, 0}, {0.45, 0}, {0.15, 1.25}, {0, 1.3}}, 32), {0.85, 0.3, 0.2});
     return street;
 }
 

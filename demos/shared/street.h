@@ -8,7 +8,7 @@ namespace mv {
 // z = -8 to -38, and 20 m behind it a house whose door is 3 m high. There is neither light nor camera.
 //
 // The objects are in an order in which they may be painted over one another without a depth buffer, with back faces
-// culled: for a camera at x = 0, above the ground and below the house's roof, in front of all, that looks along -z.
+// culled: for a camera at (0, 1, z), z 1 or more, that looks along -z.
 Scene figureInStreet();
 inline constexpr double figureHeight = 2, doorHeight = 3, doorBehindFigure = 20;
 
