@@ -3,10 +3,11 @@
 // Claims (each is a test in tests/claims/keyframes.cpp; X27 to X29 in docs/stability.md are the curves at their extremes):
 // - [through-its-keys] Every kind of curve is at every key at its time, but for the B-spline and the Bezier curve.
 // - [speed-jumps] Straight from key to key the speed is constant, and jumps at the keys. A spline's does not; that of a
-//   Catmull-Rom curve does not either, but its acceleration does.
+//   uniform Catmull-Rom curve does not either, but its acceleration does.
 // - [ends] Where it rests before and after, all kinds leave with a jump, but what is eased at both ends and the clamped
 //   spline.
-// - [who-feels-a-key] Who moves a key moves all of a spline or of a polynomial, and four spans of a Catmull-Rom curve.
+// - [who-feels-a-key] Who moves a key moves four spans of a Catmull-Rom curve or a B-spline, more of a spline, and all of
+//   one polynomial.
 // - [swings] Through more and more even nodes of Runge's function one polynomial swings more and more, and says so from 13
 //   on; through as many of Chebyshev's, or in a spline, it comes nearer and nearer.
 // - [float-swings-too] Even where the polynomial comes near, at sin 3x, 41 even nodes are too many for the textbook's form
