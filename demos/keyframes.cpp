@@ -159,7 +159,7 @@ struct Keyframes final : Demo {
         }
         for (std::size_t i = 0; i < polygon.size(); ++i) {
             drawing.point(polygon[i], 20 * unit, red);
-            drawing.textAround(polygon[i], std::to_string(i), numberStyle(unit));
+            drawing.textAround(polygon[i], std::to_string(i + 1), numberStyle(unit));
         }
 
         // The ball, and how far it would come in a quarter of a second, by its velocity halfway to the next picture
@@ -321,7 +321,7 @@ struct Keyframes final : Demo {
         const Plot errors{box, {-1, 1, "x"}, {1e-17, highest, "how far they are off, drawn as 1e-17 at least", true}};
 
         drawing.in(wholePane(frame));
-        drawing.curve(plot, curveOf(shown.right), {grey, 7});
+        drawing.curve(plot, curveOf(shown.right, 5), {grey, 7});
         drawBoth(plot, errors, shown.curve, blue);
         drawBoth(plot, errors, shown.polynomial, red);
         for (const auto& node : of.keys()) drawing.point(plot.pixel({node.time, node.value}), 6, ink);
@@ -349,9 +349,9 @@ struct Keyframes final : Demo {
         words(frame, 4, shown.warning->substr(comma), red);
     }
 
-    static std::vector<vec2> curveOf(const std::vector<double>& values) {
+    static std::vector<vec2> curveOf(const std::vector<double>& values, std::size_t step = 1) {
         std::vector<vec2> curve;
-        for (std::size_t i = 0; i < values.size(); ++i) curve.emplace_back(sampleAt(i), values[i]);
+        for (std::size_t i = 0; i < values.size(); i += step) curve.emplace_back(sampleAt(i), values[i]);
         return curve;
     }
     // What is off by less than the lowest error drawn is drawn there.

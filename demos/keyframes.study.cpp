@@ -32,7 +32,8 @@ Study study() {
     study.reference = "the function itself, in long double";
     study.makeReference = [](const Demo& demo, const ReferenceFrame&, const auto&) { return exactValues(demo); };
     study.axis = ErrorAxis::max;
-    study.scenes = {{runge, {{"function", "runge"}}}, {sine, {{"function", "sine"}}}};
+    study.scenes = {{runge, {{"scene", "runge"}, {"function", "runge"}}},
+                    {sine, {{"scene", "runge"}, {"function", "sine"}}}};
     const auto line = [&](const std::string& method, std::vector<KnobSetting> settings) {
         study.lines.push_back({method, std::move(settings), "nodes", {"5", "7", "11", "13", "21", "41", "61", "81"}});
     };

@@ -210,6 +210,8 @@ TEST(Keyframes, dolly_zoom) {
         }
         EXPECT_GT(door, 2 * size * 3 / 2 * 4 / 24) << "from 4 m and 24 m away to more than twice that";
         if (std::string(kind) == "bezier") continue;  // which is at no key but the first and the last
+        (void)run.set("zoom", "keys").picture(0);
+        EXPECT_NEAR(run.readout("subject-size"), size, 1e-12);
         (void)run.set("zoom", "keys").picture(180);
         EXPECT_NEAR(run.readout("subject-size"), size, 1e-12);
         EXPECT_LT(smallest, 0.6 * size);
