@@ -68,7 +68,7 @@ struct Keyframes final : Demo {
                         "what has keys"};
     KeyCurve by{this};
     Points keys{this,
-                "keys",
+                "points",
                 {{0.5, 2}, {1.5, 7.5}, {4, 9}, {5, 4.5}, {8, 1}, {9.5, 7}},
                 {.low = vec2(0, 0), .high = vec2(10, 10), .least = 2, .most = 16, .grid = 0.1},
                 "x,y of each key of the ball, dragged in the picture",

@@ -127,7 +127,7 @@ TEST(Keyframes, who_feels_a_key) {
                 const double y = i == 5 && isMoved ? 5.5 : 5 + (i % 2) * 0.3;
                 keys += (i > 0 ? "/" : "") + std::to_string(i) + "," + numberText(y);
             }
-            pictures.at(isMoved) = run.set("curve", kind).set("keys", keys).picture(10);
+            pictures.at(isMoved) = run.set("curve", kind).set("points", keys).picture(10);
         }
         int first = 10, last = -1;
         for (int span = 0; span < 9; ++span) {
