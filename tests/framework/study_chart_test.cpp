@@ -47,7 +47,7 @@ std::vector<Case> cases() {
             row.method = "method";
             row.parameter = std::to_string(parameter++);
             row.settings = {{"taps", row.parameter}};
-            row.all.rms = row.all.fraction = error;
+            row.all.rms = row.all.fraction = row.all.max = error;
             row.all.n = 1000;
             row.msMedian = time;
             row.rounds = 7;
@@ -55,7 +55,7 @@ std::vector<Case> cases() {
         }
         all.push_back(each);
     };
-    for (const ErrorAxis axis : {ErrorAxis::rms, ErrorAxis::fraction}) {
+    for (const ErrorAxis axis : {ErrorAxis::rms, ErrorAxis::fraction, ErrorAxis::max}) {
         made("one point", {{0.3, 2}}, axis);
         made("all is wrong", {{1, 2}}, axis);
         made("no error", {{0, 2}, {0, 3}}, axis);

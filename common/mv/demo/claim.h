@@ -57,7 +57,7 @@ namespace claims {
 
 // The numbers of a row, by name.
 namespace of {
-inline constexpr StudyNumber error{StudyNumber::Kind::error};  // what the plot shows: rms or wrong, by Study::axis
+inline constexpr StudyNumber error{StudyNumber::Kind::error};  // what the plot shows: rms, wrong or max, by Study::axis
 inline constexpr StudyNumber rms{StudyNumber::Kind::rms};
 inline constexpr StudyNumber max{StudyNumber::Kind::max};
 inline constexpr StudyNumber wrong{StudyNumber::Kind::wrong};                            // percent

@@ -514,7 +514,7 @@ void chooseByStudy(Command& command) {
     const std::string flag = ofTime ? "--within" : "--error";
     auto run = committedStudy(info.name);
     if (!run) throw Error(flag, "needs a demo with a committed study, one of docs/errors-and-times", info.name);
-    if (bound.percent && run->axis == ErrorAxis::rms) {
+    if (bound.percent && run->axis != ErrorAxis::fraction) {
         throw UsageError(flag, "must be a number here and no part in percent: the study's error is the " +
                                    errorName(run->axis) + " of " + run->quantity);
     }

@@ -43,7 +43,9 @@ struct StudyRun {
     std::vector<StudyRow> rows;
 
     // The error that the plot shows.
-    double shownError(const StudyRow& row) const { return axis == ErrorAxis::rms ? row.all.rms : row.all.fraction; }
+    double shownError(const StudyRow& row) const {
+        return axis == ErrorAxis::fraction ? row.all.fraction : axis == ErrorAxis::max ? row.all.max : row.all.rms;
+    }
 };
 
 // How a line's error falls (or its time grows) with its parameter p: the least-squares slope of the logarithms, so that
@@ -68,7 +70,7 @@ bool isPlotted(const StudyRow& row);
 
 // "0.00123", and "0" where it is exactly that.
 std::string errorText(double value);
-// The error that the plot shows, in words: "root mean square error" or "part that is wrong".
+// The error that the plot shows, in words: "root mean square error", "part that is wrong" or "largest error".
 std::string errorName(ErrorAxis axis);
 
 // The knob that moves along a line, "resolution"; "" for a single point, and "p" where no setting of the rows tells.

@@ -1,0 +1,143 @@
+#include "shared/key_curve.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "mv/motion/ease.h"
+
+namespace mv {
+
+template <class P>
+typename Motion<P>::Span Motion<P>::spanAt(double time) const {
+    const std::vector<double>& breaks = curve_.breaks();
+    const auto next = std::upper_bound(breaks.begin() + 1, breaks.end() - 1, time);
+    const double begin = *(next - 1), length = *next - begin;
+    return {curve_.at(begin), length, (time - begin) / length};
+}
+
+template <class P>
+P Motion<P>::position(double time) const {
+    if (!easing_.part) return curve_.position(time);
+    const Span span = spanAt(time);
+    return span.start.position + easing_.part(span.passed) * span.length * span.start.velocity;
+}
+
+template <class P>
+CurvePoint<P> Motion<P>::at(double time) const {
+    if (!easing_.part) return curve_.at(time);
+    const Span span = spanAt(time);
+    const P velocity = span.start.velocity;
+    return {position(time), velocity == P(0) ? velocity : easing_.slope(span.passed) * velocity, P(0)};
+}
+
+template <class P>
+CurvePoint<P> Motion<P>::before(double key) const {
+    if (key > curve_.start()) return at(std::nextafter(key, curve_.start()));
+    if (curve_.isClosed()) return before(end());
+    return {position(key), P(0), P(0)};
+}
+
+template <class P>
+CurvePoint<P> Motion<P>::after(double key) const {
+    if (key < end()) return at(key);
+    if (curve_.isClosed()) return at(curve_.start());
+    return {position(key), P(0), P(0)};
+}
+
+template class Motion<double>;
+template class Motion<vec3>;
+
+Jumps jumpsOf(const Motion<vec3>& motion, const std::vector<double>& times) {
+    Jumps jumps;
+    const bool isClosed = motion.curve().isClosed();
+    const double start = motion.curve().start();
+    for (const double time : times) {
+        if (!isClosed && (time <= start || time >= motion.end())) continue;
+        const CurvePoint<vec3> before = motion.before(time), after = motion.after(time);
+        jumps.velocity = std::max(jumps.velocity, glm::length(after.velocity - before.velocity));
+        jumps.acceleration = std::max(jumps.acceleration, glm::length(after.acceleration - before.acceleration));
+    }
+    if (!isClosed) {
+        jumps.end =
+            std::max(glm::length(motion.after(start).velocity), glm::length(motion.before(motion.end()).velocity));
+    }
+    return jumps;
+}
+
+KeyCurve::KeyCurve(Demo* owner)
+    : kind(owner, "curve", Kind::linear,
+           {{"linear", "straight from key to key"},
+            {"ease", "the same, but not evenly"},
+            {"lagrange", "one polynomial"},
+            {"natural", "cubic spline, without acceleration at its ends"},
+            {"clamped", "cubic spline with given velocities at its ends"},
+            {"periodic", "cubic spline that is closed"},
+            {"catmull-rom", "with uniform knots, the textbook's"},
+            {"centripetal", "Catmull-Rom, with the roots of the distances for knots"},
+            {"b-spline", "cubic, not through its keys"},
+            {"bezier", "one curve for all keys, not through them"}},
+           "what goes through the keys, or near them"),
+      ease(owner, "ease", Ease::logistic,
+           {{"root", "at once, then slower"},
+            {"quadratic", "from rest, faster and faster"},
+            {"logistic", "from rest to rest"},
+            {"bezier", "by its handles"}},
+           "how a part of the time becomes a part of the way"),
+      steepness(owner, "steepness", 10, {1, 30}, "of the logistic ease"),
+      handles(owner, "handles", {{0.4, 0}, {0.6, 1}},
+              {.low = vec2(0.05, -0.5), .high = vec2(0.95, 1.5), .least = 2, .most = 2, .grid = 0.05},
+              "the two of the Bezier ease, dragged in its graph") {
+    ease.onlyWhen([this] { return isEased(); }, "only --curve ease does not go evenly");
+    steepness.onlyWhen([this] { return isEased() && ease == Ease::logistic; }, "no logistic ease is used");
+    handles.onlyWhen([this] { return isBezierEase(); }, "no Bezier ease is used");
+}
+
+template <class P>
+Motion<P> KeyCurve::through(const std::vector<Keyframe<P>>& keys, const P& startVelocity, const P& endVelocity) const {
+    switch (kind) {
+        case Kind::linear:
+            break;
+        case Kind::ease:
+            return {Curve<P>::linear(keys),
+                    {[this](double part) { return eased(part); }, [this](double part) { return slope(part); }}};
+        case Kind::lagrange:
+            return Motion<P>(Curve<P>::lagrange(keys));
+        case Kind::natural:
+            return Motion<P>(Curve<P>::naturalSpline(keys));
+        case Kind::clamped:
+            return Motion<P>(Curve<P>::clampedSpline(keys, startVelocity, endVelocity));
+        case Kind::periodic:
+            return Motion<P>(Curve<P>::periodicSpline(keys));
+        case Kind::catmullRom:
+            return Motion<P>(Curve<P>::catmullRom(keys, Knots::uniform));
+        case Kind::centripetal:
+            return Motion<P>(Curve<P>::catmullRom(keys, Knots::centripetal));
+        case Kind::bSpline:
+            return Motion<P>(Curve<P>::bSpline(keys));
+        case Kind::bezier:
+            return Motion<P>(Curve<P>::bezier(keys));
+    }
+    return Motion<P>(Curve<P>::linear(keys));
+}
+
+template Motion<double> KeyCurve::through(const std::vector<Keyframe<double>>&, const double&, const double&) const;
+template Motion<vec3> KeyCurve::through(const std::vector<Keyframe<vec3>>&, const vec3&, const vec3&) const;
+
+double KeyCurve::eased(double part) const {
+    if (!isEased()) return linearEase(part);
+    if (ease == Ease::root) return rootEase(part);
+    if (ease == Ease::quadratic) return quadraticEase(part);
+    if (ease == Ease::logistic) return logisticEase(part, steepness);
+    return BezierEase(handles[0], handles[1]).value(part);
+}
+
+double KeyCurve::slope(double part) const {
+    if (!isEased()) return linearEaseSlope(part);
+    if (ease == Ease::root) return part > 0 ? rootEaseSlope(part) : HUGE_VAL;
+    if (ease == Ease::quadratic) return quadraticEaseSlope(part);
+    if (ease == Ease::logistic) return logisticEaseSlope(part, steepness);
+    return BezierEase(handles[0], handles[1]).slope(part);
+}
+
+}  // namespace mv
