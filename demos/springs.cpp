@@ -205,6 +205,8 @@ struct Springs final : Demo {
             now.stepper = stepperOf(now, (index - 1) * frameTime, state);
             now.work += energyOf(now) - before;
             now.mostWork = std::max(now.mostWork, std::abs(now.work));
+            if (now.rests)
+                now.graph.push_back({(index - 1) * frameTime, now.graph.back().energy, now.graph.back().balance});
             now.rests = false;
         }
 

@@ -118,7 +118,7 @@ Plot stabilityPlot(const Pane& pane, std::span<const std::complex<double>> numbe
 }
 
 MeshData stabilityGrid(OdeMethod method, const Plot& plot) {
-    constexpr std::uint32_t columns = 160, rows = 96;  // Re z = 0 is a column of it
+    constexpr std::uint32_t columns = 240, rows = 144;  // Re z = 0 is a column of it
     MeshData grid;
     for (std::uint32_t row = 0; row <= rows; ++row) {
         for (std::uint32_t column = 0; column <= columns; ++column) {

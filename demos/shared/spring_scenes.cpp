@@ -66,7 +66,7 @@ SpringSetup makeSprings(const SpringSettings& settings) {
     if (settings.scene == SpringScene::oneSpring) {
         system.points = {{.isFixed = true}, {.mass = 1}};
         system.springs = {{.a = 0, .b = 1}};
-        setup.slack = {{-1, -1.1, 0}, {0, -1.1, 0}};
+        setup.slack = {{-10, -1.1, 0}, {0, -1.1, 0}};
         places = {setup.slack[0], {pulled, -1.1, 0}};
     }
 

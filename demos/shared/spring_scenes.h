@@ -12,7 +12,7 @@ enum class SpringScene {
     net,          // upright, from its two upper corners
     cloth,        // slanting, from its two upper corners; its squares have diagonals
     threeMasses,  // thrown, with rest lengths and without gravity: row X33 of docs/stability.md
-    oneSpring,    // 1 kg that swings along x, 1 m from its wall: by a linear law, as long as it does not reach the wall
+    oneSpring,    // 1 kg on 10 m of spring along x: by a linear law, as long as it stays on its side of the wall
 };
 inline constexpr double pulled = 0.1;  // m, by which the one spring is stretched at first
 
