@@ -32,7 +32,7 @@ Study study() {
     study.quantity = "the places in metres of the net's masses after half a second";
     study.reference = "Dormand-Prince with a tolerance of 1e-12";
     study.makeReference = [](const Demo& demo, const ReferenceFrame&, const auto&) { return fineSteps(demo); };
-    study.scenes = {{"as it opens"}};
+    study.scenes = {{"5 x 5"}};
     for (const std::string stiffness : {"100", "10000", "1e6"}) {
         study.scenes.push_back({"k = " + stiffness, {{"masses", "3"}, {"stiffness", stiffness}}});
     }
@@ -51,7 +51,7 @@ Study study() {
     for (const std::string method : {"implicit-midpoint", "rodas", "energy-momentum"}) add(method, {"1", "4", "16"});
     // These two halve their steps by thousands where springs are as stiff as can be: seconds for each row
     for (const std::string method : {"implicit-euler", "bdf2"}) {
-        add(method, {"1", "4", "16"}, {"as it opens", "k = 100", "k = 10000"});
+        add(method, {"1", "4", "16"}, {"5 x 5", "k = 100", "k = 10000"});
         add(method + ", stiff", {"1", "4"}, {"k = 1e6"});
         study.lines.back().settings = {{"method", method}};
     }
@@ -64,7 +64,7 @@ Study study() {
               "And yet its places are off by more than a millimetre with one step a frame on the net as it opens: to "
               "keep "
               "the energy is not to be right.",
-              {atLeast(of::rms, rows("energy-momentum").in("as it opens").at(1), 1e-3)}),
+              {atLeast(of::rms, rows("energy-momentum").in("5 x 5").at(1), 1e-3)}),
         claim("half-the-step",
               "Where nothing is stiff (k = 100) Verlet's places err as the square of the step, Runge-Kutta 4's as the "
               "fourth "
@@ -82,16 +82,14 @@ Study study() {
             "twice-as-fast",
             "As it opens, velocity Verlet with five steps a frame takes less than half the time of any implicit method "
             "with one.",
-            {ratio(of::time, rows("rodas").in("as it opens").at(1), rows("velocity-verlet").in("as it opens").at(5), 2,
+            {ratio(of::time, rows("rodas").in("5 x 5").at(1), rows("velocity-verlet").in("5 x 5").at(5), 2, 1e9),
+             ratio(of::time, rows("energy-momentum").in("5 x 5").at(1), rows("velocity-verlet").in("5 x 5").at(5), 2,
                    1e9),
-             ratio(of::time, rows("energy-momentum").in("as it opens").at(1),
-                   rows("velocity-verlet").in("as it opens").at(5), 2, 1e9),
-             ratio(of::time, rows("implicit-midpoint").in("as it opens").at(1),
-                   rows("velocity-verlet").in("as it opens").at(5), 2, 1e9),
-             ratio(of::time, rows("implicit-euler").in("as it opens").at(1),
-                   rows("velocity-verlet").in("as it opens").at(5), 2, 1e9),
-             ratio(of::time, rows("bdf2").in("as it opens").at(1), rows("velocity-verlet").in("as it opens").at(5), 2,
-                   1e9)}),
+             ratio(of::time, rows("implicit-midpoint").in("5 x 5").at(1), rows("velocity-verlet").in("5 x 5").at(5), 2,
+                   1e9),
+             ratio(of::time, rows("implicit-euler").in("5 x 5").at(1), rows("velocity-verlet").in("5 x 5").at(5), 2,
+                   1e9),
+             ratio(of::time, rows("bdf2").in("5 x 5").at(1), rows("velocity-verlet").in("5 x 5").at(5), 2, 1e9)}),
         claim("stiff-places",
               "At k = 1e6 energy-momentum has the places right to a millimetre with any of these steps, and so has "
               "velocity Verlet with 64 a frame.",

@@ -103,7 +103,7 @@ void drawEnergy(Drawing& drawing, const Pane& pane, std::span<const EnergySample
     drawing.curve(plot, energies, {springBlue, 2});
     paneWords(drawing, pane, {box.low.x, pane.height - 4.0}, "energy, as a part of the first", springBlue);
     const std::string off =
-        largestDrift < 1e3 ? rounded("off by up to %.1e", largestDrift) : "off by more than 1000 times the energy";
+        largestDrift < 1e3 ? rounded("off by up to %.1e", largestDrift) : "off by 1000 times and more";
     paneWords(drawing, pane, {box.low.x, pane.height - 22.0}, "energy + dissipated - work: " + off, color);
 }
 
@@ -136,7 +136,7 @@ MeshData stabilityGrid(OdeMethod method, const Plot& plot) {
 }
 
 void paneWords(Drawing& drawing, const Pane& pane, const vec2& at, const std::string& text, const vec4& color) {
-    drawing.text(at, text, {std::clamp(pane.width / 32, 8, 15), color, vec4(0)});
+    drawing.text(at, text, {std::clamp(pane.width / 32, 8, 15), color});
 }
 
 std::vector<std::string> wrapped(const std::string& text, std::size_t width) {
