@@ -125,7 +125,9 @@ struct Springs final : Demo {
                    "of the classics by Dormand-Prince and RODAS; 0: equal steps"};
     NumberChoice steps{this, "steps", 1000, {100, 1000, 10000}, "equal steps of the classics"};
 
-    Readout drift{this, "drift", "how far energy + dissipated - work is from the first energy, as a part of it"};
+    Readout drift{
+        this, "drift",
+        "how far energy + dissipated - work is from the first energy, as a part of that and the largest work"};
     Readout largestDrift{this, "largest-drift", "the largest so far"};
     Readout energy{this, "energy", "kinetic, of the springs, and of height above the picture's lower edge", "J"};
     Readout dissipated{this, "dissipated", "energy that damping has taken", "J"};
@@ -255,12 +257,15 @@ struct Springs final : Demo {
         return std::ranges::all_of(slope, [](double rate) { return std::abs(rate) < stillness; });
     }
 
+    // As a part of all the energy there was: at first, and by work.
+    static double driftOf(const Game& now) {
+        const double whole = now.first + now.mostWork;
+        return whole > 0 ? (now.graph.back().balance - now.first) / whole : 0;
+    }
     static void sample(Game& now, int index) {
-        const double whole = now.first + now.mostWork, present = energyOf(now);
-        const double balance = present + now.dissipated + now.stepper->dissipated() - now.work;
-        const double scale = whole > 0 ? whole : 1;
-        now.graph.push_back({index * frameTime, present / scale, 1 + (balance - now.first) / scale});
-        now.largestDrift = std::max(now.largestDrift, std::abs(now.graph.back().balance - 1));
+        const double balance = energyOf(now) + now.dissipated + now.stepper->dissipated() - now.work;
+        now.graph.push_back({index * frameTime, energyOf(now), balance});
+        now.largestDrift = std::max(now.largestDrift, std::abs(driftOf(now)));
         if (now.graph.size() > 1200) now.graph.erase(now.graph.begin(), now.graph.begin() + 600);
     }
 
@@ -326,7 +331,8 @@ struct Springs final : Demo {
             const std::vector<Dot> all = dots();
             drawRegion(frame, all);
             drawMasses(frame);
-            drawEnergy(drawing, rightOf(frame, true), game->graph, game->largestDrift);
+            drawEnergy(drawing, rightOf(frame, true), game->graph, game->first, game->first + game->mostWork,
+                       game->largestDrift);
             readOut(all);
         } else {
             drawCurves(frame);
@@ -363,7 +369,7 @@ struct Springs final : Demo {
         }
         const long growing = std::ranges::count_if(all, &Dot::grows);
         const vec2 at(plot.box.low.x, pane.height);
-        paneWords(drawing, pane, at - vec2(0, 4), "step x eigenvalues; blue: where this method does not grow",
+        paneWords(drawing, pane, at - vec2(0, 1), "step x eigenvalues; blue: where this method does not grow",
                   springInk);
         paneWords(drawing, pane, at - vec2(0, 22),
                   growing > 0 ? std::to_string(growing) + " outside: they grow" : "none outside",
@@ -403,7 +409,7 @@ struct Springs final : Demo {
             else
                 readout.clear();
         };
-        set(drift, now.graph.back().balance - 1);
+        set(drift, driftOf(now));
         set(largestDrift, now.largestDrift);
         set(energy, energyOf(now));
         set(dissipated, now.dissipated + now.stepper->dissipated());

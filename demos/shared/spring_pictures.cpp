@@ -84,24 +84,35 @@ void drawPhase(Drawing& drawing, const Pane& pane, const vec2& computed, const v
               springInk);
 }
 
-void drawEnergy(Drawing& drawing, const Pane& pane, std::span<const EnergySample> samples, double largestDrift) {
-    const double last = samples.back().time;
+void drawEnergy(Drawing& drawing, const Pane& pane, std::span<const EnergySample> samples, double first, double whole,
+                double largestDrift) {
+    const double last = samples.back().time, from = std::max(0.0, last - 10);
+    double low = 0, high = 0;
+    for (const EnergySample& sample : samples) {
+        if (sample.time < from) continue;
+        low = std::min({low, sample.energy, sample.balance});
+        high = std::max({high, sample.energy, sample.balance});
+    }
+    // Not all of a blow-up: it would make a line of all before it
+    const double most = whole > 0 ? 1.5 * whole : 1;
+    const Axis joules{std::max(low, -most), high > 0 ? 1.2 * std::min(high, most) : 1, "J"};
     const Box box = boxOf(pane);
-    const Plot plot{box, {std::max(0.0, last - 10), std::max(10.0, last), "s"}, {0, 1.5}};
+    const Plot plot{box, {from, std::max(10.0, last), "s"}, joules};
     drawing.in(pane);
     drawing.axes(plot);
-    drawing.line(plot.pixel({plot.x.low, 1}), plot.pixel({plot.x.high, 1}), {springGrey, 1});
     std::vector<vec2> energies, balances;
     for (const EnergySample& sample : samples) {
-        if (sample.time < plot.x.low) continue;
+        if (sample.time < from) continue;
         // What is beyond the axis is drawn just beyond, and cut off there
-        energies.emplace_back(sample.time, std::clamp(sample.energy, -1.0, 3.0));
-        balances.emplace_back(sample.time, std::clamp(sample.balance, -1.0, 3.0));
+        const auto within = [&](double energy) { return std::clamp(energy, joules.low - most, joules.high + most); };
+        energies.emplace_back(sample.time, within(sample.energy));
+        balances.emplace_back(sample.time, within(sample.balance));
     }
     const vec4& color = largestDrift > 1e-3 ? springRed : springInk;
+    drawing.line(plot.pixel({from, first}), plot.pixel({plot.x.high, first}), {springGrey, 1});
     drawing.curve(plot, balances, {color, 3});
     drawing.curve(plot, energies, {springBlue, 2});
-    paneWords(drawing, pane, {box.low.x, pane.height - 4.0}, "energy, as a part of the first", springBlue);
+    paneWords(drawing, pane, {box.low.x, pane.height - 1.0}, "energy", springBlue);
     const std::string off =
         largestDrift < 1e3 ? rounded("off by up to %.1e", largestDrift) : "off by 1000 times and more";
     paneWords(drawing, pane, {box.low.x, pane.height - 22.0}, "energy + dissipated - work: " + off, color);

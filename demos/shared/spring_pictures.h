@@ -23,12 +23,13 @@ int drawSprings(Drawing& drawing, const Pane& pane, const SpringSetup& setup, st
 // The one spring's place (across) and speed (upwards), in units of its first swing: two hands, which turn.
 void drawPhase(Drawing& drawing, const Pane& pane, const vec2& computed, const vec2& exact);
 
-// At a time, energy and energy + dissipated - work, both as parts of the first energy.
+// At a time in seconds, energy and energy + dissipated - work, in J.
 struct EnergySample {
     double time, energy, balance;
 };
-// The last ten seconds of them.
-void drawEnergy(Drawing& drawing, const Pane& pane, std::span<const EnergySample> samples, double largestDrift);
+// The last ten seconds of them. `first`: where the balance ought to stay. `whole`: that and the largest work.
+void drawEnergy(Drawing& drawing, const Pane& pane, std::span<const EnergySample> samples, double first, double whole,
+                double largestDrift);
 
 // A pane's frame for numbers z = step x eigenvalue, in which all of these have room.
 Plot stabilityPlot(const Pane& pane, std::span<const std::complex<double>> numbers);
