@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "math/support.h"
 #include "mv/motion/ode_fixed.h"
 #include "mv/motion/ode_problems.h"
+#include "mv/motion/springs.h"
 
 using namespace mv;
 using namespace mv::test;
@@ -207,6 +209,95 @@ TEST(OdeStability, NeverReturnsNaN) {
     EXPECT_EQ(refusal([] { stabilityFunction(OdeMethod::velocityVerlet, 0); }),
               "stabilityFunction: must be asked for a method with one factor; amplification knows the others, "
               "velocity Verlet");
+}
+
+// Of a chain of n masses between two walls: w_j = 2 sqrt(k/m) sin(j pi/(2 (n + 1))), and damping c = ratio * k makes of
+// each -ratio w^2/2 +- sqrt((ratio w^2/2)^2 - w^2).
+TEST(OdeStability, EigenvaluesOfAChainAreItsFormula) {
+    constexpr int n = 7;
+    constexpr double k = 1e6, m = 0.1;
+    for (const double ratio : {0.0, 1e-5, 1e-2}) {
+        SpringSystem chain;
+        std::vector<vec3> places;
+        for (int i = 0; i <= n + 1; ++i) {
+            chain.points.push_back({.mass = m, .isFixed = i == 0 || i == n + 1});
+            places.emplace_back(i, 0, 0);
+            if (i == 0) continue;
+            const auto at = static_cast<std::size_t>(i);
+            chain.springs.push_back({.a = at - 1, .b = at, .stiffness = k, .restLength = 1, .damping = ratio * k});
+        }
+        const auto state = springState(places, std::vector<vec3>(n + 2, vec3(0)));
+        const std::vector<Complex> found = eigenvalues(springProblem(chain), 0, state);
+        ASSERT_EQ(found.size(), state.size());
+        std::vector<Complex> expected(state.size());
+        for (int j = 0; j < n; ++j) {
+            const double w = 2 * std::sqrt(k / m) * std::sin((j + 1) * pi / (2 * (n + 1)));
+            const Complex half = -ratio * w * w / 2, root = std::sqrt(half * half - w * w);
+            expected[static_cast<std::size_t>(2 * j)] = half + root;
+            expected[static_cast<std::size_t>(2 * j + 1)] = half - root;
+        }
+        const double largest = std::abs(found[0]);
+        for (const Complex& one : expected) {
+            double nearest = infinite;
+            for (const Complex& other : found) nearest = std::min(nearest, std::abs(one - other));
+            // 14 unknowns, roundings of the largest
+            EXPECT_LT(nearest, 1e-14 * largest) << one << " " << ratio;
+        }
+        // Across the chain nothing pulls, and fixed points stay: zeros, exactly
+        EXPECT_EQ(std::ranges::count(found, Complex(0)), static_cast<std::ptrdiff_t>(state.size()) - 2 * n);
+        EXPECT_TRUE(std::ranges::is_sorted(found, {}, [](const Complex& z) { return -std::norm(z); }));
+    }
+}
+
+// By either way to say a Jacobian, and by differences.
+TEST(OdeStability, EigenvaluesOfAnyJacobian) {
+    const Complex z(-3, 40);
+    OdeProblem problem = complexProblem(z);
+    for (const bool isGiven : {true, false}) {
+        if (!isGiven) problem.jacobian = {};
+        const auto found = eigenvalues(problem, 0, std::vector<double>{1, 2});
+        ASSERT_EQ(found.size(), 2U);
+        // Differences have half of the digits
+        const double off = std::min(std::abs(found[0] - z), std::abs(found[1] - z));
+        EXPECT_LT(off, isGiven ? 1e-13 : 1e-5);
+        EXPECT_EQ(found[0], std::conj(found[1]));
+    }
+    problem.jacobian = [](double, std::span<const double>, std::span<double> j) { j[0] = infinite; };
+    EXPECT_THROW(eigenvalues(problem, 0, std::vector<double>{1, 2}), Error);
+    EXPECT_THROW(eigenvalues(problem, 0, std::vector<double>{1}), Error);
+}
+
+TEST(OdeStability, AmplificationOfAPair) {
+    Random random(5);
+    for (const OdeMethod method : odeMethods) {
+        for (int i = 0; i < 50; ++i) {
+            const Complex z(random.number(-3, 0), random.number(0, 3));
+            EXPECT_DOUBLE_EQ(amplification(method, z, std::conj(z)), amplification(method, z)) << methodName(method);
+            // A step of an overdamped oscillator, in the long run
+            const double a = random.number(-2.2, -0.01), b = random.number(-2.2, -0.01);
+            if (!needsMechanical(method)) {
+                EXPECT_EQ(amplification(method, a, b), std::max(amplification(method, a), amplification(method, b)));
+                continue;
+            }
+            const OdeProblem problem{.dimension = 2,
+                                     .slope =
+                                         [=](double, std::span<const double> y, std::span<double> dydt) {
+                                             dydt[0] = y[1];
+                                             dydt[1] = -a * b * y[0] + (a + b) * y[1];
+                                         },
+                                     .isMechanical = true};
+            // Its matrix, from the steps of both unit vectors; of that, the larger root of its polynomial
+            FixedStepper first(problem, method, 0, 1, {1, 0}), second(problem, method, 0, 1, {0, 1});
+            ASSERT_TRUE(first.step() && second.step());
+            const auto p = first.state(), q = second.state();
+            const Complex half = (p[0] + q[1]) / 2, root = std::sqrt(half * half - (p[0] * q[1] - q[0] * p[1]));
+            const double larger = std::max(std::abs(half + root), std::abs(half - root));
+            // Of a double root, the root of a rounding
+            EXPECT_NEAR(amplification(method, a, b), larger, 1e-7) << methodName(method) << " " << a << " " << b;
+        }
+    }
+    EXPECT_THROW(amplification(OdeMethod::rodas, Complex(0, 1), Complex(0, 1)), Error);
+    EXPECT_THROW(amplification(OdeMethod::rodas, infinite, 0), Error);
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ Picture drawCase(const GoldenCase& golden) {
     const DemoInfo& info = *golden.command.demo;
     stage().open(info, golden.command.width ? golden.command.width : info.width,
                  golden.command.height ? golden.command.height : info.height);
-    applyKnobs(stage().demo(), golden.command.knobs);
+    stage().begin(golden.command.knobs, golden.command.changes);
     stage().draw(golden.command.firstFrame);
     return stage().picture();
 }

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "mv/demo/binding.h"
@@ -55,6 +56,9 @@ class Demo {
     Scene seen(const Frame& frame) const;
     // For a study of values: computes them for the present settings, without GL. This is what is timed.
     virtual std::vector<double> values() const;
+    // What else is to be said of these values, by name, and does not depend on the machine: steps, evaluations, energy
+    // lost. They stand beside the errors.
+    virtual std::vector<std::pair<std::string, double>> valueCounts() const { return {}; }
 
     const std::vector<Knob*>& knobs() const { return knobs_; }
     const std::vector<Readout*>& readouts() const { return readouts_; }

@@ -1,5 +1,6 @@
 #include "mv/motion/ode_stability.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -64,15 +65,71 @@ double spectralRadius(double a, double b, double c, double d) {
     return std::hypot(mean, std::sqrt(-discriminant));
 }
 
-// Of q and h v.
-double ofMechanical(OdeMethod method, Complex z) {
-    const double k = std::norm(z), c = -2 * z.real();
+// Of q and h v, of q'' = -k q - c q' and a step of 1.
+double ofMechanical(OdeMethod method, double k, double c) {
     if (method == OdeMethod::symplecticEuler) return spectralRadius(1 - k, 1 - c, -k, 1 - c);
     const double a = 1 - k / 2, b = 1 - c / 2;  // the new q
     return spectralRadius(a, b, (-k - k * a + c * k) / 2, 1 + (-c - k * b - c * (1 - c)) / 2);
 }
 
 double finiteOr(double value, double otherwise) { return std::isfinite(value) ? value : otherwise; }
+
+Eigen::MatrixXd jacobianAt(const OdeProblem& problem, double t, std::span<const double> y) {
+    const auto n = static_cast<Eigen::Index>(problem.dimension);
+    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(n, n);
+    if (problem.sparseJacobian) {
+        std::vector<MatrixEntry> entries;
+        problem.sparseJacobian(t, y, entries);
+        for (const auto& [row, column, value] : entries) result(row, column) += value;
+        return result;
+    }
+    std::vector<double> values(problem.dimension * problem.dimension);
+    if (problem.jacobian) {
+        problem.jacobian(t, y, values);
+    } else {
+        std::vector<double> slope(problem.dimension);
+        problem.slope(t, y, slope);
+        std::int64_t evaluations = 0;
+        values = differencedJacobian(problem, t, y, slope, 0, evaluations);
+    }
+    return Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(values.data(), n,
+                                                                                                    n);
+}
+
+// Takes out rows of zeros, with their columns, and columns with their rows, one after the other: each is an eigenvalue 0,
+// and the others are those of what is left.
+Eigen::MatrixXd withoutZeroRows(const Eigen::MatrixXd& matrix) {
+    std::vector<Eigen::Index> left(static_cast<std::size_t>(matrix.rows()));
+    for (std::size_t i = 0; i < left.size(); ++i) left[i] = static_cast<Eigen::Index>(i);
+    const auto isEmpty = [&](Eigen::Index i) {
+        return std::ranges::all_of(left, [&](Eigen::Index j) { return matrix(i, j) == 0; }) ||
+               std::ranges::all_of(left, [&](Eigen::Index j) { return matrix(j, i) == 0; });
+    };
+    for (std::size_t before = left.size() + 1; left.size() < before;) {
+        before = left.size();
+        const auto found = std::ranges::find_if(left, isEmpty);
+        if (found != left.end()) left.erase(found);
+    }
+    return matrix(left, left);
+}
+
+// Scales unknowns by powers of two until each row is about as large as its column: positions and velocities differ by
+// a factor of the largest frequency, by which errors would be larger. Source: Parlett and Reinsch, Numer. Math. 13 (1969).
+void balance(Eigen::MatrixXd& matrix) {
+    for (bool isBalanced = false; !isBalanced;) {
+        isBalanced = true;
+        for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+            const double own = std::abs(matrix(i, i));
+            const double column = matrix.col(i).lpNorm<1>() - own, row = matrix.row(i).lpNorm<1>() - own;
+            if (!(column > 0 && row > 0)) continue;
+            const double factor = std::exp2(std::round(std::log2(row / column) / 2));
+            if (column * factor + row / factor >= 0.95 * (column + row)) continue;
+            isBalanced = false;
+            matrix.col(i) *= factor;
+            matrix.row(i) /= factor;
+        }
+    }
+}
 
 }  // namespace
 
@@ -98,8 +155,20 @@ std::complex<double> stabilityFunction(OdeMethod method, std::complex<double> z)
 
 double amplification(OdeMethod method, std::complex<double> z) {
     requireFinite("amplification", "z", vec2(z.real(), z.imag()));
-    if (needsMechanical(method)) return finiteOr(ofMechanical(method, z), infinity);
+    if (needsMechanical(method)) return finiteOr(ofMechanical(method, std::norm(z), -2 * z.real()), infinity);
     return std::abs(stabilityFunction(method, z));
+}
+
+double amplification(OdeMethod method, std::complex<double> z, std::complex<double> partner) {
+    requireFinite("amplification", "z", vec2(z.real(), z.imag()));
+    requireFinite("amplification", "the partner", vec2(partner.real(), partner.imag()));
+    if (partner != std::conj(z) && (z.imag() != 0 || partner.imag() != 0)) {
+        throw Error("amplification", "the two must be conjugates, or both real");
+    }
+    if (needsMechanical(method)) {
+        return finiteOr(ofMechanical(method, (z * partner).real(), -(z + partner).real()), infinity);
+    }
+    return std::max(std::abs(stabilityFunction(method, z)), std::abs(stabilityFunction(method, partner)));
 }
 
 double stabilityLimit(OdeMethod method) {
@@ -118,6 +187,22 @@ double stabilityLimit(OdeMethod method) {
         (isStable(middle) ? stable : unstable) = middle;
     }
     return stable;
+}
+
+std::vector<std::complex<double>> eigenvalues(const OdeProblem& problem, double t, std::span<const double> y) {
+    requireProblem("eigenvalues", problem, t, y);
+    const Eigen::MatrixXd jacobian = jacobianAt(problem, t, y);
+    if (!jacobian.allFinite()) throw Error("eigenvalues", "the Jacobian must be finite", "t = " + numberText(t));
+    Eigen::MatrixXd matrix = withoutZeroRows(jacobian);
+    balance(matrix);
+    std::vector<Complex> result(problem.dimension);
+    if (matrix.rows() > 0) {
+        const Eigen::EigenSolver<Eigen::MatrixXd> solver(matrix, false);
+        if (solver.info() != Eigen::Success) throw Error("eigenvalues", "must be found within 40 iterations for each");
+        std::copy_n(solver.eigenvalues().data(), matrix.rows(), result.begin());
+    }
+    std::ranges::stable_sort(result, [](const Complex& a, const Complex& b) { return std::norm(a) > std::norm(b); });
+    return result;
 }
 
 }  // namespace mv
