@@ -59,8 +59,8 @@ struct Reference {
     double work = 0;
 };
 
-// Which number of the error is drawn: the root mean square, or the part of the values that is wrong.
-enum class ErrorAxis { rms, fraction };
+// Which number of the error is drawn: the root mean square, the part of the values that is wrong, or the largest.
+enum class ErrorAxis { rms, fraction, max };
 
 struct Study {
     std::string quantity;   // what is compared: "lit fraction of the floor's pixels"

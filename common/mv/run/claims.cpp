@@ -80,7 +80,7 @@ std::optional<double> numberOf(const StudyRun& run, const StudyRow& row, const S
     if (!row.ok()) return {};
     switch (number.kind) {
         case StudyNumber::Kind::error:
-            return run.axis == ErrorAxis::rms ? row.all.rms : 100 * row.all.fraction;
+            return (run.axis == ErrorAxis::fraction ? 100 : 1) * run.shownError(row);
         case StudyNumber::Kind::rms:
             return row.all.rms;
         case StudyNumber::Kind::max:

@@ -1,6 +1,7 @@
 #include "mv/run/study_data.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <functional>
@@ -15,6 +16,9 @@ namespace mv {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+// By ErrorAxis.
+constexpr std::array<const char*, 3> axisNames{"rms", "fraction", "max"};
 
 // Six digits say all that a measurement can.
 double rounded(double value) {
@@ -109,7 +113,9 @@ bool isOnLine(const StudyRun& run, const StudyRow& row) { return isPlotted(row) 
 std::string errorText(double value) { return value == 0 ? "0" : formatted("%.3g", value); }
 
 std::string errorName(ErrorAxis axis) {
-    return axis == ErrorAxis::rms ? "root mean square error" : "part that is wrong";
+    return axis == ErrorAxis::rms   ? "root mean square error"
+           : axis == ErrorAxis::max ? "largest error"
+                                    : "part that is wrong";
 }
 
 std::string knobOf(const StudyRun& run, const std::string& scene, const std::string& method) {
@@ -173,7 +179,7 @@ std::string studyJson(const StudyRun& run) {
     json["demo"] = run.demo;
     json["quantity"] = run.quantity;
     json["reference"] = run.reference;
-    json["axis"] = run.axis == ErrorAxis::rms ? "rms" : "fraction";
+    json["axis"] = axisNames.at(static_cast<std::size_t>(run.axis));
     if (!run.problem.empty()) json["problem"] = run.problem;
     json["wrong_beyond"] = run.wrongBeyond;
     json["width"] = run.width;
@@ -263,7 +269,10 @@ StudyRun readStudy(const std::string& text) {
         run.demo = in(json, "demo");
         run.quantity = in(json, "quantity");
         run.reference = in(json, "reference");
-        run.axis = in(json, "axis") == "rms" ? ErrorAxis::rms : ErrorAxis::fraction;
+        const std::string axisName = in(json, "axis");
+        const auto axis = std::find(axisNames.begin(), axisNames.end(), axisName);
+        if (axis == axisNames.end()) throw Error("axis", "must be rms, fraction or max", axisName);
+        run.axis = static_cast<ErrorAxis>(axis - axisNames.begin());
         if (json.contains("problem")) run.problem = in(json, "problem");
         run.wrongBeyond = in(json, "wrong_beyond");
         run.width = in(json, "width");

@@ -43,7 +43,9 @@ struct StudyRun {
     std::vector<StudyRow> rows;
 
     // The error that the plot shows.
-    double shownError(const StudyRow& row) const { return axis == ErrorAxis::rms ? row.all.rms : row.all.fraction; }
+    double shownError(const StudyRow& row) const {
+        return axis == ErrorAxis::rms ? row.all.rms : axis == ErrorAxis::max ? row.all.max : row.all.fraction;
+    }
 };
 
 // How a line's error falls (or its time grows) with its parameter p: the least-squares slope of the logarithms, so that

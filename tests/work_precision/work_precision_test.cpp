@@ -1,0 +1,3 @@
+#include <gtest/gtest.h>
+#include "work_precision/page.h"
+TEST(WorkPrecision, stub) {}
