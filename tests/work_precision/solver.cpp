@@ -47,7 +47,7 @@ Outcome byEqualSteps(const Problem& problem, OdeMethod method, double steps) {
 
 }  // namespace
 
-std::vector<double> tolerances() { return {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10}; }
+std::vector<double> tolerances() { return {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12}; }
 std::vector<double> stepNumbers() { return {10, 100, 1000, 10000}; }
 
 std::vector<Solver> ourSolvers() {
