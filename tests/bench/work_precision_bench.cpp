@@ -109,8 +109,9 @@ void workPrecisionBench(const std::string& folder) {
         std::cout << page;
         return;
     }
+    const std::string curve = studySvg(kept) + work_precision::curveStamp(rows) + "\n";
     writeFileAtomically(fs::path(folder) / "work-precision.csv", std::string_view(rows));
-    writeFileAtomically(fs::path(folder) / "work-precision.svg", std::string_view(studySvg(kept)));
+    writeFileAtomically(fs::path(folder) / "work-precision.svg", std::string_view(curve));
     writeFileAtomically(fs::path(folder) / "work-precision.md", std::string_view(page));
 }
 

@@ -32,5 +32,7 @@ std::vector<Saying> sayings();
 std::vector<Saying> sayingsAtEqualErrors();
 
 std::string page(const StudyRun& run);
+// A line that says which rows a curve shows, by the text of their file.
+std::string curveStamp(const std::string& rows);
 
 }  // namespace mv::work_precision
