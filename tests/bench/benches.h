@@ -35,6 +35,13 @@ namespace mv::bench {
 // minutes: 100,000 samples a function. Error: gnuplot is missing.
 void accuracyBench(const std::string& folder);
 
+// The errors and times of mv/motion's integrators beside CVODE (where SUNDIALS is installed) and Odeint: prints the page,
+// or with a folder ("docs") writes it there as work-precision.md, with its curves work-precision.svg and its rows
+// work-precision.csv. Takes under three minutes. Error: gnuplot is missing.
+void workPrecisionBench(const std::string& folder);
+// Prints the references that it compares with, tests/work_precision/references.csv.
+void workPrecisionReferences();
+
 // Shadows of a cube on a floor, 640 x 480: by volumes against by matrix (at most 2.2 times the time), by matrix against
 // none (at most 1.15).
 [[nodiscard]] std::vector<Row> volumeBench(int rounds);

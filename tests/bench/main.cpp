@@ -1,6 +1,8 @@
 // mvgl-bench: what the suite costs, as ratios of interleaved runs against the bare way of doing the same.
 //     mvgl-bench [png] [math] [frame] [process] [rays] [shadows] [volumes] [--rounds N]
 //     mvgl-bench accuracy [--write FOLDER]    the errors and times of mv/math: docs/library.* (gnuplot draws the curve)
+//     mvgl-bench work-precision [--write FOLDER]    those of the integrators: docs/work-precision.*
+//     mvgl-bench work-precision --references    what they are compared with: tests/work_precision/references.csv
 // Exit status 0: every bound holds; 1: one is broken, or a run was too noisy to tell.
 #include <algorithm>
 #include <cstdlib>
@@ -18,13 +20,23 @@ int main(int count, char** arguments) {
     const std::vector<std::pair<std::string, std::function<std::vector<Row>(int)>>> benches{
         {"png", pngBench},   {"math", mathBench},       {"frame", frameBench},   {"process", processBench},
         {"rays", raysBench}, {"shadows", shadowsBench}, {"volumes", volumeBench}};
-    if (count >= 2 && std::string(arguments[1]) == "accuracy") {
-        if (count != 2 && (count != 4 || std::string(arguments[2]) != "--write")) {
-            std::cerr << "error: accuracy: takes --write FOLDER or nothing\n";
+    const std::string first = count >= 2 ? arguments[1] : "";
+    if (first == "accuracy" || first == "work-precision") {
+        const std::string flag = count >= 3 ? arguments[2] : "";
+        const bool isReferences = first == "work-precision" && count == 3 && flag == "--references";
+        if (count != 2 && !isReferences && (count != 4 || flag != "--write")) {
+            std::cerr << "error: " << first << ": takes --write FOLDER or nothing\n";
             return 2;
         }
         try {
-            accuracyBench(count == 4 ? arguments[3] : "");
+            const std::string folder = count == 4 ? arguments[3] : "";
+            if (isReferences) {
+                workPrecisionReferences();
+            } else if (first == "accuracy") {
+                accuracyBench(folder);
+            } else {
+                workPrecisionBench(folder);
+            }
             return 0;
         } catch (const std::exception& error) {
             std::cerr << "error: " << error.what() << "\n";
@@ -43,7 +55,7 @@ int main(int count, char** arguments) {
         for (const auto& bench : benches) known |= bench.first == word;
         if (!known) {
             std::cerr << "error: " << word
-                      << ": must be accuracy, png, math, frame, process, rays, shadows, volumes or --rounds N\n";
+                      << ": must be accuracy, work-precision, png, math, frame, process, rays, shadows, volumes or --rounds N\n";
             return 2;
         }
         wanted.push_back(word);

@@ -14,7 +14,7 @@ namespace {
 
 using Values = std::vector<double>;
 
-constexpr std::array adaptiveMethods{OdeMethod::dormandPrince, OdeMethod::rodas};
+constexpr std::array adaptiveMethods{OdeMethod::dormandPrince, OdeMethod::rodas, OdeMethod::radau};
 
 // The largest error in units of the tolerance; infinity where anything is NaN.
 double inTolerances(const Values& y, const Values& reference, const AdaptiveOptions& options) {
@@ -96,6 +96,10 @@ TEST(OdeAdaptive, ADifferencedJacobianServes) {
         SCOPED_TRACE(ode.name);
         ode.problem.jacobian = {};
         const AdaptiveOptions options{.relative = 1e-6, .absolute = ode.absolute};
+        const OdeResult byRadau =
+            integrateAdaptive(ode.problem, OdeMethod::radau, ode.start, ode.end, ode.initial, options);
+        EXPECT_EQ(byRadau.failure, "");
+        EXPECT_LT(inTolerances(byRadau.y, ode.reference, options), 100);
         const OdeResult result =
             integrateAdaptive(ode.problem, OdeMethod::rodas, ode.start, ode.end, ode.initial, options);
         EXPECT_EQ(result.failure, "");
@@ -124,6 +128,20 @@ TEST(OdeAdaptive, CountsAreRight) {
     EXPECT_EQ(rodas.jacobians, rodas.accepted);  // a rejected step starts where the next one does
     EXPECT_EQ(rodas.factorizations, rodas.accepted + rodas.rejected);
     EXPECT_EQ(rodas.newtonIterations, 0);
+
+    evaluations = steps = 0;
+    const OdeCounts radau = integrateAdaptive(ode.problem, OdeMethod::radau, 0, ode.end, ode.initial, options).counts;
+    EXPECT_EQ(radau.evaluations, evaluations);
+    EXPECT_EQ(radau.accepted, steps);
+    EXPECT_GT(radau.rejected, 0);
+    EXPECT_LT(radau.jacobians, radau.accepted);  // some are kept
+    EXPECT_EQ(radau.factorizations % 2, 0);      // a real and a complex one
+    EXPECT_LT(radau.factorizations, 2 * (radau.accepted + radau.rejected));
+    // Three an iteration; one at the start of a step; two for the first step's length; and where an error of the first
+    // step or after a rejection is too large, one more.
+    const std::int64_t fewest = 3 * radau.newtonIterations + radau.accepted + 2;
+    EXPECT_GE(radau.evaluations, fewest);
+    EXPECT_LE(radau.evaluations, fewest + radau.rejected);
 
     evaluations = steps = 0;
     const OdeCounts explicitly =
@@ -165,7 +183,7 @@ TEST(OdeAdaptive, DenseOutputHasItsOrder) {
             return worst;
         };
         // One step of an interpolation of order q is off by h^(q+1): 4 and 3.
-        EXPECT_NEAR(std::log2(error(0.2) / error(0.1)), method == OdeMethod::rodas ? 4 : 5, 0.4);
+        EXPECT_NEAR(std::log2(error(0.2) / error(0.1)), method == OdeMethod::dormandPrince ? 5 : 4, 0.4);
     }
 }
 
@@ -215,6 +233,54 @@ TEST(OdeAdaptive, ASingularMatrixShortensTheStep) {
     EXPECT_NEAR(result.y[0] / std::exp(8.0), 1, 100e-6);  // 100 tolerances
 }
 
+// One evaluation of J and two factorizations are enough for what is linear, while the step is.
+TEST(OdeAdaptive, RadauKeepsTheMatricesOfALinearProblem) {
+    const OdeCase ode = springCase(1, 0);
+    const OdeResult result =
+        integrateAdaptive(ode.problem, OdeMethod::radau, 0, 1000, ode.initial, {.relative = 1e-6, .absolute = 1e-6});
+    EXPECT_EQ(result.failure, "");
+    EXPECT_EQ(result.counts.jacobians, 1);
+    EXPECT_LT(result.counts.factorizations, result.counts.accepted / 10);
+}
+
+TEST(OdeAdaptive, StepsEndAtStops) {
+    const OdeCase ode = robertsonCase();
+    for (const OdeMethod method : {OdeMethod::rodas, OdeMethod::radau}) {
+        SCOPED_TRACE(methodName(method));
+        std::vector<double> ends;
+        AdaptiveOptions options{.relative = 1e-6, .absolute = ode.absolute, .stops = {1e-3, 0.4, 1e11}};
+        std::vector<Values> seen;
+        options.observe = [&](const AcceptedStep& step) {
+            for (const double stop : options.stops) {
+                if (step.to() == stop) seen.emplace_back(step.state().begin(), step.state().end());
+            }
+        };
+        const OdeResult result = integrateAdaptive(ode.problem, method, 0, ode.end, ode.initial, options);
+        EXPECT_EQ(result.failure, "");
+        EXPECT_EQ(result.atStops, seen);
+        ASSERT_EQ(result.atStops.size(), 3U);
+        EXPECT_EQ(result.atStops.back(), result.y);
+        // A stop costs a step or two, not the way to long ones anew, which takes dozens.
+        const std::int64_t stopped = result.counts.accepted;
+        options.stops.clear();
+        EXPECT_LE(stopped,
+                  integrateAdaptive(ode.problem, method, 0, ode.end, ode.initial, options).counts.accepted + 10);
+        // What gives up before has fewer.
+        options.stops = {1e-3, 1e10};
+        options.mostSteps = 100;
+        EXPECT_EQ(integrateAdaptive(ode.problem, method, 0, ode.end, ode.initial, options).atStops.size(), 1U);
+    }
+    const auto why = [&](std::vector<double> stops) {
+        return refusal([&] {
+            integrateAdaptive(ode.problem, OdeMethod::rodas, 0, 1, ode.initial, {.stops = std::move(stops)});
+        });
+    };
+    EXPECT_EQ(why({0}), "RODAS 4(3): stops must ascend from after the start to the end, 0");
+    EXPECT_EQ(why({0.5, 0.5}), "RODAS 4(3): stops must ascend from after the start to the end, 0.5");
+    EXPECT_EQ(why({0.5, 1.5}), "RODAS 4(3): stops must ascend from after the start to the end, 1.5");
+    EXPECT_EQ(why({notANumber}), "RODAS 4(3): stops must ascend from after the start to the end, nan");
+}
+
 TEST(OdeAdaptive, RestCostsNothing) {
     const OdeProblem still{.dimension = 1,
                            .slope = [](double, std::span<const double>, std::span<double> dydt) { dydt[0] = 0; }};
@@ -241,7 +307,7 @@ TEST(OdeAdaptive, TheImpossibleIsRefused) {
     EXPECT_EQ(why(rodas, 0, {}), "RODAS 4(3): end must be after start, 0");
     EXPECT_EQ(why(rodas, infinite, {}), "RODAS 4(3): end must be finite, inf");
     EXPECT_EQ(why(OdeMethod::rungeKutta4, 1, {}),
-              "Runge-Kutta 4: must be Dormand-Prince or RODAS to choose its steps: it has no error estimate");
+              "Runge-Kutta 4: must be Dormand-Prince, RODAS or Radau to choose its steps: it has no error estimate");
 }
 
 }  // namespace

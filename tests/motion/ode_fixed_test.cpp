@@ -95,7 +95,7 @@ TEST(OdeFixed, SymplecticMethodsKeepTheEnergyNearAndOthersDoNot) {
 
 // By 1/16.7 a step, so to the smallest doubles in 260 of them.
 TEST(OdeFixed, WhatDiesAwayDoesNotFail) {
-    for (const OdeMethod method : {OdeMethod::implicitEuler, OdeMethod::bdf2, OdeMethod::rodas}) {
+    for (const OdeMethod method : {OdeMethod::implicitEuler, OdeMethod::bdf2, OdeMethod::rodas, OdeMethod::radau}) {
         FixedStepper stepper(springCase(1000, 0).problem, method, 0, 1.0 / 60, {1, 0});
         for (int i = 0; i < 2000; ++i) ASSERT_TRUE(stepper.step()) << stepper.failure();
         EXPECT_LT(std::abs(stepper.state()[0]), 1e-100) << methodName(method);
@@ -158,7 +158,7 @@ TEST(OdeFixed, ADenseAndASparseJacobianAreOne) {
     };
     OdeProblem differenced = sparse;
     differenced.sparseJacobian = {};
-    for (const OdeMethod method : {OdeMethod::implicitEuler, OdeMethod::bdf2, OdeMethod::rodas}) {
+    for (const OdeMethod method : {OdeMethod::implicitEuler, OdeMethod::bdf2, OdeMethod::rodas, OdeMethod::radau}) {
         const auto end = [&](const OdeProblem& problem) { return integrateFixed(problem, method, 0, 3, 30, {1, 0}).y; };
         const Values dense = end(springCase(3, 0.2).problem);
         for (std::size_t i = 0; i < 2; ++i) {

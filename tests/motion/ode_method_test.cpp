@@ -98,7 +98,7 @@ constexpr double missed = 1e-4;
 
 TEST(OdeMethod, RungeKuttaTableausHaveTheirOrders) {
     for (const OdeMethod method : odeMethods) {
-        if (needsMechanical(method) || method == OdeMethod::bdf2 || method == OdeMethod::rodas) continue;
+        if (needsMechanical(method) || method == OdeMethod::bdf2 || method == OdeMethod::rodas || method == OdeMethod::radau) continue;
         SCOPED_TRACE(methodName(method));
         const ButcherTableau& t = tableau(method);
         const auto n = static_cast<std::size_t>(t.stages);
@@ -169,10 +169,49 @@ TEST(OdeMethod, RodasHasItsOrders) {
     for (std::size_t j = 0; j < r.m.size(); ++j) EXPECT_NEAR(form.b[j], form.beta.back()[j], digits);
 }
 
+TEST(OdeMethod, RadauHasItsOrderAndItsTransformation) {
+    const RadauCoefficients& r = radauCoefficients();
+    Matrix a(3, Vector(3));
+    const Vector b(r.a[2].begin(), r.a[2].end());  // stiffly accurate: the last stage is the result
+    for (std::size_t i = 0; i < 3; ++i) {
+        a[i].assign(r.a[i].begin(), r.a[i].end());
+        EXPECT_NEAR(a[i][0] + a[i][1] + a[i][2], r.c[i], rounding);
+    }
+    for (int p = 1; p <= 5; ++p) EXPECT_LT(violation(p, b, a, a), rounding) << "order " << p;
+    EXPECT_GT(violation(6, b, a, a), missed);
+
+    // A T D = T, where D is diagonal but for the complex pair's block, and T^-1 T = 1. The published T has 20 digits.
+    const double re = r.complex.real(), im = r.complex.imag();
+    const Matrix d{{r.real, 0, 0}, {0, re, -im}, {0, im, re}};
+    const auto at = [](const auto& m, std::size_t i, std::size_t j) { return m[i][j]; };
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = 0; j < 3; ++j) {
+            double unit = 0, same = 0;
+            for (std::size_t k = 0; k < 3; ++k) {
+                unit += at(r.inverse, i, k) * at(r.transform, k, j);
+                for (std::size_t l = 0; l < 3; ++l) same += a[i][k] * at(r.transform, k, l) * d[l][j];
+            }
+            EXPECT_NEAR(unit, i == j ? 1 : 0, rounding);
+            EXPECT_NEAR(same, at(r.transform, i, j), rounding);
+        }
+    }
+    // The error estimate is of order 3: of y' = t^k, k = 0 to 2, it is 0, and not of t^3.
+    for (int k = 0; k <= 3; ++k) {
+        double sum = k == 0 ? 1 : 0;
+        for (std::size_t i = 0; i < 3; ++i) sum += r.error[i] * std::pow(r.c[i], k + 1) / (k + 1);
+        if (k < 3) {
+            EXPECT_NEAR(sum, 0, rounding) << k;
+        } else {
+            EXPECT_GT(std::abs(sum), missed);
+        }
+    }
+}
+
 TEST(OdeMethod, OnlyRungeKuttaMethodsHaveATableau) {
     EXPECT_EQ(refusal([] { tableau(OdeMethod::bdf2); }), "tableau: must be asked for a Runge-Kutta method, BDF2");
     for (const OdeMethod method : odeMethods) {
-        EXPECT_EQ(isAdaptive(method), method == OdeMethod::dormandPrince || method == OdeMethod::rodas);
+        EXPECT_EQ(isAdaptive(method), method == OdeMethod::dormandPrince || method == OdeMethod::rodas ||
+                                          method == OdeMethod::radau);
         EXPECT_FALSE(methodName(method).empty());
     }
 }

@@ -122,7 +122,7 @@ TEST(OdeStability, LimitsAreTheKnownOnes) {
     EXPECT_EQ(stabilityLimit(OdeMethod::explicitEuler), 0);
     EXPECT_EQ(stabilityLimit(OdeMethod::explicitMidpoint), 0);
     for (const OdeMethod method :
-         {OdeMethod::implicitEuler, OdeMethod::implicitMidpoint, OdeMethod::bdf2, OdeMethod::rodas}) {
+         {OdeMethod::implicitEuler, OdeMethod::implicitMidpoint, OdeMethod::bdf2, OdeMethod::rodas, OdeMethod::radau}) {
         EXPECT_EQ(stabilityLimit(method), infinite) << methodName(method);
     }
 }
@@ -188,6 +188,8 @@ TEST(OdeStability, NeverReturnsNaN) {
     EXPECT_EQ(stabilityFunction(OdeMethod::implicitEuler, 1), Complex(infinite, 0));
     EXPECT_EQ(stabilityFunction(OdeMethod::implicitMidpoint, 2), Complex(infinite, 0));
     EXPECT_EQ(stabilityFunction(OdeMethod::rodas, 4), Complex(infinite, 0));
+    // Radau's denominator is 0 at the real eigenvalue of the inverse of its matrix.
+    EXPECT_GT(std::abs(stabilityFunction(OdeMethod::radau, radauCoefficients().real)), 1e13);
     for (const OdeMethod method : odeMethods) {
         for (const double size : {1e-300, 1e60, 1e150, 1.7e308}) {
             for (const double angle : {0.0, 90.0, 135.0, 180.0}) {

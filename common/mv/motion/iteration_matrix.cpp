@@ -7,82 +7,230 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <type_traits>
 
 #include "mv/error.h"
+#include "mv/motion/linear_factors.h"
 
 namespace mv {
 namespace {
 
-using DenseMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-using SparseMatrix = Eigen::SparseMatrix<double>;
+using Complex = std::complex<double>;
+template <typename T>
+using DenseMatrix = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+template <typename T>
+using SparseMatrix = Eigen::SparseMatrix<T>;
+template <typename T>
+using Vector = Eigen::Matrix<T, Eigen::Dynamic, 1>;
 
-bool hasSamePattern(const SparseMatrix& a, const SparseMatrix& b) {
-    return a.nonZeros() == b.nonZeros() &&
-           std::equal(a.outerIndexPtr(), a.outerIndexPtr() + a.outerSize() + 1, b.outerIndexPtr()) &&
-           std::equal(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros(), b.innerIndexPtr());
+// Up to here LinearFactors is faster than Eigen.
+constexpr std::size_t mostSmall = 32;
+// Diagonals on one side, up to which a band is faster than SparseLU, which looks up where each entry lies.
+constexpr std::size_t widestBand = 24;
+
+enum class Structure { small, dense, band, sparse };
+
+bool isAtSamePlaces(const std::vector<MatrixEntry>& a, const std::vector<MatrixEntry>& b) {
+    return std::ranges::equal(
+        a, b, [](const MatrixEntry& x, const MatrixEntry& y) { return x.row == y.row && x.column == y.column; });
 }
+
+// Which row and column of the matrix is the i-th to be eliminated, so that neighbours in the graph of the entries stay
+// near each other. Source: Cuthill and McKee, "Reducing the bandwidth of sparse symmetric matrices" (1969).
+std::vector<std::size_t> cuthillMcKee(std::size_t n, const std::vector<MatrixEntry>& entries) {
+    std::vector<std::vector<std::size_t>> neighbours(n);
+    for (const MatrixEntry& entry : entries) {
+        if (entry.row == entry.column) continue;
+        const auto row = static_cast<std::size_t>(entry.row), column = static_cast<std::size_t>(entry.column);
+        neighbours[row].push_back(column);
+        neighbours[column].push_back(row);
+    }
+    for (auto& list : neighbours) {
+        std::ranges::sort(list);
+        list.erase(std::ranges::unique(list).begin(), list.end());
+    }
+    const auto hasFewer = [&](std::size_t a, std::size_t b) { return neighbours[a].size() < neighbours[b].size(); };
+    for (auto& list : neighbours) std::ranges::stable_sort(list, hasFewer);
+
+    std::vector<std::size_t> order, starts(n);
+    std::vector<bool> isTaken(n);
+    for (std::size_t i = 0; i < n; ++i) starts[i] = i;
+    std::ranges::stable_sort(starts, hasFewer);
+    for (const std::size_t start : starts) {  // one for each part that hangs together
+        if (isTaken[start]) continue;
+        isTaken[start] = true;
+        order.push_back(start);
+        for (std::size_t next = order.size() - 1; next < order.size(); ++next) {
+            for (const std::size_t neighbour : neighbours[order[next]]) {
+                if (isTaken[neighbour]) continue;
+                isTaken[neighbour] = true;
+                order.push_back(neighbour);
+            }
+        }
+    }
+    return order;
+}
+
+// s I - J factorized, real or complex.
+template <typename T>
+struct Factors {
+    std::optional<T> s;  // of what is factorized
+    // One of the three.
+    LinearFactors<T> small;  // and bands
+    Eigen::PartialPivLU<DenseMatrix<T>> dense;
+    std::optional<Eigen::SparseLU<SparseMatrix<T>>> sparse;
+
+    bool hasOrder = false;  // of the sparse one, which stays while the pattern does
+};
 
 }  // namespace
 
 struct IterationMatrix::Parts {
-    Eigen::Index dimension = 0;
-    bool isSparse = false;
-    std::optional<double> s;  // of what is factorized
+    std::size_t dimension = 0;
+    Structure structure = Structure::small;
     // One of the two.
-    DenseMatrix denseJacobian;
-    std::vector<MatrixEntry> entries;
+    std::vector<double> denseJacobian;
+    std::vector<MatrixEntry> entries, entriesBefore;
 
-    Eigen::PartialPivLU<DenseMatrix> denseFactors;
-    SparseMatrix matrix;
-    Eigen::SparseLU<SparseMatrix> sparseFactors;
+    std::vector<std::size_t> places;  // of a band: where each row and column stands in its order
+    std::size_t lower = 0, upper = 0;
+    Factors<double> real;
+    Factors<Complex> complex;
 
     Parts() = default;
     // SparseLU cannot be copied: a copy factorizes for itself.
     Parts(const Parts& other)
         : dimension(other.dimension),
-          isSparse(other.isSparse),
+          structure(other.structure),
           denseJacobian(other.denseJacobian),
-          entries(other.entries) {}
+          entries(other.entries),
+          entriesBefore(other.entriesBefore),
+          places(other.places),
+          lower(other.lower),
+          upper(other.upper) {}
     Parts& operator=(const Parts&) = delete;
 
-    bool factorizeDense(double shift);
-    bool factorizeSparse(double shift);
+    bool isSparse() const { return structure == Structure::band || structure == Structure::sparse; }
+    template <typename T>
+    Factors<T>& factors() {
+        if constexpr (std::is_same_v<T, double>) {
+            return real;
+        } else {
+            return complex;
+        }
+    }
+
+    void chooseStructure();
+    template <typename T>
+    bool factorize(T shift);
+    template <typename T>
+    void solve(std::span<T> x, std::vector<T>& ordered);
 };
 
-bool IterationMatrix::Parts::factorizeDense(double shift) {
-    DenseMatrix shifted = -denseJacobian;
-    shifted.diagonal().array() += shift;
-    denseFactors.compute(shifted);
-    // A singular matrix has a pivot 0, and one that overflowed has NaN.
-    const auto pivots = denseFactors.matrixLU().diagonal().array();
-    return pivots.isFinite().all() && (pivots != 0).all();
+void IterationMatrix::Parts::chooseStructure() {
+    real.hasOrder = complex.hasOrder = false;
+    const std::vector<std::size_t> order = cuthillMcKee(dimension, entries);
+    places.resize(dimension);
+    for (std::size_t i = 0; i < dimension; ++i) places[order[i]] = i;
+    lower = upper = 0;
+    for (const MatrixEntry& entry : entries) {
+        const std::size_t row = places[static_cast<std::size_t>(entry.row)];
+        const std::size_t column = places[static_cast<std::size_t>(entry.column)];
+        lower = std::max(lower, row > column ? row - column : 0);
+        upper = std::max(upper, column > row ? column - row : 0);
+    }
+    structure = std::max(lower, upper) <= widestBand ? Structure::band : Structure::sparse;
 }
 
-bool IterationMatrix::Parts::factorizeSparse(double shift) {
-    std::vector<Eigen::Triplet<double>> triplets;
-    triplets.reserve(entries.size() + static_cast<std::size_t>(dimension));
-    for (const MatrixEntry& entry : entries) triplets.emplace_back(entry.row, entry.column, -entry.value);
-    for (int i = 0; i < static_cast<int>(dimension); ++i) triplets.emplace_back(i, i, shift);
-    SparseMatrix shifted(dimension, dimension);
-    shifted.setFromTriplets(triplets.begin(), triplets.end());
-    // In which order to eliminate is the pattern's affair, and takes as long as eliminating.
-    if (!hasSamePattern(shifted, matrix)) sparseFactors.analyzePattern(shifted);
-    matrix.swap(shifted);
-    sparseFactors.factorize(matrix);
-    return sparseFactors.info() == Eigen::Success;
+template <typename T>
+bool IterationMatrix::Parts::factorize(T shift) {
+    Factors<T>& into = factors<T>();
+    const std::size_t n = dimension;
+    switch (structure) {
+        case Structure::small: {
+            into.small.reset(n, n - 1, n - 1);
+            for (std::size_t i = 0; i < n; ++i) {
+                for (std::size_t j = 0; j < n; ++j) into.small.at(i, j) = T(-denseJacobian[i * n + j]);
+                into.small.at(i, i) += shift;
+            }
+            return into.small.factorize();
+        }
+        case Structure::band: {
+            into.small.reset(n, lower, upper);
+            for (const MatrixEntry& entry : entries) {
+                into.small.at(places[static_cast<std::size_t>(entry.row)],
+                              places[static_cast<std::size_t>(entry.column)]) -= entry.value;
+            }
+            for (std::size_t i = 0; i < n; ++i) into.small.at(i, i) += shift;
+            return into.small.factorize();
+        }
+        case Structure::dense: {
+            const auto size = static_cast<Eigen::Index>(n);
+            DenseMatrix<T> shifted =
+                (-Eigen::Map<const DenseMatrix<double>>(denseJacobian.data(), size, size)).template cast<T>();
+            shifted.diagonal().array() += shift;
+            into.dense.compute(shifted);
+            // A singular matrix has a pivot 0, and one that overflowed has NaN.
+            const auto pivots = into.dense.matrixLU().diagonal().array();
+            return pivots.isFinite().all() && (pivots != T(0)).all();
+        }
+        case Structure::sparse: {
+            std::vector<Eigen::Triplet<T>> triplets;
+            triplets.reserve(entries.size() + n);
+            for (const MatrixEntry& entry : entries) triplets.emplace_back(entry.row, entry.column, T(-entry.value));
+            for (int i = 0; i < static_cast<int>(n); ++i) triplets.emplace_back(i, i, shift);
+            SparseMatrix<T> shifted(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(n));
+            shifted.setFromTriplets(triplets.begin(), triplets.end());
+            if (!into.sparse) into.sparse.emplace();
+            // In which order to eliminate is the pattern's affair, and takes as long as eliminating.
+            if (!into.hasOrder) into.sparse->analyzePattern(shifted);
+            into.hasOrder = true;
+            into.sparse->factorize(shifted);
+            return into.sparse->info() == Eigen::Success;
+        }
+    }
+    return false;
+}
+
+template <typename T>
+void IterationMatrix::Parts::solve(std::span<T> x, std::vector<T>& ordered) {
+    Factors<T>& by = factors<T>();
+    Eigen::Map<Vector<T>> vector(x.data(), static_cast<Eigen::Index>(x.size()));
+    switch (structure) {
+        case Structure::small:
+            by.small.solve(x);
+            return;
+        case Structure::band:
+            ordered.resize(x.size());
+            for (std::size_t i = 0; i < x.size(); ++i) ordered[places[i]] = x[i];
+            by.small.solve(ordered);
+            for (std::size_t i = 0; i < x.size(); ++i) x[i] = ordered[places[i]];
+            return;
+        case Structure::dense:
+            vector = Vector<T>(by.dense.solve(vector));
+            return;
+        case Structure::sparse:
+            vector = Vector<T>(by.sparse->solve(vector));
+            return;
+    }
 }
 
 bool IterationMatrix::evaluate(const OdeProblem& problem, double t, std::span<const double> y,
                                std::span<const double> slope, double span, OdeCounts& counts) {
-    if (!parts_ || parts_.use_count() > 1) parts_ = std::make_shared<Parts>();
+    if (!parts_) {
+        parts_ = std::make_shared<Parts>();
+    } else if (parts_.use_count() > 1) {
+        parts_ = std::make_shared<Parts>(*parts_);
+    }
     Parts& parts = *parts_;
-    parts.s.reset();
-    parts.dimension = static_cast<Eigen::Index>(problem.dimension);
-    parts.isSparse = problem.sparseJacobian != nullptr;
+    parts.real.s.reset();
+    parts.complex.s.reset();
+    parts.dimension = problem.dimension;
     ++counts.jacobians;
 
     bool isFinite = true;
-    if (parts.isSparse) {
+    if (problem.sparseJacobian) {
+        parts.entries.swap(parts.entriesBefore);
         parts.entries.clear();
         problem.sparseJacobian(t, y, parts.entries);
         const int n = static_cast<int>(problem.dimension);
@@ -93,53 +241,43 @@ bool IterationMatrix::evaluate(const OdeProblem& problem, double t, std::span<co
             }
             isFinite = isFinite && std::isfinite(entry.value);
         }
+        if (!parts.isSparse() || !isAtSamePlaces(parts.entries, parts.entriesBefore)) parts.chooseStructure();
     } else {
-        parts.denseJacobian.setZero(parts.dimension, parts.dimension);
+        parts.structure = problem.dimension <= mostSmall ? Structure::small : Structure::dense;
+        parts.denseJacobian.assign(problem.dimension * problem.dimension, 0);
         if (problem.jacobian) {
-            problem.jacobian(t, y, {parts.denseJacobian.data(), problem.dimension * problem.dimension});
+            problem.jacobian(t, y, parts.denseJacobian);
         } else {
-            const std::vector<double> differenced = differencedJacobian(problem, t, y, slope, span, counts.evaluations);
-            std::ranges::copy(differenced, parts.denseJacobian.data());
+            parts.denseJacobian = differencedJacobian(problem, t, y, slope, span, counts.evaluations);
         }
-        isFinite = parts.denseJacobian.allFinite();
+        isFinite = allFinite(parts.denseJacobian);
     }
     if (!isFinite) parts_.reset();
     return isFinite;
 }
 
-bool IterationMatrix::factorize(double s, OdeCounts& counts) {
-    if (parts_->s == s) return true;
+template <typename T>
+bool IterationMatrix::factorizeAt(T s, OdeCounts& counts) {
+    if (parts_->factors<T>().s == s) return true;
     if (parts_.use_count() > 1) parts_ = std::make_shared<Parts>(*parts_);
     ++counts.factorizations;
-    if (!(parts_->isSparse ? parts_->factorizeSparse(s) : parts_->factorizeDense(s))) {
+    if (!parts_->factorize(s)) {
         parts_.reset();
         return false;
     }
-    parts_->s = s;
+    parts_->factors<T>().s = s;
     return true;
 }
 
-void IterationMatrix::solve(std::span<double> x) const {
-    Eigen::Map<Eigen::VectorXd> vector(x.data(), static_cast<Eigen::Index>(x.size()));
-    if (parts_->isSparse) {
-        vector = Eigen::VectorXd(parts_->sparseFactors.solve(vector));
-    } else {
-        // Substitution, forwards and back. Most systems here have two or three rows, for which Eigen's own takes memory.
-        const DenseMatrix& lu = parts_->denseFactors.matrixLU();
-        vector = parts_->denseFactors.permutationP() * vector;
-        for (Eigen::Index i = 1; i < lu.rows(); ++i) vector[i] -= lu.row(i).head(i).dot(vector.head(i));
-        for (Eigen::Index i = lu.rows() - 1; i >= 0; --i) {
-            const Eigen::Index right = lu.rows() - 1 - i;
-            vector[i] = (vector[i] - lu.row(i).tail(right).dot(vector.tail(right))) / lu(i, i);
-        }
-    }
-}
+bool IterationMatrix::factorize(double s, OdeCounts& counts) { return factorizeAt(s, counts); }
+bool IterationMatrix::factorize(Complex s, OdeCounts& counts) { return factorizeAt(s, counts); }
+void IterationMatrix::solve(std::span<double> x) const { parts_->solve(x, ordered_); }
+void IterationMatrix::solve(std::span<Complex> x) const { parts_->solve(x, complexOrdered_); }
 
 void IterationMatrix::rowSizes(std::span<const double> w, std::span<double> result) const {
-    const double s = parts_->s.value();
-    const auto n = static_cast<std::size_t>(parts_->dimension);
-    if (parts_->isSparse) {
-        std::ranges::fill(result, 0);
+    const double s = parts_->real.s.value();
+    const std::size_t n = parts_->dimension;
+    if (parts_->isSparse()) {
         // Row sums of absolute values: entries of one place are few, and the sum of their sizes will do.
         for (std::size_t i = 0; i < n; ++i) result[i] = std::abs(s) * w[i];
         for (const MatrixEntry& entry : parts_->entries) {

@@ -64,6 +64,8 @@ struct OdeResult {
     double t = 0;
     std::vector<double> y = {};
     OdeCounts counts = {};
+    // y at each of AdaptiveOptions::stops that was reached.
+    std::vector<std::vector<double>> atStops = {};
 
     bool reachedEnd() const { return failure.empty(); }
 };

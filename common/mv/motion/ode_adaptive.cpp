@@ -9,6 +9,7 @@
 #include "mv/error.h"
 #include "mv/math/require.h"
 #include "mv/motion/one_step.h"
+#include "mv/motion/radau_step.h"
 
 namespace mv {
 namespace {
@@ -63,19 +64,30 @@ double firstStep(const OdeProblem& problem, double t, double length, const Value
     return std::min({100 * h, byBoth, length});
 }
 
+// What radau's error estimate is held to, which is of order 3 in a method of order 5: then the error at the end follows
+// the tolerance asked for, as that of the other methods does. Source: Hairer and Wanner's code RADAU5.
+AdaptiveOptions forRadau(AdaptiveOptions options) {
+    const double relative = 0.1 * std::pow(options.relative, 2.0 / 3);
+    options.absolute *= relative / options.relative;
+    options.relative = relative;
+    return options;
+}
+
 // Proportional and integral control of the step by the error e of this step and of the one before, both in tolerances.
 class StepControl {
   public:
     explicit StepControl(int order) : beta_(0.04), alpha_(1.0 / order - 0.75 * beta_) {}
 
-    double afterAccepted(double e) {
+    template <typename OneStep>
+    double afterAccepted(double e, double, const OneStep&) {
         const double factor = std::pow(std::max(e, 1e-10), -alpha_) * std::pow(before_, beta_) * safety;
         before_ = std::max(e, 1e-4);
         const double most = wasRejected_ ? 1.0 : 8.0;
         wasRejected_ = false;
         return std::clamp(factor, 0.2, most);
     }
-    double afterRejected(double e) {
+    template <typename OneStep>
+    double afterRejected(double e, const OneStep&) {
         wasRejected_ = true;
         return std::clamp(std::pow(e, -alpha_) * safety, 0.1, 0.9);
     }
@@ -91,18 +103,55 @@ class StepControl {
     bool wasRejected_ = false;
 };
 
-template <typename OneStep>
-OdeResult integrate(const OdeProblem& problem, OdeMethod method, OneStep oneStep, double start, double end, Values y,
-                    const AdaptiveOptions& options) {
+// Of radau: by the error of this step and, after two accepted ones, by how it grew from one to the other; more careful
+// where Newton's method worked hard; and what would be hardly longer stays as it is, with its matrices.
+// Source: Gustafsson (1994); Hairer and Wanner II, IV.8.
+class PredictiveControl {
+  public:
+    double afterAccepted(double e, double h, const RadauStep& step) {
+        double factor = byError(e, step);
+        if (lastStep_ > 0) {
+            const double grown = safety * (h / lastStep_) * std::pow(lastError_ / (e * e), 0.25);
+            factor = std::min(factor, std::clamp(grown, shortest, longest));
+        }
+        lastStep_ = h;
+        lastError_ = std::max(e, 1e-2);
+        if (wasRejected_) factor = std::min(factor, 1.0);
+        wasRejected_ = false;
+        return step.keepsJacobian() && factor >= 1 && factor <= 1.2 ? 1 : factor;
+    }
+    double afterRejected(double e, const RadauStep& step) {
+        wasRejected_ = true;
+        return lastStep_ == 0 ? 0.1 : std::min(byError(e, step), 0.9);
+    }
+    double afterFailed() {
+        wasRejected_ = true;
+        return 0.5;
+    }
+
+  private:
+    static constexpr double safety = 0.9, shortest = 0.2, longest = 8;
+    static double byError(double e, const RadauStep& step) {
+        const int most = step.mostIterations();
+        const double careful = safety * (1 + 2 * most) / (step.iterations() + 2 * most);
+        return std::clamp(std::min(safety, careful) * std::pow(std::max(e, 1e-10), -0.25), shortest, longest);
+    }
+    double lastStep_ = 0, lastError_ = 1e-2;
+    bool wasRejected_ = false;
+};
+
+template <typename OneStep, typename Control>
+OdeResult integrate(const OdeProblem& problem, OdeMethod method, OneStep oneStep, Control control, double start,
+                    double end, Values y, const AdaptiveOptions& options) {
     OdeResult result{.t = start, .y = std::move(y)};
     OdeCounts& counts = result.counts;
     Values next(problem.dimension);
     std::array<Values, 3> vectors;
-    StepControl control(methodOrder(method));
     double h = options.firstStep > 0
                    ? std::min(options.firstStep, end - start)
                    : firstStep(problem, start, end - start, result.y, methodOrder(method), options, counts);
     std::string last = "there was none";
+    auto stop = options.stops.begin();
     const auto giveUp = [&](const std::string& why) {
         result.failure = "gave up at t = " + numberText(result.t) + " after " + std::to_string(counts.accepted) +
                          " steps by " + std::string(methodName(method)) + ", because " + why +
@@ -118,10 +167,11 @@ OdeResult integrate(const OdeProblem& problem, OdeMethod method, OneStep oneStep
         if (!(h >= shortestStep(result.t))) {
             return giveUp("a step of " + numberText(h) + " would be shorter than 16 roundings of t");
         }
-        // The last step ends at the end, and none is left over that would be too short.
-        const bool isLast = h * 1.01 >= end - result.t;
-        if (isLast) h = end - result.t;
-        const double to = isLast ? end : result.t + h;
+        // The last step ends at the end or stop, and none is left over that would be too short.
+        const double target = stop != options.stops.end() ? *stop : end, wanted = h;
+        const bool isLast = h * 1.01 >= target - result.t;
+        if (isLast) h = target - result.t;
+        const double to = isLast ? target : result.t + h;
 
         const std::string why = oneStep.step(problem, result.t, h, result.y, next, counts);
         const double error =
@@ -129,7 +179,7 @@ OdeResult integrate(const OdeProblem& problem, OdeMethod method, OneStep oneStep
         if (!(error <= 1)) {
             ++counts.rejected;
             last = why.empty() ? errorTooLarge : why;
-            h *= why.empty() && std::isfinite(error) ? control.afterRejected(error) : control.afterFailed();
+            h *= why.empty() && std::isfinite(error) ? control.afterRejected(error, oneStep) : control.afterFailed();
             continue;
         }
         ++counts.accepted;
@@ -140,7 +190,12 @@ OdeResult integrate(const OdeProblem& problem, OdeMethod method, OneStep oneStep
         oneStep.accept();
         std::swap(result.y, next);
         result.t = to;
-        h *= control.afterAccepted(error);
+        h *= control.afterAccepted(error, h, oneStep);
+        if (isLast && stop != options.stops.end()) {
+            result.atStops.push_back(result.y);
+            ++stop;
+            h = std::max(h, wanted);  // which the stop cut short
+        }
     }
     return result;
 }
@@ -170,15 +225,31 @@ OdeResult integrateAdaptive(const OdeProblem& problem, OdeMethod method, double 
     if (!(end > start)) throw Error(subject, "end must be after start", numberText(end));
     requireFinite(subject, "end - start", end - start);
     requireOptions(subject, options);
+    for (double before = start; const double stop : options.stops) {
+        if (!(stop > before && stop <= end)) {
+            throw Error(subject, "stops must ascend from after the start to the end", numberText(stop));
+        }
+        before = stop;
+    }
     switch (method) {
         case OdeMethod::dormandPrince:
-            return integrate(problem, method, RungeKuttaStep(tableau(method), problem.dimension), start, end,
-                             std::move(y), options);
+            return integrate(problem, method, RungeKuttaStep(tableau(method), problem.dimension),
+                             StepControl(methodOrder(method)), start, end, std::move(y), options);
         case OdeMethod::rodas:
-            return integrate(problem, method, RosenbrockStep(rodasCoefficients(), problem.dimension), start, end,
-                             std::move(y), options);
+            return integrate(problem, method, RosenbrockStep(rodasCoefficients(), problem.dimension),
+                             StepControl(methodOrder(method)), start, end, std::move(y), options);
+        case OdeMethod::radau: {
+            const AdaptiveOptions own = forRadau(options);
+            const double roundings = 10 * std::numeric_limits<double>::epsilon() / own.relative;
+            const RadauTolerance tolerance{.relative = own.relative,
+                                           .absolute = own.absolute,
+                                           .newton = std::max(roundings, std::min(0.03, std::sqrt(own.relative))),
+                                           .mostIterations = 7};
+            return integrate(problem, method, RadauStep(tolerance, problem.dimension), PredictiveControl(), start, end,
+                             std::move(y), own);
+        }
         default:
-            throw Error(subject, "must be Dormand-Prince or RODAS to choose its steps: it has no error estimate");
+            throw Error(subject, "must be Dormand-Prince, RODAS or Radau to choose its steps: it has no error estimate");
     }
 }
 

@@ -10,7 +10,7 @@
 
 namespace mv {
 
-// A step that was accepted, with the solution anywhere in it: of order 4 by Dormand-Prince, 3 by RODAS.
+// A step that was accepted, with the solution anywhere in it: of order 4 by Dormand-Prince, 3 by RODAS and Radau.
 // It is valid while the observer that got it runs.
 class AcceptedStep {
   public:
@@ -33,18 +33,23 @@ class AcceptedStep {
 
 struct AdaptiveOptions {
     // The estimated error of a step stays below absolute + relative |y_i| for each component i. The error at the end is
-    // often some times that, and more where the problem itself spreads errors.
+    // often some times that, and more where the problem itself spreads errors. Radau's estimate is of a much lower order
+    // than its step: it stays below 0.1 relative^(2/3), and the absolute one in proportion, which makes the same error at
+    // the end.
     double relative = 1e-6;  // 1e-13 to 0.1: below, roundings take over
     double absolute = 1e-9;  // above 0: from which size on a component matters
     // 0: chosen from f. Else tried first.
     double firstStep = 0;
     // Tried steps, accepted or not, after which it gives up.
     std::int64_t mostSteps = 100000;
+    // Where steps end, ascending, at most the end: what OdeResult::atStops is asked for.
+    std::vector<double> stops = {};
     // Called after each accepted step, in order.
     std::function<void(const AcceptedStep&)> observe = {};
 };
 
-// From `start` to `end` by Dormand-Prince or RODAS, whose steps a PI controller chooses. Gives up in words where a
+// From `start` to `end` by Dormand-Prince, RODAS or Radau, whose steps a controller chooses: a PI controller, and of
+// Radau a predictive one. Gives up in words where a
 // step would be shorter than 16 ulp of t (the solution ends, or the tolerance asks for more than doubles have), or
 // after mostSteps (mostly an explicit method on a stiff problem). Each reason names the step that failed last.
 // Refused: what requireProblem refuses, other methods, end <= start, options outside their ranges.

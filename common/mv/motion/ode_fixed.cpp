@@ -1,6 +1,7 @@
 #include "mv/motion/ode_fixed.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 #include <variant>
 
@@ -8,6 +9,7 @@
 #include "mv/math/require.h"
 #include "mv/motion/implicit_stage.h"
 #include "mv/motion/one_step.h"
+#include "mv/motion/radau_step.h"
 
 namespace mv {
 namespace {
@@ -59,11 +61,15 @@ class MechanicalStep {
     Values slope_, moved_;
 };
 
-// Implicit Euler, implicit midpoint and BDF2. A step that fails is done in two halves, and so on.
+// Implicit Euler, implicit midpoint, BDF2 and Radau. A step that fails is done in two halves, and so on.
 class ImplicitStep {
   public:
-    ImplicitStep(OdeMethod method, const FixedOptions& options)
-        : method_(method), halvings_(options.mostHalvings), stage_(options.newtonTolerance) {}
+    ImplicitStep(OdeMethod method, std::size_t dimension, const FixedOptions& options)
+        : method_(method), halvings_(options.mostHalvings), stage_(options.newtonTolerance) {
+        if (method == OdeMethod::radau) {
+            radau_.emplace(RadauTolerance{options.newtonTolerance, 0, 1, mostRadauIterations}, dimension);
+        }
+    }
 
     std::string step(const OdeProblem& problem, double t, double h, std::span<const double> y, std::span<double> next,
                      OdeCounts& counts) {
@@ -87,6 +93,11 @@ class ImplicitStep {
 
     std::string whole(const OdeProblem& problem, double t, double h, const Values& y, const Past& before,
                       std::span<double> next, OdeCounts& counts) {
+        if (radau_) {
+            std::string why = radau_->step(problem, t, h, y, next, counts);
+            if (why.empty()) radau_->accept();
+            return why;
+        }
         const std::size_t n = y.size();
         std::ranges::copy(y, next.begin());
         if (method_ == OdeMethod::implicitMidpoint) {
@@ -126,9 +137,12 @@ class ImplicitStep {
         return why;
     }
 
+    // To a tolerance of 1e-12 a contraction by 0.25 will do.
+    static constexpr int mostRadauIterations = 20;
     OdeMethod method_;
     int halvings_;
     ImplicitStage stage_;
+    std::optional<RadauStep> radau_;
     Values now_;
     Past before_;
     double lastStep_ = 0;
@@ -140,7 +154,7 @@ using AnyStep = std::variant<RungeKuttaStep, RosenbrockStep, MechanicalStep, Imp
 AnyStep makeStep(OdeMethod method, std::size_t dimension, const FixedOptions& options) {
     if (needsMechanical(method)) return MechanicalStep(method, dimension);
     if (method == OdeMethod::rodas) return RosenbrockStep(rodasCoefficients(), dimension);
-    if (isImplicit(method)) return ImplicitStep(method, options);
+    if (isImplicit(method)) return ImplicitStep(method, dimension, options);
     return RungeKuttaStep(tableau(method), dimension);
 }
 

@@ -1,6 +1,6 @@
 #include "mv/motion/ode_method.h"
 
-#include <cstddef>
+#include <cmath>
 
 #include "mv/error.h"
 
@@ -28,6 +28,8 @@ std::string_view methodName(OdeMethod method) {
             return "BDF2";
         case OdeMethod::rodas:
             return "RODAS 4(3)";
+        case OdeMethod::radau:
+            return "Radau IIA 5";
     }
     throw Error("methodName", "must be one of OdeMethod");
 }
@@ -47,6 +49,7 @@ int methodOrder(OdeMethod method) {
         case OdeMethod::rodas:
             return 4;
         case OdeMethod::dormandPrince:
+        case OdeMethod::radau:
             return 5;
     }
     throw Error("methodOrder", "must be one of OdeMethod");
@@ -58,10 +61,12 @@ bool needsMechanical(OdeMethod method) {
 
 bool isImplicit(OdeMethod method) {
     return method == OdeMethod::implicitEuler || method == OdeMethod::implicitMidpoint || method == OdeMethod::bdf2 ||
-           method == OdeMethod::rodas;
+           method == OdeMethod::rodas || method == OdeMethod::radau;
 }
 
-bool isAdaptive(OdeMethod method) { return method == OdeMethod::dormandPrince || method == OdeMethod::rodas; }
+bool isAdaptive(OdeMethod method) {
+    return method == OdeMethod::dormandPrince || method == OdeMethod::rodas || method == OdeMethod::radau;
+}
 
 const ButcherTableau& tableau(OdeMethod method) {
     // clang-format off
@@ -129,6 +134,28 @@ const RosenbrockCoefficients& rodasCoefficients() {
         .dense = {
             {{10.12623508344586, -7.487995877610167, -34.80091861555747, -7.992771707568823, 1.025137723295662},
              {-0.6762803392801253, 6.087714651680015, 16.43084320892478, 24.76722511418386, -6.594389125716872}}}};
+    return coefficients;
+}
+
+const RadauCoefficients& radauCoefficients() {
+    static const RadauCoefficients coefficients = [] {
+        const double root = std::sqrt(6.0), third = std::cbrt(3.0), ninth = std::cbrt(9.0);
+        RadauCoefficients r{
+            .a = {{{(88 - 7 * root) / 360, (296 - 169 * root) / 1800, (-2 + 3 * root) / 225},
+                   {(296 + 169 * root) / 1800, (88 + 7 * root) / 360, (-2 - 3 * root) / 225},
+                   {(16 - root) / 36, (16 + root) / 36, 1.0 / 9}}},
+            .c = {(4 - root) / 10, (4 + root) / 10, 1},
+            .transform = {{{9.1232394870892942792e-2, -0.14125529502095420843, -3.0029194105147424492e-2},
+                           {0.24171793270710701896, 0.20412935229379993199, 0.38294211275726193779},
+                           {0.96604818261509293619, 1, 0}}},
+            .inverse = {{{4.3255798900631553510, 0.33919925181580986954, 0.54177053993587487119},
+                         {-4.1787185915519047273, -0.32768282076106238708, 0.47662355450055045196},
+                         {-0.50287263494578687595, 2.5719269498556054292, -0.59603920482822492497}}},
+            .real = 3 - third + ninth,
+            .complex = {3 + (third - ninth) / 2, std::sqrt(3.0) / 2 * (third + ninth)},
+            .error = {-(13 + 7 * root) / 3, (-13 + 7 * root) / 3, -1.0 / 3}};
+        return r;
+    }();
     return coefficients;
 }
 

@@ -1,6 +1,8 @@
 // The integrators by name, and the coefficients that define them.
 #pragma once
 #include <array>
+#include <complex>
+#include <cstddef>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -19,21 +21,21 @@ enum class OdeMethod {
     implicitMidpoint,  // A-stable, keeps quadratic invariants
     bdf2,              // L-stable, two steps; its first one, and one after halved steps, is implicit Euler's
     rodas,             // Rosenbrock 4(3), L-stable, stiffly accurate: six linear systems with one matrix, no Newton
+    radau,             // Radau IIA of order 5, L-stable, stiffly accurate: three stages by a simplified Newton's method
 };
-inline constexpr std::array<OdeMethod, 10> odeMethods{OdeMethod::explicitEuler,  OdeMethod::symplecticEuler,
-                                                      OdeMethod::velocityVerlet, OdeMethod::explicitMidpoint,
-                                                      OdeMethod::rungeKutta4,    OdeMethod::dormandPrince,
-                                                      OdeMethod::implicitEuler,  OdeMethod::implicitMidpoint,
-                                                      OdeMethod::bdf2,           OdeMethod::rodas};
+inline constexpr std::array<OdeMethod, 11> odeMethods{
+    OdeMethod::explicitEuler, OdeMethod::symplecticEuler, OdeMethod::velocityVerlet, OdeMethod::explicitMidpoint,
+    OdeMethod::rungeKutta4,   OdeMethod::dormandPrince,   OdeMethod::implicitEuler,  OdeMethod::implicitMidpoint,
+    OdeMethod::bdf2,          OdeMethod::rodas,           OdeMethod::radau};
 
 // The field's name: "explicit Euler", "Dormand-Prince 5(4)".
 std::string_view methodName(OdeMethod method);
 // p, where the error after a given time shrinks like h^p.
 int methodOrder(OdeMethod method);
 bool needsMechanical(OdeMethod method);
-// It solves linear systems: implicit Euler, implicit midpoint, BDF2 and RODAS.
+// It solves linear systems: implicit Euler, implicit midpoint, BDF2, RODAS and Radau.
 bool isImplicit(OdeMethod method);
-// It has an error estimate, and so can choose its steps: Dormand-Prince and RODAS.
+// It has an error estimate, and so can choose its steps: Dormand-Prince, RODAS and Radau.
 bool isAdaptive(OdeMethod method);
 
 // Stages k_i = f(t + c_i h, y + h sum_j a_ij k_j), then y + h sum_i b_i k_i. a is lower triangular and stored row by
@@ -63,5 +65,21 @@ struct RosenbrockCoefficients {
     std::array<std::array<double, stages>, 2> dense;
 };
 const RosenbrockCoefficients& rodasCoefficients();
+
+// Radau IIA of three stages: y_i = y + h sum_j a_ij f(t + c_j h, y_j), of which the last is the result. Its inverse A^-1
+// has a real eigenvalue and a complex pair, and T^-1 A^-1 T is diagonal but for that pair's block
+// (re, -im; im, re): `transform` is T, `inverse` T^-1. `error` has the weights of the stages less y in the error
+// estimate, which is (real/h - J)^-1 (f(t, y) + sum_i error_i (y_i - y)/h).
+// Source: Hairer and Wanner, "Solving Ordinary Differential Equations II", 2nd ed., IV.5 and IV.8.
+struct RadauCoefficients {
+    static constexpr std::size_t stages = 3;
+    std::array<std::array<double, stages>, stages> a;
+    std::array<double, stages> c;
+    std::array<std::array<double, stages>, stages> transform, inverse;
+    double real;
+    std::complex<double> complex;
+    std::array<double, stages> error;
+};
+const RadauCoefficients& radauCoefficients();
 
 }  // namespace mv

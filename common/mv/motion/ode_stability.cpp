@@ -50,6 +50,13 @@ Complex ofRosenbrock(const RosenbrockCoefficients& coefficients, Complex z) {
     return result;
 }
 
+// Radau's: (1 + 2z/5 + z^2/20) / (1 - 3z/5 + 3z^2/20 - z^3/60), beyond 1 in powers of 1/z.
+Complex ofRadau(Complex z) {
+    if (std::abs(z) <= 1) return (1.0 + z * (0.4 + z / 20.0)) / (1.0 - z * (0.6 - z * (0.15 - z / 60.0)));
+    const Complex w = 1.0 / z;
+    return w * (w * w + 0.4 * w + 0.05) / (w * w * w - 0.6 * w * w + 0.15 * w - 1.0 / 60);
+}
+
 // The larger root of (1 - 2z/3) x^2 - 4x/3 + 1/3, which is 1 at z = 0.
 Complex ofBdf2(Complex z) {
     if (std::abs(z) > 1e100) z *= 1e100 / std::abs(z);  // its limit, 0, to 1e-50
@@ -142,6 +149,8 @@ std::complex<double> stabilityFunction(OdeMethod method, std::complex<double> z)
     Complex result;
     if (method == OdeMethod::bdf2) {
         result = ofBdf2(z);
+    } else if (method == OdeMethod::radau) {
+        result = ofRadau(z);
     } else if (method == OdeMethod::rodas) {
         result = ofRosenbrock(rodasCoefficients(), z);
     } else {

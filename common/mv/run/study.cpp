@@ -26,15 +26,6 @@ double milliseconds(Clock::time_point from) {
     return std::chrono::duration<double, std::milli>(Clock::now() - from).count();
 }
 
-std::string processorName() {
-    std::ifstream facts("/proc/cpuinfo");
-    for (std::string line; std::getline(facts, line);) {
-        const auto colon = line.find(": ");
-        if (line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
-    }
-    return "processor not named by the system";
-}
-
 // ---- Errors
 
 // The pixels where rounding decides what is seen: those that have a neighbour with another region or another value.
@@ -289,6 +280,15 @@ void nameMachine(StudyRun& run, const Stage& stage) {
 }
 
 }  // namespace
+
+std::string processorName() {
+    std::ifstream facts("/proc/cpuinfo");
+    for (std::string line; std::getline(facts, line);) {
+        const auto colon = line.find(": ");
+        if (line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
+    }
+    return "processor not named by the system";
+}
 
 StudyRun runStudy(Stage& stage, const Study& study, const StudyOptions& options) {
     Demo& demo = stage.demo();

@@ -35,6 +35,8 @@ std::vector<std::string> methodsOf(const StudyRun& run, const std::string& scene
 std::string countsText(const StudyRow& row);
 std::string referenceText(const StudyRun& run);
 std::string machineText(const StudyRun& run);
+// As the system names it.
+std::string processorName();
 
 // The table that --study prints: a row a setting, the Pareto-best marked with *.
 std::string studyTable(const StudyRun& run);

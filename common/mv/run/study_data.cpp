@@ -1,6 +1,7 @@
 #include "mv/run/study_data.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <functional>
@@ -15,6 +16,9 @@ namespace mv {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+// By ErrorAxis.
+constexpr std::array<const char*, 3> axisNames{"rms", "fraction", "max"};
 
 // Six digits say all that a measurement can.
 double rounded(double value) {
@@ -109,8 +113,9 @@ bool isOnLine(const StudyRun& run, const StudyRow& row) { return isPlotted(row) 
 std::string errorText(double value) { return value == 0 ? "0" : formatted("%.3g", value); }
 
 std::string errorName(ErrorAxis axis) {
-    if (axis == ErrorAxis::max) return "largest error";
-    return axis == ErrorAxis::rms ? "root mean square error" : "part that is wrong";
+    return axis == ErrorAxis::rms   ? "root mean square error"
+           : axis == ErrorAxis::max ? "largest error"
+                                    : "part that is wrong";
 }
 
 std::string knobOf(const StudyRun& run, const std::string& scene, const std::string& method) {
@@ -146,7 +151,6 @@ bool compete(const StudyRun& run, const StudyRow& one, const StudyRow& other) {
 }
 
 void markBest(StudyRun& run) {
-    // By the digits that a file has, so that a file that is read is judged alike: two splines may differ in the tenth.
     // From the most exact on, of equally exact ones the fastest first: whatever may beat a row is judged before it.
     std::vector<StudyRow*> order;
     for (StudyRow& row : run.rows) {
@@ -154,15 +158,13 @@ void markBest(StudyRun& run) {
         if (row.ok() && row.rounds > 0) order.push_back(&row);
     }
     std::stable_sort(order.begin(), order.end(), [&](const StudyRow* a, const StudyRow* b) {
-        return std::pair(rounded(run.shownError(*a)), rounded(a->msMedian)) <
-               std::pair(rounded(run.shownError(*b)), rounded(b->msMedian));
+        return std::pair(run.shownError(*a), a->msMedian) < std::pair(run.shownError(*b), b->msMedian);
     });
     for (auto row = order.begin(); row != order.end(); ++row) {
         // Two standard errors of the difference of two medians of 7 are about the sum of both deviations.
         (*row)->best = std::none_of(order.begin(), row, [&](const StudyRow* nearer) {
             return nearer->best && compete(run, *nearer, **row) &&
-                   rounded(nearer->msMedian) <=
-                       rounded((*row)->msMedian) + rounded(nearer->msMad) + rounded((*row)->msMad);
+                   nearer->msMedian <= (*row)->msMedian + nearer->msMad + (*row)->msMad;
         });
     }
 }
@@ -177,7 +179,7 @@ std::string studyJson(const StudyRun& run) {
     json["demo"] = run.demo;
     json["quantity"] = run.quantity;
     json["reference"] = run.reference;
-    json["axis"] = run.axis == ErrorAxis::rms ? "rms" : run.axis == ErrorAxis::max ? "max" : "fraction";
+    json["axis"] = axisNames.at(static_cast<std::size_t>(run.axis));
     if (!run.problem.empty()) json["problem"] = run.problem;
     json["wrong_beyond"] = run.wrongBeyond;
     json["width"] = run.width;
@@ -267,8 +269,10 @@ StudyRun readStudy(const std::string& text) {
         run.demo = in(json, "demo");
         run.quantity = in(json, "quantity");
         run.reference = in(json, "reference");
-        const auto axis = in(json, "axis");
-        run.axis = axis == "rms" ? ErrorAxis::rms : axis == "max" ? ErrorAxis::max : ErrorAxis::fraction;
+        const std::string axisName = in(json, "axis");
+        const auto axis = std::find(axisNames.begin(), axisNames.end(), axisName);
+        if (axis == axisNames.end()) throw Error("axis", "must be rms, fraction or max", axisName);
+        run.axis = static_cast<ErrorAxis>(axis - axisNames.begin());
         if (json.contains("problem")) run.problem = in(json, "problem");
         run.wrongBeyond = in(json, "wrong_beyond");
         run.width = in(json, "width");

@@ -1,0 +1,9 @@
+// What the benchmark is built with where SUNDIALS is not installed.
+#include "bench/cvode.h"
+
+namespace mv::bench {
+
+std::string cvodeVersion() { return ""; }
+std::vector<work_precision::Solver> cvodeSolvers() { return {}; }
+
+}  // namespace mv::bench
