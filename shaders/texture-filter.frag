@@ -9,5 +9,6 @@ in vec2 place;
 void main() {
     vec3 texel = texture(image, place, bias).rgb;
     vec3 light = encoded ? linearFromSrgb(texel) : texel;
-    show(encoded ? texel : srgbFromLinear(texel), dot(light, vec3(0.2126, 0.7152, 0.0722)), true);
+    show(encoded ? texel : srgbFromLinear(texel), dot(light, vec3(0.2126, 0.7152, 0.0722)),
+         length(place) > 2.0 && length(place) < 100.0);
 }
