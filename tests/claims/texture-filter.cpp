@@ -140,17 +140,19 @@ TEST(TextureFilter, level_as_computed) {
     const std::array<vec3, 6> colors{vec3(0.9, 0.2, 0.2), vec3(0.95, 0.6, 0.1), vec3(0.9, 0.9, 0.2),
                                      vec3(0.2, 0.7, 0.2), vec3(0.1, 0.7, 0.8),  vec3(0.2, 0.3, 0.9)};
     std::array<int, 7> asked{};
-    for (int below = 20; below < 380; below += 9) {
-        run.set("pixel-y", 1 - below / horizon());
+    // One picture shows all levels; the marked pixel, which is only asked for its number, is elsewhere in it.
+    const Picture picture = run.set("pixel-x", 0).set("pixel-y", 0).picture();
+    const mat3 repeats = repeatsFromPixel(paneWidth, height, 0);
+    for (int below = 20; below < 380; below += 4) {
         for (const double across : {0.2, 0.51, 0.9}) {
-            const Picture picture = run.set("pixel-x", across).picture();
-            const double level = run.readout("level");
+            const int x = static_cast<int>(across * paneWidth), row = static_cast<int>(horizon()) - below;
+            const Footprint print = footprintOf(repeats, {x + 0.5, row + 0.5});
+            const double level = std::log2(64 * std::max(glm::length(print.acrossX), glm::length(print.acrossY)));
             // A quad of 2 x 2 pixels shares a level. A row more or less changes it by 2 / (rows below the horizon * ln 2),
             // 0.15 at 20 rows; where the nearest level is no question by that much, it is the driver's, too.
             if (std::abs(level - std::floor(level) - 0.5) < 0.2) continue;
             const int expected = std::clamp(static_cast<int>(std::lround(level)), 0, 6);
-            const Pixel seen = atFloor(picture, static_cast<int>(across * paneWidth),
-                                       static_cast<int>((1 - below / horizon()) * horizon()));
+            const Pixel seen = atFloor(picture, x, row);
             const vec3 shown(light(seen.red), light(seen.green), light(seen.blue));
             // Level 0 is black, white and grey; the others are 0.3 of a grey and 0.7 of their colours.
             int nearest = 0;
@@ -167,6 +169,11 @@ TEST(TextureFilter, level_as_computed) {
         }
     }
     for (const int count : asked) EXPECT_GT(count, 0);
+    // The readout is that formula, at the middle of the marked pixel.
+    (void)run.set("pixel-x", 0.505).set("pixel-y", 0.5).picture();
+    const Footprint print = footprintOf(repeats, {303.5, std::floor(0.5 * horizon()) + 0.5});
+    EXPECT_NEAR(run.readout("longer"), 64 * std::max(glm::length(print.acrossX), glm::length(print.acrossY)), 1e-9);
+    EXPECT_NEAR(run.readout("level"), std::log2(run.readout("longer")), 1e-12);
 }
 
 TEST(TextureFilter, anisotropic_keeps) {
