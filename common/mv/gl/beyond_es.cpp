@@ -9,6 +9,7 @@
 #include "mv/gl/layer.h"
 #include "mv/gl/state_names.h"
 #include "mv/gl/target.h"
+#include "mv/gl/texture.h"
 
 namespace mv {
 namespace {
@@ -39,8 +40,23 @@ class EsWatch {
     void before_PolygonMode(GLenum, GLenum mode) {
         if (mode != GL_FILL) used.insert(beyond_es::polygonMode);
     }
-    void before_TexParameteri(GLenum, GLenum, GLint value) {
+    void before_BindTexture(GLenum, GLuint texture) { texture_ = texture; }
+    void before_TexImage2D(GLenum, GLint, GLint format, GLsizei, GLsizei, GLint, GLenum, GLenum, const void*) {
+        if (isOneOf(static_cast<GLenum>(format), {GL_R32F, GL_RG32F, GL_RGB32F, GL_RGBA32F})) {
+            float32_.insert(texture_);
+        } else {
+            float32_.erase(texture_);
+        }
+    }
+    void before_TexParameteri(GLenum, GLenum name, GLint value) {
+        if (name == anisotropy) {
+            if (value > 1) used.insert(beyond_es::anisotropicFiltering);
+            return;
+        }
         if (value == GL_CLAMP_TO_BORDER) used.insert(beyond_es::borderClamp);
+        const bool isFilter = name == GL_TEXTURE_MIN_FILTER || name == GL_TEXTURE_MAG_FILTER;
+        if (isFilter && value != GL_NEAREST && value != GL_NEAREST_MIPMAP_NEAREST && float32_.contains(texture_))
+            used.insert(beyond_es::floatFiltering);
     }
     void before_ReadPixels(GLint, GLint, GLsizei, GLsizei, GLenum format, GLenum, void*) {
         if (format == GL_DEPTH_COMPONENT || format == GL_DEPTH_STENCIL) used.insert(beyond_es::depthReadBack);
@@ -84,7 +100,10 @@ class EsWatch {
         if (bits == 32 && gl.IsEnabled(GL_BLEND) == GL_TRUE) used.insert(beyond_es::floatBlending);
     }
 
-    GLenum captured_ = GL_NONE;  // the primitive of the transform feedback that is active
+    static constexpr GLenum anisotropy = 0x84FE;  // GL_TEXTURE_MAX_ANISOTROPY, of OpenGL 4.6
+    GLuint texture_ = 0;                          // that is bound
+    std::set<GLuint> float32_;                    // textures of 32-bit floats
+    GLenum captured_ = GL_NONE;                   // the primitive of the transform feedback that is active
 };
 
 EsWatch& watch() {
@@ -98,6 +117,8 @@ bool isThere(const std::string& feature) {
     if (isWithheld(feature)) return false;
     if (feature == beyond_es::floatTargets) return floatTargets();
     if (feature == beyond_es::floatBlending) return floatBlending();
+    if (feature == beyond_es::floatFiltering) return !isEs() || hasExtension("GL_OES_texture_float_linear");
+    if (feature == beyond_es::anisotropicFiltering) return largestAnisotropy() > 1;
     if (feature != beyond_es::clipControl) return !isEs();
     if (clipControlAllowed()) return true;
     if (contextHasClipControl())

@@ -22,13 +22,16 @@ inline constexpr const char* indexedFeedback = "indexed feedback";    // glDrawE
 inline constexpr const char* expandedFeedback = "expanded feedback";  // strips and fans, captured as separate triangles
 inline constexpr const char* geometryShaders = "geometry shaders";    //
 inline constexpr const char* tessellation = "tessellation";           //
-inline constexpr const char* all[] = {
-    clipDistances,   clipControl,     polygonMode,     borderClamp,      floatTargets,    floatBlending, depthReadBack,
-    stencilReadBack, countingQueries, indexedFeedback, expandedFeedback, geometryShaders, tessellation};
+inline constexpr const char* floatFiltering = "float filtering";      // of textures of 32-bit floats, linearly
+inline constexpr const char* anisotropicFiltering = "anisotropic filtering";  // GL_TEXTURE_MAX_ANISOTROPY
+inline constexpr const char* all[] = {clipDistances,   clipControl,     polygonMode,         borderClamp,
+                                      floatTargets,    floatBlending,   depthReadBack,       stencilReadBack,
+                                      countingQueries, indexedFeedback, expandedFeedback,    geometryShaders,
+                                      tessellation,    floatFiltering,  anisotropicFiltering};
 }  // namespace beyond_es
 
 // Whether the context has one of these. OpenGL ES has few of them; OpenGL 3.3 has all but clip control, which came with 4.5
-// (or with GL_ARB_clip_control). A demo asks at the point where its settings need the feature. Where the answer is no, the
+// (or with GL_ARB_clip_control), and anisotropic filtering, which came with 4.6 (or with GL_EXT_texture_filter_anisotropic). A demo asks at the point where its settings need the feature. Where the answer is no, the
 // framework says so beside the picture, in the words of DemoInfo::needs.beyondEs.
 // Error: clip control is there, but the demo did not declare it.
 bool has(const char* feature);

@@ -1,0 +1,150 @@
+// What measures texture-filter: its floor against the mean of each pixel's part of the texture.
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "mv/demo/demo.h"
+#include "shared/floor_texture.h"
+
+using namespace mv;
+using namespace mv::claims;
+
+namespace {
+
+FloorPattern patternOf(const Demo& demo) {
+    const std::string word = demo.word("pattern");
+    return word == "bricks" ? FloorPattern::bricks : word == "stripes" ? FloorPattern::stripes : FloorPattern::checker;
+}
+
+// The texels' luminance, and the mean of them over the part of the floor that each pixel covers: the texture is a picture
+// of flat squares, and a pixel the mean of its area.
+class FloorMean {
+  public:
+    FloorMean(const Demo& demo, const FrameInfo& frame)
+        : size_(static_cast<int>(demo.number("texture-size"))),
+          width_(frame.width()),
+          height_(frame.height()),
+          repeats_(repeatsFromPixel(frame.width(), frame.height(), demo.number("turn"))) {
+        const FloatPicture pattern = floorPattern(patternOf(demo), size_);
+        for (std::size_t i = 0; i < pattern.values.size(); i += 4) light_.push_back(luminance(&pattern.values[i]));
+    }
+
+    // Pixels that are compared, as the shader counts them: from 2 to 100 heights of the eye away. Nearer ones may be
+    // magnified, and whether that is to show squares or ramps is a matter of taste.
+    bool counts(int x, int y) const {
+        const vec3 at = repeats_ * vec3(x + 0.5, y + 0.5, 1);
+        const double away = glm::length(vec2(at) / at.z);
+        return at.z > 0 && away > 2 && away < 100;
+    }
+
+    // `side` x `side` points: a row each in y, moved along x by the golden ratio, so that no two have the same x.
+    double mean(int x, int y, int side) const {
+        constexpr double golden = 0.6180339887498949;
+        const int points = side * side;
+        double sum = 0;
+        for (int i = 0; i < points; ++i) {
+            const double across = i * golden - std::floor(i * golden);
+            const vec3 at = repeats_ * vec3(x + across, y + (i + 0.5) / points, 1);
+            sum += light_[texelOf(at.y / at.z) * static_cast<std::size_t>(size_) + texelOf(at.x / at.z)];
+        }
+        return sum / points;
+    }
+
+    std::vector<double> picture(int side, const std::function<void(double)>& progress) const {
+        std::vector<double> means;
+        for (int y = height_ - 1; y >= 0; --y) {
+            for (int x = 0; x < width_; ++x) means.push_back(counts(x, y) ? mean(x, y, side) : -1);
+            if (progress) progress(1 - double(y) / height_);
+        }
+        return means;
+    }
+
+  private:
+    std::size_t texelOf(double repeats) const {
+        return static_cast<std::size_t>(std::min(size_ - 1.0, std::floor((repeats - std::floor(repeats)) * size_)));
+    }
+
+    int size_, width_, height_;
+    mat3 repeats_;
+    std::vector<double> light_;
+};
+
+constexpr int side = 32;  // points along each side of a pixel
+
+double rmsBetween(const std::vector<double>& a, const std::vector<double>& b) {
+    double squares = 0, n = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        if (a[i] < 0 || b[i] < 0) continue;
+        squares += (a[i] - b[i]) * (a[i] - b[i]);
+        ++n;
+    }
+    return n > 0 ? std::sqrt(squares / n) : 0;
+}
+
+Reference areaMean(const Demo& demo, const ReferenceFrame& frame, const std::function<void(double)>& progress) {
+    const FloorMean floor(demo, frame);
+    Reference reference{.values = floor.picture(side, progress)};
+    for (const double value : reference.values) reference.regions.push_back(value < 0 ? -1 : 0);
+    if (frame.ownError) reference.ownError = rmsBetween(reference.values, floor.picture(2 * side, progress));
+    reference.work = double(side) * side * double(reference.values.size());
+    return reference;
+}
+
+// Of the picture that is shown, in fewer pixels.
+std::vector<double> errorNow(Probing& probing) {
+    constexpr int width = 160, height = 120;
+    const std::vector<float> shown = probing.measured(width, height);
+    if (shown.empty()) return {};
+    const FloorMean floor(probing.demo(), {probing.frame().index(), width, height});
+    return {rmsBetween({shown.begin(), shown.end()}, floor.picture(16, {}))};
+}
+
+Study study() {
+    Study study;
+    study.quantity = "luminance of the floor 2 to 100 heights of the eye away, in linear light, 0..1";
+    study.reference = "the mean of 1024 points of each pixel's part of the texture, in double precision";
+    study.makeReference = areaMean;
+    study.scenes = {{"checker", {{"pattern", "checker"}, {"turn", "20"}}},
+                    {"bricks", {{"pattern", "bricks"}, {"turn", "20"}}}};
+    study.lines = {{"nearest", {{"filter", "nearest"}}},
+                   {"bilinear", {{"filter", "bilinear"}}},
+                   {"nearest-mip-nearest", {{"filter", "nearest-mip-nearest"}}},
+                   {"linear-mip-nearest", {{"filter", "linear-mip-nearest"}}},
+                   {"trilinear", {{"filter", "trilinear"}}, "bias", {"-2", "-1", "-0.5", "0", "0.5", "1"}},
+                   {"anisotropic", {{"filter", "anisotropic"}}, "anisotropy", {"2", "16"}},
+                   {"trilinear, 8 bits", {{"filter", "trilinear"}, {"texels", "8-bit"}}},
+                   {"trilinear, averaged as kept", {{"filter", "trilinear"}, {"average", "encoded"}}},
+                   {"trilinear, driver's levels", {{"filter", "trilinear"}, {"mipmaps", "driver"}}}};
+    study.wrongBeyond = 0.05;
+    study.width = 160;
+    study.height = 120;
+    const auto trilinear = rows("trilinear").at(0), anisotropic = rows("anisotropic");
+    study.says = {
+        claim("mipmaps", "Trilinear leaves less than six tenths of the error of the nearest texel.",
+              {ratio(of::rms, trilinear, rows("nearest"), 0, 0.6)}),
+        claim("along-the-footprint", "Looks along the footprint leave less than seven tenths of what trilinear leaves.",
+              {ratio(of::rms, anisotropic, trilinear, 0, 0.7)}),
+        claim("half-a-level-sharper",
+              "Trilinear is nearer to the mean of the area half a level finer, and farther a level coarser.",
+              {ratio(of::rms, rows("trilinear").at(-0.5), trilinear, 0, 0.95),
+               ratio(of::rms, rows("trilinear").at(1), trilinear, 1.2, 5)}),
+        claim("light", "Averages of what is kept in sRGB instead of light make a checker's error half as large again.",
+              {ratio(of::rms, rows("trilinear, averaged as kept").in("checker"), trilinear, 1.5, 10)}),
+        claim("eight-bit-floor",
+              "That llvmpipe filters 8-bit texels in 8 bits does not show beside the error of trilinear: within 1 %.",
+              {ratio(of::rms, rows("trilinear, 8 bits"), trilinear, 0.99, 1.01)}),
+        claim("one-limit", "This llvmpipe makes the same of a limit of 2 looks and of 16.",
+              {settled(of::rms, anisotropic, 1.0001)}),
+        note("Megapixels a second are 0.0192 divided by the seconds of a row: the picture has 160 x 120 pixels. "
+             "llvmpipe's "
+             "anisotropic filter weighs all texels of an ellipse, and is slow; a GPU's is not.")};
+    return study;
+}
+
+const bool studied = addStudy("texture-filter", study());
+const bool probed = addProbes("texture-filter", {{{{"rms-error",
+                                                    "root mean square error of the luminance of the floor 2 to 100 "
+                                                    "heights of the eye away, 0..1, in 160 x 120 pixels"}},
+                                                  errorNow}});
+
+}  // namespace
