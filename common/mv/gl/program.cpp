@@ -73,11 +73,15 @@ std::map<std::string, Uniform, std::less<>> activeUniforms(GLuint program) {
         GLint size = 0;
         GLenum type = 0;
         glGetActiveUniform(program, static_cast<GLuint>(i), sizeof name, nullptr, &size, &type, name);
-        const GLint location = glGetUniformLocation(program, name);
-        const std::string_view array = "[0]";
-        std::string ownName(name);
-        if (ownName.ends_with(array)) ownName.resize(ownName.size() - array.size());
-        uniforms[ownName] = {location, type, size};
+        // OpenGL tells an array by the name of its first element. It is known by that of the array, and by those of its elements.
+        const std::string first(name);
+        const bool isArray = first.ends_with("[0]");
+        const std::string whole = isArray ? first.substr(0, first.size() - 3) : first;
+        uniforms[whole] = {glGetUniformLocation(program, name), type, size};
+        for (GLint element = 0; isArray && element < size; ++element) {
+            const std::string one = whole + "[" + std::to_string(element) + "]";
+            uniforms[one] = {glGetUniformLocation(program, one.c_str()), type, 1};
+        }
     }
     return uniforms;
 }
@@ -245,7 +249,7 @@ void Program::use() const {
         glUniform1i(found->second.location, isMeasuring ? 1 : 0);
 }
 
-GLint Program::location(const char* name, std::initializer_list<GLenum> types) const {
+GLint Program::location(const char* name, std::initializer_list<GLenum> types, int count) const {
     if (id() == 0 || programInUse != id()) {
         throw Error(std::string("uniform ") + name, "is set on the program in use; call use() first");
     }
@@ -258,6 +262,11 @@ GLint Program::location(const char* name, std::initializer_list<GLenum> types) c
     }
     if (std::find(types.begin(), types.end(), found->second.type) == types.end()) {
         throw Error(std::string("uniform ") + name, "must be set with the type the shader declares");
+    }
+    if (found->second.count != count) {
+        throw Error(std::string("uniform ") + name,
+                    "must be set with as many elements as it has, " + std::to_string(found->second.count),
+                    std::to_string(count));
     }
     return found->second.location;
 }
@@ -280,18 +289,13 @@ void Program::set(const char* name, const vec3& value) const {
     glUniform3fv(location(name, {GL_FLOAT_VEC3}), 1, &rounded.x);
 }
 void Program::set(const char* name, std::span<const vec3> values) const {
-    const GLint at = location(name, {GL_FLOAT_VEC3});
-    const GLint count = state_->linked.uniforms.find(std::string_view(name))->second.count;
-    if (values.size() != static_cast<std::size_t>(count)) {
-        throw Error(std::string("uniform ") + name, "must be set with as many elements as the shader's array has, " +
-                    std::to_string(count), std::to_string(values.size()));
-    }
     std::vector<fvec3> rounded;
     for (const vec3& value : values) {
         requireFinite(name, &value.x, 3);
         rounded.emplace_back(value);
     }
-    glUniform3fv(at, count, &rounded.front().x);
+    const auto count = static_cast<GLsizei>(values.size());
+    glUniform3fv(location(name, {GL_FLOAT_VEC3}, count), count, &rounded.front().x);
 }
 void Program::set(const char* name, const vec4& value) const {
     requireFinite(name, &value.x, 4);

@@ -28,15 +28,16 @@ class Program {
     // Makes it the current program; set() and draws refer to that. Tells it whether to measure, see setMeasuring().
     void use() const;
 
-    // Sets a uniform of the current program. Matrices and vectors are rounded to float here, once.
-    // Error: no active uniform of that name, another type, a number that is not finite, or the program is not in use.
+    // Sets a uniform of the current program. Matrices and vectors are rounded to float here, once. Of an array one element:
+    // "place[3]".
+    // Error: no active uniform of that name, another type, another number of elements, a number that is not finite, or the program is not in use.
     void set(const char* name, double value) const;
     void set(const char* name, int value) const;  // also bool and samplers (the texture unit)
     void set(const char* name, bool value) const { set(name, value ? 1 : 0); }
     void set(const char* name, const vec2& value) const;
     void set(const char* name, const vec3& value) const;
     void set(const char* name, const vec4& value) const;
-    void set(const char* name, std::span<const vec3> values) const;  // all elements of an array
+    void set(const char* name, std::span<const vec3> values) const;  // all elements of an array, one at least
     void set(const char* name, const mat3& value) const;
     void set(const char* name, const mat4& value) const;
 
@@ -46,7 +47,7 @@ class Program {
     friend struct ProgramList;
     struct State;
     explicit Program(std::unique_ptr<State> state);
-    GLint location(const char* name, std::initializer_list<GLenum> types) const;
+    GLint location(const char* name, std::initializer_list<GLenum> types, int count = 1) const;
     std::unique_ptr<State> state_;
 };
 

@@ -151,6 +151,7 @@ bool compete(const StudyRun& run, const StudyRow& one, const StudyRow& other) {
 }
 
 void markBest(StudyRun& run) {
+    // By the digits that a file has, so that a file that is read is judged alike: two splines may differ in the tenth.
     // From the most exact on, of equally exact ones the fastest first: whatever may beat a row is judged before it.
     std::vector<StudyRow*> order;
     for (StudyRow& row : run.rows) {
@@ -158,13 +159,15 @@ void markBest(StudyRun& run) {
         if (row.ok() && row.rounds > 0) order.push_back(&row);
     }
     std::stable_sort(order.begin(), order.end(), [&](const StudyRow* a, const StudyRow* b) {
-        return std::pair(run.shownError(*a), a->msMedian) < std::pair(run.shownError(*b), b->msMedian);
+        return std::pair(rounded(run.shownError(*a)), rounded(a->msMedian)) <
+               std::pair(rounded(run.shownError(*b)), rounded(b->msMedian));
     });
     for (auto row = order.begin(); row != order.end(); ++row) {
         // Two standard errors of the difference of two medians of 7 are about the sum of both deviations.
         (*row)->best = std::none_of(order.begin(), row, [&](const StudyRow* nearer) {
             return nearer->best && compete(run, *nearer, **row) &&
-                   nearer->msMedian <= (*row)->msMedian + nearer->msMad + (*row)->msMad;
+                   rounded(nearer->msMedian) <=
+                       rounded((*row)->msMedian) + rounded(nearer->msMad) + rounded((*row)->msMad);
         });
     }
 }

@@ -70,7 +70,7 @@ bool isPlotted(const StudyRow& row);
 
 // "0.00123", and "0" where it is exactly that.
 std::string errorText(double value);
-// The error that the plot shows, in words: "root mean square error" or "part that is wrong".
+// The error that the plot shows, in words: "root mean square error", "part that is wrong" or "largest error".
 std::string errorName(ErrorAxis axis);
 
 // The knob that moves along a line, "resolution"; "" for a single point, and "p" where no setting of the rows tells.
