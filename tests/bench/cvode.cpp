@@ -37,7 +37,8 @@ class Integrator {
         require(CVodeInit(memory_, slopeOf, problem.ode.start, y_), "CVodeInit");
         require(CVodeSetUserData(memory_, this), "CVodeSetUserData");
         require(CVodeSetMaxNumSteps(memory_, work_precision::mostSteps), "CVodeSetMaxNumSteps");
-        require(CVodeSetErrHandlerFn(memory_, [](int, const char*, const char*, char*, void*) {}, nullptr),
+        require(CVodeSetErrHandlerFn(
+                    memory_, [](int, const char*, const char*, char*, void*) {}, nullptr),
                 "CVodeSetErrHandlerFn");
         if (family == CV_ADAMS) {
             fixedPoint_ = SUNNonlinSol_FixedPoint(y_, 0, context_);
@@ -152,7 +153,8 @@ class Integrator {
         problem.jacobian(t, {from, n}, self.rows_);
         for (std::size_t i = 0; i < n; ++i) {
             for (std::size_t j = 0; j < n; ++j) {
-                SM_ELEMENT_D(matrix, static_cast<sunindextype>(i), static_cast<sunindextype>(j)) = self.rows_[i * n + j];
+                SM_ELEMENT_D(matrix, static_cast<sunindextype>(i), static_cast<sunindextype>(j)) =
+                    self.rows_[i * n + j];
             }
         }
         return 0;
@@ -185,10 +187,11 @@ Solver solver(const char* name, int family) {
                     const bool isStiff = which != "Pleiades" && which.find("spring") == std::string::npos;
                     return family == CV_ADAMS && isStiff ? "left out: for problems that are not stiff" : "";
                 },
-            .prepare = [family](const Problem& problem, double tolerance) {
-                auto integrator = std::make_shared<Integrator>(problem, family);
-                return [integrator, tolerance] { return integrator->run(tolerance); };
-            }};
+            .prepare =
+                [family](const Problem& problem, double tolerance) {
+                    auto integrator = std::make_shared<Integrator>(problem, family);
+                    return [integrator, tolerance] { return integrator->run(tolerance); };
+                }};
 }
 
 }  // namespace

@@ -55,7 +55,8 @@ int main(int count, char** arguments) {
         for (const auto& bench : benches) known |= bench.first == word;
         if (!known) {
             std::cerr << "error: " << word
-                      << ": must be accuracy, work-precision, png, math, frame, process, rays, shadows, volumes or --rounds N\n";
+                      << ": must be accuracy, work-precision, png, math, frame, process, rays, shadows, volumes or "
+                         "--rounds N\n";
             return 2;
         }
         wanted.push_back(word);

@@ -93,7 +93,9 @@ void workPrecisionBench(const std::string& folder) {
                 timed.push_back({.row = rows.back(),
                                  .run = std::move(one),
                                  .repeats = std::clamp(static_cast<int>(1 / ms), 1, 200),
-                                 .rounds = ms < 10 ? 15 : ms < 100 ? 7 : 3});
+                                 .rounds = ms < 10    ? 15
+                                           : ms < 100 ? 7
+                                                      : 3});
             }
         }
         timeRows(timed);

@@ -339,6 +339,10 @@ TEST(StudyData, best_is_judged_among_equal_problems) {
     EXPECT_EQ(readStudy(studyJson(run)).problem, "");
     run.problem = "far";
     EXPECT_EQ(readStudy(studyJson(run)).problem, "far");
+    for (const ErrorAxis axis : {ErrorAxis::rms, ErrorAxis::fraction, ErrorAxis::max}) {
+        run.axis = axis;
+        EXPECT_EQ(readStudy(studyJson(run)).axis, axis);
+    }
 }
 
 // What is committed is judged as the declaration has it, and as it is judged today.

@@ -60,9 +60,15 @@ TEST(IterationMatrix, SolvesInEveryStructure) {
         bool isSparse;
     };
     // Small, dense by blocks, bands of one and of 24 diagonals, and what is too wide for a band.
-    for (const auto& [n, diagonals, isSparse] :
-         {Case{1, 0, false}, {3, 2, false}, {32, 31, false}, {33, 32, false}, {1, 0, true}, {100, 1, true},
-          {100, 24, true}, {100, 40, true}, {100, 99, true}}) {
+    for (const auto& [n, diagonals, isSparse] : {Case{1, 0, false},
+                                                 {3, 2, false},
+                                                 {32, 31, false},
+                                                 {33, 32, false},
+                                                 {1, 0, true},
+                                                 {100, 1, true},
+                                                 {100, 24, true},
+                                                 {100, 40, true},
+                                                 {100, 99, true}}) {
         SCOPED_TRACE(std::to_string(n) + " rows, " + std::to_string(diagonals) + " diagonals, sparse " +
                      std::to_string(isSparse));
         std::vector<double> jacobian;

@@ -271,9 +271,8 @@ TEST(OdeAdaptive, StepsEndAtStops) {
         EXPECT_EQ(integrateAdaptive(ode.problem, method, 0, ode.end, ode.initial, options).atStops.size(), 1U);
     }
     const auto why = [&](std::vector<double> stops) {
-        return refusal([&] {
-            integrateAdaptive(ode.problem, OdeMethod::rodas, 0, 1, ode.initial, {.stops = std::move(stops)});
-        });
+        return refusal(
+            [&] { integrateAdaptive(ode.problem, OdeMethod::rodas, 0, 1, ode.initial, {.stops = std::move(stops)}); });
     };
     EXPECT_EQ(why({0}), "RODAS 4(3): stops must ascend from after the start to the end, 0");
     EXPECT_EQ(why({0.5, 0.5}), "RODAS 4(3): stops must ascend from after the start to the end, 0.5");

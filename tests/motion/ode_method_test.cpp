@@ -98,7 +98,9 @@ constexpr double missed = 1e-4;
 
 TEST(OdeMethod, RungeKuttaTableausHaveTheirOrders) {
     for (const OdeMethod method : odeMethods) {
-        if (needsMechanical(method) || method == OdeMethod::bdf2 || method == OdeMethod::rodas || method == OdeMethod::radau) continue;
+        if (needsMechanical(method) || method == OdeMethod::bdf2 || method == OdeMethod::rodas ||
+            method == OdeMethod::radau)
+            continue;
         SCOPED_TRACE(methodName(method));
         const ButcherTableau& t = tableau(method);
         const auto n = static_cast<std::size_t>(t.stages);
@@ -210,8 +212,8 @@ TEST(OdeMethod, RadauHasItsOrderAndItsTransformation) {
 TEST(OdeMethod, OnlyRungeKuttaMethodsHaveATableau) {
     EXPECT_EQ(refusal([] { tableau(OdeMethod::bdf2); }), "tableau: must be asked for a Runge-Kutta method, BDF2");
     for (const OdeMethod method : odeMethods) {
-        EXPECT_EQ(isAdaptive(method), method == OdeMethod::dormandPrince || method == OdeMethod::rodas ||
-                                          method == OdeMethod::radau);
+        EXPECT_EQ(isAdaptive(method),
+                  method == OdeMethod::dormandPrince || method == OdeMethod::rodas || method == OdeMethod::radau);
         EXPECT_FALSE(methodName(method).empty());
     }
 }

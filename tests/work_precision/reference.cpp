@@ -13,8 +13,9 @@ namespace mv::work_precision {
 namespace {
 
 // 34 digits: with the 19 of long double the roundings of a stiff spring's ends come through.
-using Wide = boost::multiprecision::number<
-    boost::multiprecision::cpp_bin_float<113, boost::multiprecision::digit_base_2>, boost::multiprecision::et_off>;
+using Wide =
+    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<113, boost::multiprecision::digit_base_2>,
+                                  boost::multiprecision::et_off>;
 using Values = std::vector<Wide>;
 
 // f and df/dy, row by row; without the latter it is taken to be 0, which costs steps and no exactness. `order` says which
@@ -36,8 +37,8 @@ WideProblem robertson() {
                 f[1] = -f[0] - f[2];
             },
             [](const Values& y, Values& j) {
-                j = {-0.04L, 1e4L * y[2],  1e4L * y[1], 0.04L, -1e4L * y[2] - 6e7L * y[1], -1e4L * y[1], 0,
-                     6e7L * y[1], 0};
+                j = {-0.04L,       1e4L * y[2], 1e4L * y[1], 0.04L, -1e4L * y[2] - 6e7L * y[1],
+                     -1e4L * y[1], 0,           6e7L * y[1], 0};
             }};
 }
 
@@ -49,7 +50,9 @@ WideProblem vanDerPol() {
                 f[0] = y[1];
                 f[1] = ((1 - y[0] * y[0]) * y[1] - y[0]) / eps;
             },
-            [](const Values& y, Values& j) { j = {0, 1, (-2 * y[0] * y[1] - 1) / eps, (1 - y[0] * y[0]) / eps}; }};
+            [](const Values& y, Values& j) {
+                j = {0, 1, (-2 * y[0] * y[1] - 1) / eps, (1 - y[0] * y[0]) / eps};
+            }};
 }
 
 WideProblem hires() {
@@ -65,14 +68,22 @@ WideProblem hires() {
                 f[7] = -f[6];
             },
             [](const Values& y, Values& j) {
-                j = {-1.71L, 0.43L, 8.32L, 0, 0, 0, 0, 0,                                           //
-                     1.71L, -8.75L, 0, 0, 0, 0, 0, 0,                                               //
-                     0, 0, -10.03L, 0.43L, 0.035L, 0, 0, 0,                                         //
-                     0, 8.32L, 1.71L, -1.12L, 0, 0, 0, 0,                                           //
-                     0, 0, 0, 0, -1.745L, 0.43L, 0.43L, 0,                                          //
-                     0, 0, 0, 0.69L, 1.71L, -0.43L - 280 * y[7], 0.69L, -280 * y[5],                //
-                     0, 0, 0, 0, 0, 280 * y[7], -1.81L, 280 * y[5],                                 //
-                     0, 0, 0, 0, 0, -280 * y[7], 1.81L, -280 * y[5]};
+                j = {-1.71L, 0.43L,       8.32L,   0,      0,       0,
+                     0,      0,  //
+                     1.71L,  -8.75L,      0,       0,      0,       0,
+                     0,      0,  //
+                     0,      0,           -10.03L, 0.43L,  0.035L,  0,
+                     0,      0,  //
+                     0,      8.32L,       1.71L,   -1.12L, 0,       0,
+                     0,      0,  //
+                     0,      0,           0,       0,      -1.745L, 0.43L,
+                     0.43L,  0,  //
+                     0,      0,           0,       0.69L,  1.71L,   -0.43L - 280 * y[7],
+                     0.69L,  -280 * y[5],  //
+                     0,      0,           0,       0,      0,       280 * y[7],
+                     -1.81L, 280 * y[5],  //
+                     0,      0,           0,       0,      0,       -280 * y[7],
+                     1.81L,  -280 * y[5]};
             }};
 }
 
@@ -84,13 +95,21 @@ WideProblem oregonator() {
                 f[2] = 0.161L * (y[0] - y[2]);
             },
             [](const Values& y, Values& j) {
-                j = {77.27L * (1 - 2 * 8.375e-6L * y[0] - y[1]), 77.27L * (1 - y[0]), 0,         //
-                     -y[1] / 77.27L, -(1 + y[0]) / 77.27L, 1 / 77.27L, 0.161L, 0, -0.161L};
+                j = {77.27L * (1 - 2 * 8.375e-6L * y[0] - y[1]),
+                     77.27L * (1 - y[0]),
+                     0,  //
+                     -y[1] / 77.27L,
+                     -(1 + y[0]) / 77.27L,
+                     1 / 77.27L,
+                     0.161L,
+                     0,
+                     -0.161L};
             }};
 }
 
 WideProblem pleiades() {
-    return {28, [](const Values& y, Values& f) {
+    return {28,
+            [](const Values& y, Values& f) {
                 std::fill(f.begin(), f.end(), 0);
                 for (std::size_t i = 0; i < 14; ++i) f[i] = y[14 + i];
                 for (std::size_t i = 0; i < 7; ++i) {
@@ -101,7 +120,8 @@ WideProblem pleiades() {
                         f[21 + i] += mj * dy / cube, f[21 + j] -= mi * dy / cube;
                     }
                 }
-            }, {}};
+            },
+            {}};
 }
 
 // q and v of each mass side by side, so that its matrix is a band: y[2 i] is q of mass i.
@@ -193,7 +213,8 @@ constexpr std::size_t columns = 12;
 
 // y after a step h by linearly implicit Euler in 2, 3, 4 ... parts, extrapolated; and the change by the last column, in
 // parts of each component's size.
-double extrapolated(const WideProblem& problem, const Values& y, Wide h, const Values& jacobian, double floor, Values& next) {
+double extrapolated(const WideProblem& problem, const Values& y, Wide h, const Values& jacobian, double floor,
+                    Values& next) {
     const std::size_t n = problem.dimension;
     std::array<Values, columns> table;  // the last row, from the left
     Values slope(n);
@@ -274,8 +295,8 @@ States springStates(const Problem& of, long double ratio) {
     const long double damped = sqrtl(1 - ratio * ratio);
     for (const double stop : of.stops) {
         const long double shrunk = std::exp(-ratio * stop), c = std::cos(damped * stop), s = std::sin(damped * stop);
-        states.push_back({static_cast<double>(shrunk * (c + ratio / damped * s)),
-                          static_cast<double>(-shrunk / damped * s)});
+        states.push_back(
+            {static_cast<double>(shrunk * (c + ratio / damped * s)), static_cast<double>(-shrunk / damped * s)});
     }
     return states;
 }

@@ -160,7 +160,8 @@ TEST(WorkPrecision, NobodyIsOnAnotherBranchOfVanDerPol) {
     }
     for (const double steps : stepNumbers()) {
         const OdeCase& ode = problem.ode;
-        const OdeResult result = integrateFixed(ode.problem, OdeMethod::radau, 0, 2, static_cast<int>(steps), ode.initial);
+        const OdeResult result =
+            integrateFixed(ode.problem, OdeMethod::radau, 0, 2, static_cast<int>(steps), ode.initial);
         EXPECT_LT(std::abs(result.y[0]), 2.02) << steps;
     }
 }
@@ -176,7 +177,8 @@ TEST(WorkPrecision, AWrongProblemIsSeen) {
         };
         AdaptiveOptions options{.relative = 1e-8, .absolute = 1e-8 * problem.floor};
         options.stops = problem.stops;
-        const OdeResult result = integrateAdaptive(ode, OdeMethod::radau, 0, problem.ode.end, problem.ode.initial, options);
+        const OdeResult result =
+            integrateAdaptive(ode, OdeMethod::radau, 0, problem.ode.end, problem.ode.initial, options);
         ASSERT_EQ(result.failure, "") << problem.ode.name;
         EXPECT_GT(deviationOf(problem, result.atStops, committedReference(problem)).largest, 1e-4) << problem.ode.name;
     }

@@ -249,7 +249,8 @@ OdeResult integrateAdaptive(const OdeProblem& problem, OdeMethod method, double 
                              std::move(y), own);
         }
         default:
-            throw Error(subject, "must be Dormand-Prince, RODAS or Radau to choose its steps: it has no error estimate");
+            throw Error(subject,
+                        "must be Dormand-Prince, RODAS or Radau to choose its steps: it has no error estimate");
     }
 }
 

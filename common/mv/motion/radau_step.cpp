@@ -115,8 +115,7 @@ std::string RadauStep::iterate(const OdeProblem& problem, double t, double h, st
             transformed_[2][i] += w2;
             for (std::size_t s = 0; s < 3; ++s) {
                 const auto& row = r.transform[s];
-                stages_[s][i] =
-                    row[0] * transformed_[0][i] + row[1] * transformed_[1][i] + row[2] * transformed_[2][i];
+                stages_[s][i] = row[0] * transformed_[0][i] + row[1] * transformed_[1][i] + row[2] * transformed_[2][i];
             }
         }
         if (!std::isfinite(size)) return "a correction of Newton's method is not finite";
@@ -141,8 +140,7 @@ void RadauStep::estimate(const OdeProblem& problem, double t, double h, std::spa
     const RadauCoefficients& r = radauCoefficients();
     const std::size_t n = y.size();
     for (std::size_t i = 0; i < n; ++i) {
-        filtered_[i] =
-            (r.error[0] * stages_[0][i] + r.error[1] * stages_[1][i] + r.error[2] * stages_[2][i]) / h;
+        filtered_[i] = (r.error[0] * stages_[0][i] + r.error[1] * stages_[1][i] + r.error[2] * stages_[2][i]) / h;
         error_[i] = filtered_[i] + first_[i];
     }
     matrix_.solve(error_);

@@ -53,14 +53,14 @@ class RadauStep {
 
     RadauTolerance tolerance_;
     IterationMatrix matrix_;
-    bool hasFirst_ = false;     // first_ is f(t, y)
-    bool isCurrent_ = false;    // J is that of (t, y)
-    bool isRepeated_ = false;   // the step before was not accepted
-    bool isFirstStep_ = true;   // none has been accepted
-    double rate_ = 1;           // by which the last iteration contracted
-    double remaining_ = 1;      // what is left of an error after a correction, in units of it
-    double lastStep_ = 0;       // the length of the one accepted last, whose polynomial foretells the stages
-    double takenStep_ = 0;      // of the one tried last
+    bool hasFirst_ = false;    // first_ is f(t, y)
+    bool isCurrent_ = false;   // J is that of (t, y)
+    bool isRepeated_ = false;  // the step before was not accepted
+    bool isFirstStep_ = true;  // none has been accepted
+    double rate_ = 1;          // by which the last iteration contracted
+    double remaining_ = 1;     // what is left of an error after a correction, in units of it
+    double lastStep_ = 0;      // the length of the one accepted last, whose polynomial foretells the stages
+    double takenStep_ = 0;     // of the one tried last
     int iterations_ = 0;
     std::array<std::vector<double>, 3> stages_;       // less y
     std::array<std::vector<double>, 3> transformed_;  // of the stages
