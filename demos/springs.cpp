@@ -43,8 +43,9 @@ namespace {
 
 // The first five are played, in the order of SpringScene. From here on they are the classics, in that of odeCases().
 enum class Problem { chain, net, cloth, threeMasses, spring, classics };
-// The eleventh method, which is for springs alone.
+// The method behind those for all problems, which is for springs alone.
 constexpr auto energyMomentum = static_cast<OdeMethod>(odeMethods.size());
+static_assert(odeMethods.size() == 11, "the knob `method` names each of them");
 
 constexpr double frameTime = 1.0 / 60;
 constexpr double lowerEdge = 1.4;   // m, below the origin
@@ -108,6 +109,7 @@ struct Springs final : Demo {
                               {"implicit-midpoint"},
                               {"bdf2"},
                               {"rodas", "Rosenbrock, of order 4"},
+                              {"radau", "Radau IIA, of order 5"},
                               {"energy-momentum", "for springs: keeps energy and momenta"}},
                              "how it is integrated"};
     Whole substeps{this, "substeps", 5, {1, 100}, "steps in a frame of 1/60 s"};
