@@ -35,9 +35,10 @@ namespace mv::bench {
 // minutes: 100,000 samples a function. Error: gnuplot is missing.
 void accuracyBench(const std::string& folder);
 
-// The errors and times of mv/motion's integrators beside CVODE (where SUNDIALS is installed) and Odeint: prints the page,
-// or with a folder ("docs") writes it there as work-precision.md, with its curves work-precision.svg and its rows
-// work-precision.csv. Takes under three minutes. Error: gnuplot is missing.
+// The errors and times of mv/motion's integrators beside CVODE and Odeint: prints the page, or with a folder ("docs") writes
+// it there as work-precision.md, with its curves work-precision.svg and its rows work-precision.csv. Takes under three
+// minutes. Where SUNDIALS is not installed it prints the rows of the others. Error: gnuplot is missing; with a folder,
+// SUNDIALS is.
 void workPrecisionBench(const std::string& folder);
 // Prints the references that it compares with, tests/work_precision/references.csv.
 void workPrecisionReferences();
