@@ -76,7 +76,7 @@ struct TextureFilterDemo final : Demo {
     Real pixelX{this, "pixel-x", 0.3, {0, 1}, "the pixel whose footprint is drawn: part of the floor's width"};
     Real pixelY{this, "pixel-y", 0.94, {0, 0.99}, "the same of the way up to the horizon"};
 
-    Readout level{this, "level", "the level of that pixel's footprint by its longer axis, with the bias"};
+    Readout level{this, "level", "the level of that pixel's footprint, as OpenGL's formula has it"};
     Readout longer{this, "longer", "the footprint's longer axis", "texels"};
     Readout shorter{this, "shorter", "the other one", "texels"};
     Readout levelsMade{this, "levels-made", "levels of the texture, each a picture of its own"};
@@ -346,9 +346,7 @@ const bool added = addDemo<TextureFilterDemo>({
             {"nearest",
              "One texel a pixel: far away it is chance which one, in patterns that are not there.",
              {{"filter", "nearest"}}},
-            {"anisotropic",
-             "Up to sixteen looks along the footprint: the squares reach much farther.",
-             {{"filter", "anisotropic"}}},
+            {"anisotropic", "Looks along the footprint: the squares reach much farther.", {{"filter", "anisotropic"}}},
             {"levels",
              "Each level in its colour; trilinear mixes neighbours, so that no border is seen.",
              {{"levels", "on"}, {"pattern", "bricks"}}},

@@ -15,6 +15,7 @@
 #include "mv/gl/beyond_es.h"
 #include "mv/gl/shader_source.h"
 #include "mv/gl/state.h"
+#include "mv/gl/texture.h"
 #include "mv/image/file.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
@@ -572,7 +573,35 @@ TEST_F(Gl, what_es_lacks_is_noted) {
                   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
               }),
               beyond_es::borderClamp);
+    const std::vector<FloatPicture> level{FloatPicture(2, 2, 4)};
+    EXPECT_EQ(usedBy([&] { Texture(level, {.texels = Texels::floats}).filterBy({.minify = GL_LINEAR}); }),
+              beyond_es::floatFiltering);
+    EXPECT_EQ(usedBy([&] {
+                  Texture(level, {.texels = Texels::halfFloats}).filterBy({.minify = GL_LINEAR});
+                  Texture(level, {.texels = Texels::floats}).filterBy({.minify = GL_NEAREST, .magnify = GL_NEAREST});
+              }),
+              "");
+    if (largestAnisotropy() > 1) {
+        EXPECT_EQ(usedBy([&] { Texture(level, {}).filterBy({.anisotropy = 2}); }), beyond_es::anisotropicFiltering);
+    }
     allowVersion(33);
+}
+
+TEST_F(Gl, textures_refuse_what_is_no_chain_of_levels) {
+    const auto made = [](const std::vector<FloatPicture>& levels, const TextureOptions& options = {}) {
+        return errorOf([&] { Texture texture(levels, options); });
+    };
+    EXPECT_EQ(made({FloatPicture(5, 2, 4), FloatPicture(2, 1, 4), FloatPicture(1, 1, 4)}), "no error");
+    EXPECT_TRUE(has(made({}), "must have a level"));
+    EXPECT_TRUE(has(made({FloatPicture(4, 4, 3)}), "must have 4 channels"));
+    EXPECT_TRUE(has(made({FloatPicture(5, 2, 4), FloatPicture(3, 1, 4)}), "half the sides"));
+    EXPECT_TRUE(has(made({FloatPicture(2, 2, 4), FloatPicture(1, 1, 4)}, {.driverMipmaps = true}), "single level"));
+    const std::vector<FloatPicture> one{FloatPicture(13, 4, 4)};
+    Texture byDriver(one, {.driverMipmaps = true});
+    EXPECT_EQ(byDriver.levels(), 4);  // 13, 6, 3, 1
+    const std::string tooMany = errorOf([&] { byDriver.filterBy({.anisotropy = largestAnisotropy() + 1}); });
+    EXPECT_TRUE(has(tooMany, "must be 1 .. " + std::to_string(largestAnisotropy())));
+    EXPECT_TRUE(takeErrors().empty());
 }
 
 // A demo of 3.3 may ask for glClipControl; the next one starts without it.
