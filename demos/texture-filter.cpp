@@ -24,7 +24,7 @@
 #include "mv/gl/on_demand.h"
 #include "mv/gl/texture.h"
 #include "mv/image/mipmap.h"
-#include "mv/image/srgb.h"
+#include "mv/math/color.h"
 #include "mv/math/transform.h"
 #include "shared/floor_texture.h"
 

@@ -1,4 +1,5 @@
 // The brightest colour of this screen that has the chromaticity; grey where it has none.
+#include "srgb.glsl"
 uniform mat3 linearFromXyz;
 in vec2 xy;
 out vec4 fragColor;
@@ -9,6 +10,5 @@ void main() {
     float most = max(linear.r, max(linear.g, linear.b));
     bool isShown = min(linear.r, min(linear.g, linear.b)) >= 0.0;
     vec3 x = max(linear / most, 0.0);
-    vec3 srgb = mix(1.055 * pow(x, vec3(1.0 / 2.4)) - 0.055, 12.92 * x, vec3(lessThanEqual(x, vec3(0.0031308))));
-    fragColor = vec4(isShown ? srgb : vec3(0.8), 1.0);
+    fragColor = vec4(isShown ? srgbFromLinear(x) : vec3(0.8), 1.0);
 }

@@ -1,6 +1,7 @@
 // The pattern of a point, of several points of a pixel, or without what a pixel cannot show.
 #include "measure.glsl"
 #include "procedural.glsl"
+#include "srgb.glsl"
 uniform vec3 dark, light;    // colours of 0 and 1, linear
 uniform int samples;         // a side of a pixel
 uniform bool leavesOut;      // what is smaller than a pixel
@@ -26,7 +27,5 @@ void main() {
     float mean = sum / float(samples * samples);
     vec3 color = mix(dark, light, mean);
     if (isRound) color *= 0.25 + 0.75 * max(dot(normalize(facing), vec3(-0.48, 0.6, 0.64)), 0.0);
-    // Linear light, as a display wants it
-    color = mix(12.92 * color, 1.055 * pow(color, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, color));
-    show(color, mean, isFloor ? offset.y < 20.0 : !isRound || normalize(facing).z > 0.5);
+    show(srgbFromLinear(color), mean, isFloor ? offset.y < 20.0 : !isRound || normalize(facing).z > 0.5);
 }

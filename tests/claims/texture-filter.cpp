@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "mv/image/srgb.h"
+#include "mv/math/color.h"
 #include "shared/floor_texture.h"
 #include "support/demo_run.h"
 
