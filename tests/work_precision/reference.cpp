@@ -213,7 +213,7 @@ constexpr std::size_t columns = 12;
 
 // y after a step h by linearly implicit Euler in 2, 3, 4 ... parts, extrapolated; and the change by the last column, in
 // parts of each component's size.
-double extrapolated(const WideProblem& problem, const Values& y, Wide h, const Values& jacobian, double floor,
+double extrapolated(const WideProblem& problem, const Values& y, const Wide& h, const Values& jacobian, double floor,
                     Values& next) {
     const std::size_t n = problem.dimension;
     std::array<Values, columns> table;  // the last row, from the left

@@ -47,7 +47,7 @@ std::vector<std::size_t> cuthillMcKee(std::size_t n, const std::vector<MatrixEnt
     }
     for (auto& list : neighbours) {
         std::ranges::sort(list);
-        list.erase(std::ranges::unique(list).begin(), list.end());
+        list.erase(std::unique(list.begin(), list.end()), list.end());
     }
     const auto hasFewer = [&](std::size_t a, std::size_t b) { return neighbours[a].size() < neighbours[b].size(); };
     for (auto& list : neighbours) std::ranges::stable_sort(list, hasFewer);
