@@ -76,9 +76,11 @@ std::vector<double> trueMeans(const Demo& demo, const FrameInfo& frame, int side
                 continue;
             }
             offsets.clear();
-            for (int i = 0; i < side * side; ++i) {
-                const auto offset = shown.at(column + (i % side + 0.5) / side, row + (i / side + 0.5) / side);
-                if (offset) offsets.push_back(*offset);
+            for (int i = 0; i < side; ++i) {
+                for (int j = 0; j < side; ++j) {
+                    const auto offset = shown.at(column + (j + 0.5) / side, row + (i + 0.5) / side);
+                    if (offset) offsets.push_back(*offset);
+                }
             }
             double sum = 0;
             for (const double value : patternAt(place, offsets)) sum += value;

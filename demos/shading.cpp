@@ -244,7 +244,7 @@ struct ShadingDemo final : Demo {
         const double same = exponent, other = match();
         const auto drawLobe = [&](const vec4& color, double width, const auto& sent) {
             std::vector<vec2> outline;
-            for (double t = -90; t <= 90; t += 0.5) outline.push_back(f.at(t, sent(t)));
+            for (int half = -180; half <= 180; ++half) outline.push_back(f.at(0.5 * half, sent(0.5 * half)));
             drawing.line(outline, {color, width});
         };
         drawLobe(grey, 1.5, [&](double) { return 0.5 * std::cos(radians(angle)); });
@@ -258,13 +258,13 @@ struct ShadingDemo final : Demo {
         // The exponent that matches
         if (ratiosFor.changed(exponent)) {
             ratios.clear();
-            for (double a = 0; a <= 80; a += 5) ratios.emplace_back(a, matchingExponent(exponent, a) / exponent);
+            for (int a = 0; a <= 80; a += 5) ratios.emplace_back(a, matchingExponent(exponent, a) / exponent);
         }
         const Plot plot{{{0.64 * frame.width(), 0.13 * frame.height()}, {0.97 * frame.width(), 0.44 * frame.height()}},
                         {0, 80, "angle of the light from the normal, degrees"},
                         {0, 5, "Blinn's exponent / Phong's"}};
         std::vector<vec2> rule;
-        for (double a = 0; a <= 80; a += 2) rule.emplace_back(a, 4 * std::cos(radians(a)));
+        for (int a = 0; a <= 80; a += 2) rule.emplace_back(a, 4 * std::cos(radians(a)));
         drawing.axes(plot);
         drawing.curve(plot, rule, {grey, 1});
         drawing.curve(plot, ratios, {blue, 2});

@@ -63,8 +63,9 @@ class ExactSphere {
         };
         if (!sample(0.5, 0.5)) return -1;
         double sum = 0;
-        for (int i = 0; i < side * side; ++i)
-            sum += sample((i % side + 0.5) / side, (i / side + 0.5) / side).value_or(0);
+        for (int i = 0; i < side; ++i) {
+            for (int j = 0; j < side; ++j) sum += sample((i + 0.5) / side, (j + 0.5) / side).value_or(0);
+        }
         return sum / (side * side);
     }
 

@@ -353,6 +353,7 @@ struct Springs final : Demo {
     void drawRegion(const Frame& frame, const std::vector<Dot>& all) {
         const Pane pane = rightOf(frame, false);
         std::vector<Complex> numbers;
+        numbers.reserve(all.size());
         for (const Dot& dot : all) numbers.push_back(dot.z);
         const Plot plot = stabilityPlot(pane, numbers);
         if (regionFor.changed(asOde(), plot.x.low, plot.y.low)) region = Mesh(stabilityGrid(asOde(), plot), "region");

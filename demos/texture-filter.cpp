@@ -314,6 +314,7 @@ struct TextureFilterDemo final : Demo {
             drawing.pixelGrid(plotOf(texelsAlong), {vec4(0.5, 0.5, 0.5, 0.7), 1});
         const Plot plot = plotOf(1);
         std::vector<vec2> outline;
+        outline.reserve(corners.size());
         for (const vec2& corner : corners) outline.push_back(plot.pixel(corner));
         drawing.line(outline, {red, 2.5});
         const Footprint& print = looked.footprint;

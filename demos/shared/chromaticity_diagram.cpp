@@ -16,6 +16,7 @@ namespace {
 // Of a flat polygon, in the order of clipPolygon().
 double area(const std::vector<vec4>& corners) {
     std::vector<vec3> flat;
+    flat.reserve(corners.size());
     for (const vec4& corner : corners) flat.emplace_back(vec3(corner) / corner.w);
     return polygonArea(flat);
 }
@@ -23,6 +24,7 @@ double area(const std::vector<vec4>& corners) {
 template <typename List>
 std::vector<vec4> placesOf(const ChromaticityDiagram& diagram, const List& list) {
     std::vector<vec4> places;
+    places.reserve(list.size());
     for (const vec2& xy : list) places.emplace_back(diagram.place(xy), 0, 1);
     return places;
 }

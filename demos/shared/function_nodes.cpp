@@ -29,6 +29,7 @@ std::vector<double> FunctionNodes::places() const {
     const int n = count;
     if (spread == Spread::chebyshev) return chebyshevNodes(n, -1, 1);
     std::vector<double> places;
+    places.reserve(static_cast<std::size_t>(n));
     for (int i = 0; i < n; ++i) places.push_back((2.0 * i - (n - 1)) / (n - 1));
     return places;
 }

@@ -120,7 +120,7 @@ void JointedOverlay::product(const Frame& frame, const Jointed& thing, const std
     std::string parent = "world", sign = "   ";
     for (const std::size_t i : thing.tree.pathTo(thing.end.joint)) {
         const std::string& name = thing.parts[i].name;
-        write(sign, parent + "From" + name, thing.tree.parentFromTurned(i, degrees[i]));
+        write(sign, parent.append("From").append(name), thing.tree.parentFromTurned(i, degrees[i]));
         parent = withSmallLetter(name);
         sign = "* ";
     }
@@ -143,6 +143,7 @@ void JointedOverlay::residuals(const Frame& frame, const std::vector<ResidualCur
         const auto& [name, history, isChosen] = curves[i];
         const vec4 color = colors.at(i % colors.size());
         std::vector<vec2> values;
+        values.reserve(history.size());
         for (const IkIteration& each : history) values.emplace_back(values.size(), std::max(each.residual, plot.y.low));
         above.curve(plot, values, {color, isChosen ? 3.5 : 1.5});
         if (!values.empty()) above.point(plot.pixel(values.back()), isChosen ? 8 : 6, color);

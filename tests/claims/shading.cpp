@@ -41,7 +41,7 @@ double meanDifference(const Picture& a, const Picture& b) {
     for (int y = 0; y < a.height; ++y) {
         for (int x = 0; x < a.width / 2; ++x) sum += std::abs(a.at(x, y).green - b.at(x, y).green);
     }
-    return sum / (a.height * a.width / 2);
+    return 2 * sum / (double(a.height) * a.width);
 }
 
 }  // namespace
@@ -94,16 +94,19 @@ TEST(Shading, no_light_from_behind) {
     for (const char* body : {"sphere", "teapot"}) {
         for (const char* shading : {"flat", "gouraud", "phong"}) {
             for (const char* highlight : {"phong", "blinn"}) {
-                for (const auto& [material, emitted] : std::array<std::pair<const char*, double>, 3>{
+                for (const auto& one : std::array<std::pair<const char*, double>, 3>{
                          {{"plastic", 0.2}, {"mirror-like", 0.1}, {"brushed", 0.2}}}) {
-                    run.set("body", body).set("shading", shading).set("highlight", highlight).set("material", material);
+                    run.set("body", body)
+                        .set("shading", shading)
+                        .set("highlight", highlight)
+                        .set("material", one.first);
                     const Picture picture = run.set("edges", 64).set("exponent", 1).picture();
                     // Before the middle of the body and below it: what is left is what it sends out by itself.
                     const Pixel pixel = picture.at(int(0.28 * picture.width), int(0.55 * picture.height));
-                    const auto level = [&](double color) { return int(std::lround(255 * emitted * color)); };
+                    const auto level = [&](double color) { return int(std::lround(255 * one.second * color)); };
                     EXPECT_EQ((std::array<int, 3>{pixel.red, pixel.green, pixel.blue}),
                               (std::array<int, 3>{level(0.80), level(0.35), level(0.15)}))
-                        << body << " " << shading << " " << highlight << " " << material;
+                        << body << " " << shading << " " << highlight << " " << one.first;
                 }
             }
         }
@@ -142,7 +145,8 @@ TEST(Shading, reciprocity) {
                    lamp = 2.6 *
                           vec3(std::sin(radians(turn)) * cosine(10), std::sin(radians(10)), cosine(turn) * cosine(10));
         const double light = glm::dot(n, glm::normalize(lamp - 1.5 * n));
-        const double red = picture.at(int(0.3 * picture.width), picture.height / 2).red / 255.0;
+        const int row = picture.height / 2;
+        const double red = picture.at(int(0.3 * picture.width), row).red / 255.0;
         // Half a level, and half a pixel of some 190 that the sphere's radius has: it moves point and normal.
         EXPECT_NEAR((red - 0.2 * 0.8) / light, 0.8 * 0.8, (0.5 / 255 + 1.0 / 190) / light) << turn;
     }

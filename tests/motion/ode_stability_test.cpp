@@ -235,8 +235,8 @@ TEST(OdeStability, EigenvaluesOfAChainAreItsFormula) {
         for (int j = 0; j < n; ++j) {
             const double w = 2 * std::sqrt(k / m) * std::sin((j + 1) * pi / (2 * (n + 1)));
             const Complex half = -ratio * w * w / 2, root = std::sqrt(half * half - w * w);
-            expected[static_cast<std::size_t>(2 * j)] = half + root;
-            expected[static_cast<std::size_t>(2 * j + 1)] = half - root;
+            expected[2 * static_cast<std::size_t>(j)] = half + root;
+            expected[2 * static_cast<std::size_t>(j) + 1] = half - root;
         }
         const double largest = std::abs(found[0]);
         for (const Complex& one : expected) {

@@ -25,7 +25,8 @@ TEST(FigureInStreet, isInPaintersOrder) {
     for (const double distance : {1.0, 4.0, 30.0, 60.0}) {
         const vec3 eye(0, figureHeight / 2, distance);
         for (int i = 0; i < 80 * 36; ++i) {
-            const vec3 target((i % 80 - 39.7) * 0.31, 1 + (i / 80 - 10.3) * 0.17, -12);
+            const int column = i % 80, row = i / 80;
+            const vec3 target((column - 39.7) * 0.31, 1 + (row - 10.3) * 0.17, -12);
             double nearest = HUGE_VAL;
             for (std::size_t index = 0; index < casters.size(); ++index) {
                 const auto hit = casters[index].nearest({eye, target - eye});

@@ -157,12 +157,12 @@ vec3 linearFromOklab(const vec3& oklab) {
     return linearFromCones * (roots * roots * roots);
 }
 
-const mat3& xyzFromLinear() {
+mat3 xyzFromLinear() {
     static const mat3 matrix = matrixOfPrimaries();
     return matrix;
 }
 
-const mat3& linearFromXyz() {
+mat3 linearFromXyz() {
     static const mat3 matrix = inverse(xyzFromLinear());
     return matrix;
 }

@@ -83,12 +83,12 @@ vec3 linearFromOklab(const vec3& oklab);
 
 // The primaries of sRGB and its white (D65) in the diagram of 1931. Source: IEC 61966-2-1:1999, which has BT.709's.
 inline constexpr std::array<vec2, 3> srgbPrimaries{vec2(0.64, 0.33), vec2(0.30, 0.60), vec2(0.15, 0.06)};
-inline constexpr vec2 srgbWhite(0.3127, 0.3290);
+inline constexpr vec2 srgbWhite{0.3127, 0.3290};
 
 // CIE XYZ of linear sRGB, Y of white being 1, as a matrix for columns; computed from the above, so that it has all digits
 // where the standard prints four. And its inverse.
-const mat3& xyzFromLinear();
-const mat3& linearFromXyz();
+mat3 xyzFromLinear();
+mat3 linearFromXyz();
 
 // How bright light is, 0.2126 r + 0.7152 g + 0.0722 b: the Y of xyzFromLinear(). Refused: what is not finite.
 // Trap: it is of light, not of srgb components.
