@@ -18,6 +18,7 @@ const std::array<vec4, 8> colors{vec4(0.10, 0.30, 0.70, 1), vec4(0.75, 0.15, 0.1
                                  vec4(0.55, 0.40, 0.25, 1), vec4(0.80, 0.35, 0.60, 1)};
 
 double sampleTime(const Classic& classic, int i) {
+    if (i == samples) return classic.time.high;  // and not what pow makes of it
     const double part = double(i) / samples;
     if (!classic.time.logarithmic) return classic.time.low + part * (classic.time.high - classic.time.low);
     return classic.time.low * std::pow(classic.time.high / classic.time.low, part);

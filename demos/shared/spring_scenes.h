@@ -37,7 +37,7 @@ struct SpringSetup {
     bool hasHand = false;       // the last point, fixed; its spring is the last one
 };
 
-// Refused: what springs.h refuses.
+// Refused: fewer than two masses. Other settings are refused by who integrates them (mv/motion/springs.h).
 SpringSetup makeSprings(const SpringSettings& settings);
 
 // The exact motion of the one spring: its place (from where it is slack) and speed a time h later.

@@ -107,6 +107,7 @@ struct Trapezia final : Demo {
         for (int i = 1; i < n; ++i) sum += std::exp(double(i) / n);
         return {sum / n};
     }
+    std::vector<std::pair<std::string, double>> valueCounts() const override { return {{"terms", n + 1.0}}; }
     static Reference reference(const ReferenceFrame&, const std::function<void(double)>&) {
         return {.values = {std::exp(1.0) - 1}};
     }
@@ -281,6 +282,7 @@ TEST(StudyRun, of_values_needs_no_picture) {
     stage().close();
     // The trapezium rule: error h^2/12 (e - 1) to first order.
     EXPECT_NEAR(row(run, "trapezia", "64").all.rms, (std::exp(1.0) - 1) / 12 / 64 / 64, 1e-9);
+    EXPECT_EQ(row(run, "trapezia", "64").counts, (std::vector<std::pair<std::string, double>>{{"terms", 65}}));
     EXPECT_NEAR(*errorSlope(run, "", "trapezia"), -2, 0.01);
     EXPECT_GT(*timeSlope(run, "", "trapezia"), 0.3) << "more trapezia take longer";
 }
