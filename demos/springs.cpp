@@ -1,4 +1,4 @@
-// springs: masses on springs by eleven methods, with the energy that each makes or loses, and where it is stable.
+// springs: masses on springs by twelve methods, with the energy that each makes or loses, and where it is stable.
 //
 // Claims (each is a test in tests/claims/springs.cpp; rows X33 to X35 of docs/stability.md):
 // - [limits] One spring grows where the region says so, and not within 1 % below it: damped or not, by each method.
@@ -507,7 +507,7 @@ struct Springs final : Demo {
 
 const bool added = addDemo<Springs>({
     .name = "springs",
-    .sentence = "Masses on springs by eleven methods: energy made, energy lost, and the region that tells before.",
+    .sentence = "Masses on springs by twelve methods: energy made, energy lost, and the region that tells before.",
     .lookFor = "Drag the hand. Then fewer substeps: a dot leaves the blue region, and the net blows up.",
     .chapter = "Motion",
     .number = 37,
