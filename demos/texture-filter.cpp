@@ -37,7 +37,7 @@ enum class Average { linear, encoded };
 enum class Kept { floats, bytes };
 enum class MadeBy { program, driver };
 
-const vec4 red(0.8, 0.1, 0.1, 1), ink(0.1, 0.1, 0.1, 1), blue(0.1, 0.35, 0.8, 1);
+const vec4 red(0.8, 0.1, 0.1, 1), blue(0.1, 0.35, 0.8, 1);
 const std::array<vec3, 8> levelColors{vec3(0.9, 0.2, 0.2), vec3(0.95, 0.6, 0.1), vec3(0.9, 0.9, 0.2),
                                       vec3(0.2, 0.7, 0.2), vec3(0.1, 0.7, 0.8),  vec3(0.2, 0.3, 0.9),
                                       vec3(0.6, 0.2, 0.8), vec3(0.5, 0.5, 0.5)};

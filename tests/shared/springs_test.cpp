@@ -1,9 +1,11 @@
 // What springs and its study share: scenes, the classics' solutions, and what is drawn of them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "mv/error.h"
 #include "mv/motion/ode_adaptive.h"
 #include "mv/motion/ode_stability.h"
 #include "shared/classic_curves.h"
