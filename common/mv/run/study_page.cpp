@@ -50,7 +50,8 @@ std::string countTable(const StudyRun& run) {
         }
         text += "\n";
     }
-    return std::string(run.width > 0 ? "\n## Work of a frame\n\n" : "\n## Counts\n\n") + head + "\n" + line + "\n" + text;
+    return std::string(run.width > 0 ? "\n## Work of a frame\n\n" : "\n## Counts\n\n") + head + "\n" + line + "\n" +
+           text;
 }
 
 std::string slopeList(const StudyRun& run) {
