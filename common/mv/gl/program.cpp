@@ -72,7 +72,13 @@ std::map<std::string, Uniform, std::less<>> activeUniforms(GLuint program) {
         GLint size = 0;
         GLenum type = 0;
         glGetActiveUniform(program, static_cast<GLuint>(i), sizeof name, nullptr, &size, &type, name);
-        uniforms[name] = {glGetUniformLocation(program, name), type};
+        // OpenGL tells an array by the name of its first element
+        const std::string first(name);
+        const bool isArray = first.size() > 3 && first.ends_with("[0]");
+        for (GLint element = 0; element < size; ++element) {
+            const std::string one = isArray ? first.substr(0, first.size() - 2) + std::to_string(element) + "]" : first;
+            uniforms[one] = {glGetUniformLocation(program, one.c_str()), type};
+        }
     }
     return uniforms;
 }

@@ -27,7 +27,8 @@ class Program {
     // Makes it the current program; set() and draws refer to that. Tells it whether to measure, see setMeasuring().
     void use() const;
 
-    // Sets a uniform of the current program. Matrices and vectors are rounded to float here, once.
+    // Sets a uniform of the current program. Matrices and vectors are rounded to float here, once. Of an array one element:
+    // "place[3]".
     // Error: no active uniform of that name, another type, a number that is not finite, or the program is not in use.
     void set(const char* name, double value) const;
     void set(const char* name, int value) const;  // also bool and samplers (the texture unit)
