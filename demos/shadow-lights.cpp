@@ -9,13 +9,11 @@
 // - [kept] Maps and volumes are kept while light and casters rest; where one moves, they are made anew.
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <optional>
 #include <vector>
 
 #include "mv/demo/demo.h"
 #include "mv/demo/made_for.h"
-#include "mv/geometry/bounds.h"
 #include "mv/geometry/light_view.h"
 #include "mv/geometry/shapes.h"
 #include "mv/gl/depth_map.h"
@@ -25,6 +23,7 @@
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
 #include "shared/caster_volumes.h"
+#include "shared/lamp_reach.h"
 #include "shared/light_scenes.h"
 #include "shared/scenes.h"
 #include "shared/turntable.h"
@@ -192,20 +191,11 @@ struct ShadowLights final : Demo {
         return view;
     }
 
-    // Those whose reach comes to what is seen: their sphere is in the view, and a thing is in the sphere.
     std::vector<std::size_t> lightsThatReach() const {
         std::vector<std::size_t> reaching;
+        const mat4 clipFromWorld = withDepths(now.clipFromView, 0.5, 20) * now.viewFromWorld;
         for (std::size_t i = 0; i < now.lights.size(); ++i) {
-            const vec3 light(now.lights[i].position);
-            const auto planes = planesFromClip(withDepths(now.clipFromView, 0.5, 20) * now.viewFromWorld);
-            const bool outside = std::any_of(planes.begin(), planes.end(), [&](const vec4& plane) {
-                return glm::dot(vec3(plane), light) + plane.w < -reach;
-            });
-            const bool near = std::any_of(now.objects.begin(), now.objects.end(), [&](const SceneObject& object) {
-                const Bounds bounds = boundsOf(object.mesh, object.worldFromObject);
-                return glm::distance(glm::clamp(light, bounds.low, bounds.high), light) < reach;
-            });
-            if (!outside && near) reaching.push_back(i);
+            if (canReach(now, clipFromWorld, vec3(now.lights[i].position), reach)) reaching.push_back(i);
         }
         return reaching;
     }

@@ -30,7 +30,8 @@ class Program {
 
     // Sets a uniform of the current program. Matrices and vectors are rounded to float here, once. Of an array one element:
     // "place[3]".
-    // Error: no active uniform of that name, another type, another number of elements, a number that is not finite, or the program is not in use.
+    // Error: no active uniform of that name, another type, another number of elements, a number that is not finite, or
+    // the program is not in use.
     void set(const char* name, double value) const;
     void set(const char* name, int value) const;  // also bool and samplers (the texture unit)
     void set(const char* name, bool value) const { set(name, value ? 1 : 0); }

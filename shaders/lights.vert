@@ -1,0 +1,13 @@
+uniform mat4 clipFromObject;
+uniform mat4 worldFromObject;
+uniform mat3 worldFromNormal;
+in vec4 position;
+in vec3 normal;
+out vec3 worldPoint;
+out vec3 worldNormal;
+
+void main() {
+    gl_Position = clipFromObject * position;
+    worldPoint = vec3(worldFromObject * position);
+    worldNormal = worldFromNormal * normal;
+}
