@@ -35,6 +35,7 @@ using namespace mv;
 namespace {
 
 enum class Kind { off, ambient, directional, point, spot };
+enum class Ask { reaching, all };
 using Kinds = std::vector<std::unique_ptr<Choice<Kind>>>;
 
 const std::array<vec3, 8> hues{{{1, 1, 1},
@@ -73,6 +74,12 @@ struct Lights final : Demo {
     Real aimZ{this, "aim-z", -0.2, {-1.5, 2}, "z of that place", "m"};
     Real markX{this, "mark-x", -0.2, {-2, 2.5}, "x of a place on the floor whose light is told", "m"};
     Real markZ{this, "mark-z", 1.1, {-1.5, 2}, "z of that place", "m"};
+    Choice<Ask> ask{this,
+                    "ask",
+                    Ask::reaching,
+                    {{"reaching", "those that are on, and whose light comes to something that is seen"},
+                     {"all", "all but ambient ones, whatever they give"}},
+                    "which lights the shader asks for each pixel"};
     Toggle encode{this, "encode", true, "add linear light and encode the sum; off: take stored numbers for light"};
     Toggle logLog{this, "log-log", false, "both axes of the graph logarithmic"};
 
@@ -127,13 +134,18 @@ struct Lights final : Demo {
             program.set("outerCosine", std::cos(radians(outer)));
         }
 
-        // The lights that are on and that reach, one behind the other
+        // The lights that are on and that reach, one behind the other; ambient ones are in the sum above
         int count = 0;
         for (std::size_t i = 0; i < kinds.size(); ++i) {
-            if (!reaches(i)) continue;
+            if (kind(i) == Kind::ambient || (ask == Ask::reaching && !reaches(i))) continue;
+            if (!reaches(i)) {
+                frame.needless("light " + std::to_string(i + 1) +
+                               (hasPlace(i) ? ", which reaches nothing" : ", which is off"));
+            }
             const auto element = [at = "[" + std::to_string(count++) + "]"](const char* name) { return name + at; };
             program.set(element("power").c_str(), strength(i));
-            program.set(element("kind").c_str(), static_cast<int>(kind(i)) - static_cast<int>(Kind::directional));
+            const Kind model = kind(i) == Kind::off ? Kind::point : kind(i);
+            program.set(element("kind").c_str(), static_cast<int>(model) - static_cast<int>(Kind::directional));
             program.set(element("place").c_str(), kind(i) == Kind::directional ? towardsSun(i) : placeOf(i));
             if (kind(i) == Kind::spot) program.set(element("axis").c_str(), axisOf(i));
         }
@@ -174,6 +186,7 @@ struct Lights final : Demo {
     vec3 marked() const { return {markX, 0, markZ}; }
 
     vec3 strength(std::size_t i) const {
+        if (kind(i) == Kind::off) return vec3(0);
         if (kind(i) == Kind::directional) return sunShare * hues.at(i);
         return (kind(i) == Kind::ambient ? ambientShare : double(power)) * hues.at(i);
     }

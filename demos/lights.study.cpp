@@ -111,6 +111,12 @@ std::vector<KnobSetting> falloff(const std::string& constant, const std::string&
     return {{"constant", constant}, {"linear", linear}, {"quadratic", quadratic}};
 }
 
+// The shader asks all eight lights, also those that are off.
+std::vector<KnobSetting> withAll(std::vector<KnobSetting> settings) {
+    settings.push_back({"ask", "all"});
+    return settings;
+}
+
 Study study() {
     Study study;
     study.quantity = "light that arrives at each pixel's surface, mean of red, green and blue, linear";
@@ -125,6 +131,7 @@ Study study() {
     study.lines = {{"1/d^2", falloff("0", "0", "1"), "lamp-size", sizes},
                    {"1/d", falloff("0", "1", "0"), "lamp-size", sizes},
                    {"constant", falloff("1", "0", "0"), "lamp-size", sizes},
+                   {"1/d^2, all asked", withAll(falloff("0", "0", "1")), "lamp-size", sizes},
                    {"1/(1 + d + d^2)", falloff("1", "1", "1"), "lamp-size", sizes},
                    {"1/d^2, cut off",
                     falloff("0", "0", "1"),

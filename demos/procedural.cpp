@@ -4,6 +4,7 @@
 // - [no-texels] Zoomed in a million times, with the origin near, each pixel is what double precision computes.
 // - [float-breaks] With the origin far, neighbouring pixels round to the same point, and the picture falls into blocks.
 // - [near-is-far] Moved 2^24 from the origin, the pattern is computed as exactly as before where the origin is near.
+// - [finer-by-name] In a small picture the audit names each octave that is finer than every pixel; leave-out computes none.
 // - [goes-through] A body is cut out of its pattern: the same point has the same number on the sphere and on the wall.
 #include <algorithm>
 #include <array>
@@ -40,6 +41,9 @@ const std::array<Ramp, 4> ramps{{{{0.45, 0.42, 0.38}, {0.52, 0.10, 0.05}},
                                  {{0.06, 0.07, 0.10}, {0.85, 0.84, 0.80}},
                                  {{0.01, 0.03, 0.12}, {0.95, 0.93, 0.85}}}};
 
+// Depths from the eye: of the sphere's nearest point, and of the floor in the middle and at the lower edge.
+constexpr double frontOfSphere = 4.2 - 1.3, middleOfFloor = 5.1, frontOfFloor = 1.81;
+
 struct Procedural final : Demo {
     Choice<Pattern> pattern{this, "pattern", Pattern::marble, {{"brick"}, {"wood"}, {"marble"}, {"noise"}}, "which"};
     Choice<View> view{this,
@@ -71,7 +75,7 @@ struct Procedural final : Demo {
     Readout grain{this, "float-step", "how far apart floats are there, with the origin far", "units"};
 
     Program program;
-    OnDemand<Mesh> flat{square(), "square"}, ball{sphere(1.3, 128, 64), "sphere"};
+    OnDemand<Mesh> flat{withoutTexCoords(square()), "square"}, ball{withoutTexCoords(sphere(1.3, 128, 64)), "sphere"};
 
     Procedural() {
         bindWheel(zoom, 0.1);
@@ -105,9 +109,28 @@ struct Procedural final : Demo {
         setCentre(at);
         (view == View::sphere ? *ball : *flat).draw();
 
-        pixel = glm::length(vec3(offsetFromBody(frame)[0])) / frame.width();
+        pixel = pixelAt(frame, view == View::floor ? middleOfFloor : frontOfSphere);
+        nameFinerOctaves(frame, at);
         const auto far = static_cast<float>(std::max(std::abs(at.centre.x), 1e-30));
         grain = double(std::nextafter(far, HUGE_VALF)) - double(far);
+    }
+
+    // How far apart the points of neighbouring pixels are across a surface at this depth; the wall is seen without perspective.
+    double pixelAt(const FrameInfo& frame, double depth) const {
+        if (view == View::wall) return 3 / (zoom * frame.height());
+        return 2 * depth * std::tan(radians(20)) / frame.height();
+    }
+
+    // An octave of which no pixel keeps anything costs as much as another; only leave-out does not compute it.
+    void nameFinerOctaves(const Frame& frame, const PatternPlace& at) const {
+        if (filter == Filter::leaveOut || pattern == Pattern::brick) return;
+        const double finest = pixelAt(frame, view == View::floor ? frontOfFloor : frontOfSphere) /
+                              (filter == Filter::samples ? int(samples) : 1);
+        for (const auto& octave : at.octaveList()) {
+            // A wave is two cells long, as in shaders/include/procedural.glsl.
+            if (0.5 * octave.frequency * finest < 1) continue;
+            frame.needless("octave of frequency " + numberText(octave.frequency) + ", finer than every pixel");
+        }
     }
 
     // The middle of what is seen.

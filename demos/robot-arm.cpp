@@ -121,8 +121,9 @@ struct RobotArm final : Demo {
 
     void init() override {
         program = Program("robot-arm");
-        box = Mesh(mv::box({0, -0.5, -0.5}, {1, 0.5, 0.5}), "box");
-        cylinder = Mesh(lathe(std::vector<vec2>{{0, -0.5}, {1, -0.5}, {1, 0.5}, {0, 0.5}}, 32), "cylinder");
+        box = Mesh(withoutTexCoords(mv::box({0, -0.5, -0.5}, {1, 0.5, 0.5})), "box");
+        cylinder =
+            Mesh(withoutTexCoords(lathe(std::vector<vec2>{{0, -0.5}, {1, -0.5}, {1, 0.5}, {0, 0.5}}, 32)), "cylinder");
     }
 
     void check() const override {

@@ -128,7 +128,7 @@ struct ShadingDemo final : Demo {
     void draw(const Frame& frame) override {
         if (meshFor.changed(body, edges)) {
             const MeshData data = bodyMesh();
-            mesh = Mesh(data, "body");
+            mesh = Mesh(withoutTexCoords(data), "body");
             count = data.indices.size() / 3;
         }
         triangles = double(count);

@@ -61,8 +61,8 @@ struct ShadowFloor final : Demo {
 
     void init() override {
         program = Program("shadow-floor");
-        plate = Mesh(square(), "square");
-        ball = Mesh(sphere(0.04, 16, 8), "light");
+        plate = Mesh(positionsOnly(square()), "square");
+        ball = Mesh(positionsOnly(sphere(0.04, 16, 8)), "light");
     }
 
     void draw(const Frame& frame) override {

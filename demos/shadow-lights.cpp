@@ -58,7 +58,7 @@ struct ShadowLights final : Demo {
     Readout remade{this, "shadows-remade", "lights whose map or volumes were made anew for this frame"};
 
     Program program, plain;
-    OnDemand<Mesh> bulb{sphere(0.05, 16, 8), "bulb"};
+    OnDemand<Mesh> bulb{positionsOnly(sphere(0.05, 16, 8)), "bulb"};
     Scene now;
     SceneMeshes meshes;
     struct Shadow {

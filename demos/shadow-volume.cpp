@@ -70,7 +70,7 @@ struct ShadowVolumes final : Demo {
     Readout triangles{this, "volume-triangles", "triangles of the volumes that are counted"};
 
     Program program, volumeProgram;
-    OnDemand<Mesh> wholePicture{square(), "whole picture"};
+    OnDemand<Mesh> wholePicture{positionsOnly(square()), "whole picture"};
     Scene now;
     SceneMeshes meshes;
     CasterVolumes volumes;

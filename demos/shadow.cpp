@@ -54,7 +54,7 @@ struct Shadow final : Demo {
 
     void init() override {
         program = Program("shadow");
-        caster = Mesh(square(), "square");
+        caster = Mesh(positionsOnly(square()), "square");
     }
 
     void draw(const Frame& frame) override {

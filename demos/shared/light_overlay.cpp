@@ -50,8 +50,8 @@ void LightOverlay::init() {
     lines_ = Program::fromText("light-overlay.lines", lineVertex, lineFragment);
     corner_ = Program::fromText("light-overlay.corner", cornerVertex, cornerFragment);
     edges_ = Mesh(wireCube(), "light's frustum");
-    ball_ = Mesh(sphere(1, 16, 8), "light");
-    square_ = Mesh(square(), "map in the corner");
+    ball_ = Mesh(positionsOnly(sphere(1, 16, 8)), "light");
+    square_ = Mesh(positionsOnly(square()), "map in the corner");
 }
 
 void LightOverlay::drawFrustum(const mat4& clipFromWorld, const LightView& light) const {

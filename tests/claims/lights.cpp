@@ -7,6 +7,7 @@
 
 #include "mv/geometry/ray_caster.h"
 #include "mv/math/transform.h"
+#include "mv/run/audit.h"
 #include "shared/lamp_light.h"
 #include "support/demo_run.h"
 
@@ -247,6 +248,17 @@ TEST(Lights, off_costs_nothing) {
     EXPECT_EQ(differentPixels(two, run.picture()), 0);
     EXPECT_EQ(stage().frameCounters().draws, work.draws);
 
+    // Asked all the same they change nothing, and the audit names them
+    const std::vector<float> asked = arriving(run);
+    run.set("ask", "all");
+    EXPECT_EQ(arriving(run), asked);
+    EXPECT_EQ(run.readout("lights-sent"), 7) << "an ambient light is asked of no pixel";
+    run.set("ask", "reaching");
+    const AuditReport report = auditDemo(stage(), findDemo("lights"), {{"ask", "all"}, {"light-4", "off"}}, 1);
+    ASSERT_EQ(report.findings.size(), 5U) << auditText(report);
+    EXPECT_EQ(report.findings.front().kind, waste::needlessWork);
+    EXPECT_EQ(report.findings.front().what, "light 4, which is off");
+
     // A lamp 3 above the floor whose light falls below the threshold before it comes to anything
     run.set("height", 3).set("power", 0.05).set("cut-off", 0.1);
     light(run, {"ambient"});
@@ -254,6 +266,10 @@ TEST(Lights, off_costs_nothing) {
     light(run, {"ambient", "point", "point", "spot"});
     EXPECT_EQ(arriving(run), none);
     EXPECT_EQ(run.readout("lights-sent"), 0);
+    const AuditReport far = auditDemo(stage(), findDemo("lights"),
+                                      {{"ask", "all"}, {"height", "3"}, {"power", "0.05"}, {"cut-off", "0.1"}}, 1);
+    ASSERT_EQ(far.findings.size(), 6U) << auditText(far);
+    EXPECT_EQ(far.findings.front().what, "light 3, which reaches nothing");
     run.set("cut-off", 0);
     const std::vector<float> whole = arriving(run);
     EXPECT_NE(whole, none);

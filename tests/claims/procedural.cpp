@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "mv/math/transform.h"
+#include "mv/run/audit.h"
 #include "shared/procedural.h"
 #include "support/demo_run.h"
 
@@ -100,6 +101,26 @@ TEST(Procedural, near_is_far) {
         EXPECT_LE(largestOff(drawn(run), place, 1, atEdges), floats) << one.name;
         EXPECT_GT(largestOff(drawn(run.set("origin", "far")), place, 1, atEdges), 0.1) << one.name;
     }
+}
+
+TEST(Procedural, finer_by_name) {
+    DemoInfo made = findDemo("procedural");
+    made.width = 64, made.height = 48;
+    const auto named = [&](const char* filter) {
+        const AuditReport report = auditDemo(stage(), made, {{"octaves", "8"}, {"filter", filter}}, 1);
+        std::vector<std::string> names;
+        for (const Finding& finding : report.findings) names.push_back(finding.what);
+        return names;
+    };
+    // The sphere's nearest point is 2.9 before the eye, where a pixel is 0.044: a wave of octave k, 2^(1-k) long and two cells,
+    // is shorter than that from frequency 64 on. The samples are 4 to a pixel's side.
+    const std::vector<std::string> two{"octave of frequency 128, finer than every pixel",
+                                       "octave of frequency 64, finer than every pixel"};
+    EXPECT_EQ(named("none"), two);
+    EXPECT_EQ(named("samples"), std::vector<std::string>());
+    EXPECT_EQ(named("leave-out"), std::vector<std::string>());
+    made.height = 600, made.width = 800;
+    EXPECT_EQ(named("none"), std::vector<std::string>());
 }
 
 TEST(Procedural, goes_through) {

@@ -8,6 +8,7 @@
 #include "mv/geometry/shapes.h"
 #include "mv/gl/beyond_es.h"
 #include "mv/gl/gl.h"
+#include "mv/image/mipmap.h"
 #include "mv/math/transform.h"
 #include "support/demo_run.h"
 
@@ -38,7 +39,10 @@ struct Wasteful final : Demo {
         texture,
         pass,
         repeated,
-        object
+        object,
+        attribute,
+        work,
+        levels
     };
     Choice<Kind> kind{this,
                       "kind",
@@ -56,18 +60,21 @@ struct Wasteful final : Demo {
                        {"unsampled-texture"},
                        {"unread-pass"},
                        {"repeated-pass"},
-                       {"unused-object"}},
+                       {"unused-object"},
+                       {"unread-part"},
+                       {"needless-work"},
+                       {"unread-levels"}},
                       ""};
-    Program program, reader;
+    Program program, reader, viewer;
     Mesh plate;
     std::optional<Mesh> spare;
     Buffer filled;
     std::optional<DepthMap> map;
-    std::optional<Texture> picture;
+    std::optional<Texture> picture, levelled;
 
     void init() override {
         program = Program::fromText("plain", plainVertex, plainFragment);
-        plate = Mesh(square(), "plate");
+        plate = Mesh(positionsOnly(square()), "plate");
     }
     void drawPlate(const mat4& clipFromModel) {
         program.set("clipFromModel", clipFromModel);
@@ -112,6 +119,25 @@ struct Wasteful final : Demo {
             picture->bind(1);
         }
         if (kind == Kind::object && !spare) spare = Mesh(wireCube(), "spare");
+        if (kind == Kind::attribute) {  // it has normals, of which the program knows nothing
+            if (!spare) spare = Mesh(withoutTexCoords(sphere(0.2, 8, 4)), "ball");
+            program.set("clipFromModel", translate(0, 0, -0.5));
+            spare->draw();
+        }
+        if (kind == Kind::work) frame.needless("a light that is off");
+        if (kind == Kind::levels) {
+            if (!viewer.id()) viewer = Program::fromText("viewer", plainVertex, mapFragment);
+            if (levelled) {
+                levelled->bind(0);
+            } else {
+                levelled.emplace(mipmaps(FloatPicture(2, 2, 4)), TextureOptions{.label = "levelled"});
+                levelled->filterBy({.minify = GL_NEAREST, .magnify = GL_NEAREST});
+            }
+            viewer.use();
+            viewer.set("map", 0);
+            viewer.set("clipFromModel", inFront);
+            plate.draw();
+        }
         if (kind == Kind::repeated) {
             if (!reader.id()) reader = Program::fromText("reader", plainVertex, mapFragment);
             reader.use();
@@ -180,6 +206,7 @@ TEST(Audit, each_waste_is_found_by_name) {
     }
     EXPECT_EQ(kindsFound(auditOf("uniform-twice", made)), std::vector<std::string>{waste::uniformAgain});
     EXPECT_EQ(kindsFound(auditOf("refill", made)), std::vector<std::string>{waste::uploadAgain});
+    EXPECT_EQ(kindsFound(auditOf("unread-levels", made)), std::vector<std::string>{waste::unreadPart});
     // A draw begins in OpenGL's initial state: to set that is to set it again.
     const AuditReport initial = auditOf("initial-state", made);
     EXPECT_EQ(kindsFound(initial), std::vector<std::string>{waste::stateAgain});
@@ -200,6 +227,9 @@ TEST(Audit, findings_name_the_culprit) {
     EXPECT_EQ(what(waste::unsampled), "texture 'picture'");
     EXPECT_EQ(what(waste::unusedObject), "mesh 'spare'");
     EXPECT_EQ(what(waste::repeatedPass), "pass into 'map'");
+    EXPECT_EQ(what(waste::unreadPart), "attribute normal of 'ball'");
+    EXPECT_EQ(what("unread-levels"), "levels of 'levelled'");
+    EXPECT_EQ(what(waste::needlessWork), "a light that is off");
     EXPECT_EQ(what(waste::unusedBuffer), "depth of 'wasteful'");
 }
 
@@ -265,7 +295,7 @@ TEST(Audit, what_es_lacks_is_declared) {
         Mesh plate;
         void init() override {
             program = Program::fromText("plain", plainVertex, plainFragment);
-            plate = Mesh(square(), "plate");
+            plate = Mesh(positionsOnly(square()), "plate");
         }
         void draw(const Frame&) override {
             glClear(GL_COLOR_BUFFER_BIT);

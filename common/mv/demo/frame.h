@@ -82,6 +82,8 @@ class Frame : public FrameInfo {
     // Work done in this frame that the framework does not count itself: taps, rays, lights. Shown by --report, and beside
     // the errors of a study, since it does not depend on the machine.
     void count(std::string name, double amount) const;
+    // Work in this frame that only the demo knows to be needless, for --audit; in words ("light 5, which is off").
+    void needless(const std::string& what) const;
 
   private:
     FrameMode mode_;

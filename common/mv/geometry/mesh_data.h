@@ -1,6 +1,7 @@
 // What a mesh is made of, before any GL: the shapes make it, gl/Mesh uploads it, the ray caster reads it.
 #pragma once
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "mv/math/types.h"
@@ -22,5 +23,16 @@ struct MeshData {
     std::vector<std::uint32_t> indices = {};
     bool operator==(const MeshData&) const = default;
 };
+
+// The mesh without what a program does not read: it would be stored and fetched for nothing, and the audit names it.
+inline MeshData withoutTexCoords(MeshData mesh) {
+    mesh.texCoords.clear();
+    return mesh;
+}
+inline MeshData positionsOnly(MeshData mesh) {
+    mesh.normals.clear();
+    mesh.colors.clear();
+    return withoutTexCoords(std::move(mesh));
+}
 
 }  // namespace mv

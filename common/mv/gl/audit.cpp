@@ -10,6 +10,7 @@
 #include <string_view>
 #include <tuple>
 
+#include "mv/gl/audit_reads.h"
 #include "mv/gl/beyond_es.h"
 #include "mv/gl/layer.h"
 #include "mv/gl/object.h"
@@ -29,6 +30,9 @@ class Recorder {
     void begin(bool repeats);
     FrameWork end();
     std::vector<Finding> take();
+    void needless(const std::string& what) {
+        if (inFrame_) find(waste::needlessWork, what);
+    }
 
     // ---- State: set again to what it was is needless, and a frame begins in OpenGL's initial state.
     void before_Enable(GLenum cap) { state("glEnable/glDisable(" + stateName(cap) + ")", "on"); }
@@ -107,22 +111,32 @@ class Recorder {
     void before_BufferData(GLenum target, GLsizeiptr size, const void* data, GLenum) {
         upload("buffer", GL_BUFFER, buffers_[target], data, size);
     }
-    void before_TexImage2D(GLenum, GLint, GLint, GLsizei width, GLsizei height, GLint, GLenum format, GLenum type,
+    void before_TexImage2D(GLenum, GLint level, GLint, GLsizei width, GLsizei height, GLint, GLenum format, GLenum type,
                            const void* data) {
+        if (level > 0) parts_.levelsMade(texture_);
         // Bound to be filled, not to be sampled; binding it again for that is another thing.
         bound_.erase(texture_);
         state_.erase(bindingOf(unit_));
         upload("texture", GL_TEXTURE, texture_, data, long(width) * height * bytesOfPixel(format, type));
     }
+    void before_GenerateMipmap(GLenum) { parts_.levelsMade(texture_); }
+    void before_TexParameteri(GLenum, GLenum name, GLint value) {
+        if (name == GL_TEXTURE_MIN_FILTER) parts_.filterSet(texture_, static_cast<GLenum>(value));
+    }
+    void before_EnableVertexAttribArray(GLuint attribute) { parts_.attributeMade(vertexArray_, attribute); }
     void after_GenTextures(GLsizei n, GLuint* names) { made(textures_, n, names); }
     void after_GenVertexArrays(GLsizei n, GLuint* names) { made(arrays_, n, names); }
     void before_LinkProgram(GLuint program) { programs_.emplace(program, false); }
     void before_DeleteTextures(GLsizei n, const GLuint* names) {
         gone(textures_, n, names);
         forget(GL_TEXTURE, n, names);
+        for (GLsizei i = 0; i < n; ++i) parts_.textureGone(names[i]);
     }
     void before_DeleteBuffers(GLsizei n, const GLuint* names) { forget(GL_BUFFER, n, names); }
-    void before_DeleteVertexArrays(GLsizei n, const GLuint* names) { gone(arrays_, n, names); }
+    void before_DeleteVertexArrays(GLsizei n, const GLuint* names) {
+        gone(arrays_, n, names);
+        for (GLsizei i = 0; i < n; ++i) parts_.meshGone(names[i]);
+    }
     void before_DeleteProgram(GLuint program) {
         programs_.erase(program);
         samplers_.erase(program);
@@ -307,6 +321,7 @@ class Recorder {
     std::vector<Content> perhapsAgain_;  // uploaded in this frame, and some other object already held it
 
     Objects textures_, arrays_, programs_;
+    ReadParts parts_{below};
     std::map<GLuint, std::vector<GLint>> samplers_;   // of a program: the locations of its samplers
     std::map<GLuint, std::set<GLuint>> attached_;     // of a framebuffer: its textures
     std::set<GLuint> bound_, sampled_;                // textures, in this frame
@@ -335,6 +350,7 @@ void Recorder::endDraw(GLenum mode, GLsizei count, const Draw& draw) {
     work_.samplesPassed += samples;
     use(programs_, program_);
     use(arrays_, vertexArray_);
+    parts_.drawn(vertexArray_, program_);
     std::erase_if(pending_, [&](const auto& key) { return key.first == program_; });
     notePass();
     const TriangleCount sorted = triangles(mode, count, draw);
@@ -409,6 +425,7 @@ void Recorder::noteSampled() {
         const auto name = static_cast<GLuint>(texture);
         sampled_.insert(name);
         use(textures_, name);
+        parts_.sampled(name);
         std::erase_if(unread_, [&](GLuint framebuffer) { return attached_[framebuffer].contains(name); });
     }
     below.ActiveTexture(unit_);
@@ -535,6 +552,12 @@ std::vector<Finding> Recorder::take() {
     unused(textures_, GL_TEXTURE, "texture");
     unused(arrays_, GL_VERTEX_ARRAY, "mesh");
     unused(programs_, GL_PROGRAM, "program");
+    parts_.unread([&](GLenum kind, GLuint object, const std::string& part) {
+        // Of what is never used at all that is said already.
+        const Objects& objects = kind == GL_TEXTURE ? textures_ : arrays_;
+        const auto found = objects.find(object);
+        if (found != objects.end() && found->second) find(waste::unreadPart, part + labelOf(kind, object));
+    });
     std::vector<Finding> findings;
     for (const auto& [key, finding] : findings_) findings.push_back(finding);
     return findings;
@@ -543,6 +566,10 @@ std::vector<Finding> Recorder::take() {
 }  // namespace
 
 bool auditing() { return recorder != nullptr; }
+
+void noteNeedless(const std::string& what) {
+    if (recorder) recorder->needless(what);
+}
 
 void startAudit() {
     recorder = std::make_unique<Recorder>();

@@ -12,9 +12,9 @@ void SceneMeshes::follow(const Scene& scene) {
     for (std::size_t i = 0; i < count; ++i) {
         const SceneObject& object = scene.objects[i];
         if (i == uploaded_.size()) {
-            uploaded_.push_back({object.mesh, Mesh(object.mesh, object.name)});
+            uploaded_.push_back({object.mesh, Mesh(withoutTexCoords(object.mesh), object.name)});
         } else if (uploaded_[i].data != object.mesh) {
-            uploaded_[i] = {object.mesh, Mesh(object.mesh, object.name)};
+            uploaded_[i] = {object.mesh, Mesh(withoutTexCoords(object.mesh), object.name)};
         }
     }
 }

@@ -12,7 +12,8 @@ namespace mv {
 class SceneMeshes {
   public:
     // Uploads each object's mesh that is not what was uploaded for the object of its place, named like the object, and
-    // deletes those of objects that are gone. Where objects stand and what colours they have is no part of it.
+    // deletes those of objects that are gone. Where objects stand and what colours they have is no part of it. Texture
+    // coordinates stay behind: objects of a scene have colours, and no texture.
     void follow(const Scene& scene);
     // Each object with its mesh, in the order of the scene that was followed last:
     //     for (const auto& [object, mesh] : meshes.of(scene)) { program.set(...); mesh.draw(); }
