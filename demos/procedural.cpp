@@ -128,7 +128,7 @@ struct Procedural final : Demo {
                               (filter == Filter::samples ? int(samples) : 1);
         for (const auto& octave : at.octaveList()) {
             // A wave is two cells long, as in shaders/include/procedural.glsl.
-            if (0.5 * octave.frequency * finest < 1) continue;
+            if (octave.weight == 0 || 0.5 * octave.frequency * finest < 1) continue;
             frame.needless("octave of frequency " + numberText(octave.frequency) + ", finer than every pixel");
         }
     }

@@ -112,8 +112,8 @@ TEST(Procedural, finer_by_name) {
         for (const Finding& finding : report.findings) names.push_back(finding.what);
         return names;
     };
-    // The sphere's nearest point is 2.9 before the eye, where a pixel is 0.044: a wave of octave k, 2^(1-k) long and two cells,
-    // is shorter than that from frequency 64 on. The samples are 4 to a pixel's side.
+    // The sphere's nearest point is 2.9 before the eye, where a pixel is 0.044 wide. A wave is two cells long: of frequency 64
+    // it is shorter than that. Four samples across a pixel are nearer to each other than any.
     const std::vector<std::string> two{"octave of frequency 128, finer than every pixel",
                                        "octave of frequency 64, finer than every pixel"};
     EXPECT_EQ(named("none"), two);
