@@ -42,6 +42,7 @@ double lightOfBall(const vec3& toMiddle, const vec3& normal, double radius, int 
     // The normal's parts along the way to the ball and across it: round that way the light is symmetrical
     const double along = glm::dot(normal, toMiddle) / d, across = glm::length(glm::cross(normal, toMiddle)) / d;
     std::vector<double> cosines;
+    cosines.reserve(static_cast<std::size_t>(side));
     for (int k = 0; k < side; ++k) cosines.push_back(std::cos(2 * std::acos(-1.0) * (k + 0.5) / side));
     double sum = 0;
     for (int i = 0; i < side; ++i) {
