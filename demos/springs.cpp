@@ -88,7 +88,7 @@ struct Springs final : Demo {
     Whole substeps{this, "substeps", 5, {1, 100}, "steps in a frame of 1/60 s"};
     Real stiffness{this, "stiffness", 1000, {1, 1e6, Scale::logarithmic}, "of each spring", "N/m"};
     Real damping{this, "damping", 0.2, {1e-3, 1e3, Scale::logarithmic, true}, "of each spring", "N s/m"};
-    Whole masses{this, "masses", 5, {2, 8}, "of the chain, or along a side of net and cloth"};
+    Whole masses{this, "masses", 5, {2, 6}, "of the chain, or along a side of net and cloth"};
     Real gravity{this, "gravity", 9.81, {0, 20}, "downwards", "m/s^2"};
     Real grip{this, "grip", 50, {0, 200}, "stiffness of the spring from the hand to the last mass; 0 lets go", "N/m"};
     Real handX{this, "hand-x", 1, {-1.4, 1.4}, "where the hand is", "m"};

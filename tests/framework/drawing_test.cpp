@@ -176,6 +176,7 @@ TEST_F(DrawingTest, a_plot_has_its_curve_where_its_values_are) {
 
 TEST_F(DrawingTest, words_that_do_not_fit_are_smaller_or_left_out) {
     const auto inkOf = [&] {
+        glClear(GL_COLOR_BUFFER_BIT);
         const Picture picture = drawn();
         return 80 * 60 - static_cast<int>(countPixels(picture, white));
     };
@@ -195,6 +196,7 @@ TEST_F(DrawingTest, words_that_do_not_fit_are_smaller_or_left_out) {
     drawing.begin(frame);
     drawing.in({0, 0, 40, 60});
     drawing.text({2, 58}, "abcdefgh", {.height = 16, .color = vec4(0, 0, 0, 1), .background = vec4(1, 0, 0, 1)});
+    glClear(GL_COLOR_BUFFER_BIT);
     const Picture picture = drawn();
     int right = 0;
     for (int x = 0; x < 80; ++x) {
