@@ -32,8 +32,8 @@
 #include "mv/gl/on_demand.h"
 #include "mv/math/projection.h"
 #include "mv/motion/ode_stability.h"
-#include "mv/motion/spring_stepper.h"
 #include "shared/classic_curves.h"
+#include "shared/spring_game.h"
 #include "shared/spring_pictures.h"
 #include "shared/spring_scenes.h"
 
@@ -47,36 +47,9 @@ enum class Problem { chain, net, cloth, threeMasses, spring, classics };
 constexpr auto energyMomentum = static_cast<OdeMethod>(odeMethods.size());
 static_assert(odeMethods.size() == 11, "the knob `method` names each of them");
 
-constexpr double frameTime = 1.0 / 60;
-constexpr double lowerEdge = 1.4;   // m, below the origin
-constexpr double stillness = 1e-6;  // m/s, and m/s^2: what is slower in all its points rests
-constexpr double unseen = 1e-6;     // what grows by less than this part in a step is not called outside
+constexpr double unseen = 1e-6;  // what grows by less than this part in a step is not called outside
 
 using Complex = std::complex<double>;
-
-// What somebody may change while it plays.
-struct Setting {
-    SpringSettings springs;
-    OdeMethod method;
-    int substeps;
-    bool operator==(const Setting&) const = default;
-};
-
-struct Game {
-    Setting setting;
-    SpringSetup setup;
-    std::optional<SpringStepper> stepper;
-    double first = 0, work = 0, mostWork = 0, dissipated = 0;  // J; dissipated before this stepper
-    double largestDrift = 0;
-    bool rests = false;
-    std::string failure;
-    long steps = 0;         // done
-    double halved = 0;      // those that Newton's method could not do, before this stepper
-    int stepsNow = 0;       // tried for this frame
-    vec2 exact{pulled, 0};  // place and speed of the one spring, by its formula
-    double turned = 0;      // as computed, in its last step, rad
-    std::vector<EnergySample> graph;
-};
 
 struct Springs final : Demo {
     Choice<Problem> problem{this,
@@ -115,7 +88,7 @@ struct Springs final : Demo {
     Whole substeps{this, "substeps", 5, {1, 100}, "steps in a frame of 1/60 s"};
     Real stiffness{this, "stiffness", 1000, {1, 1e6, Scale::logarithmic}, "of each spring", "N/m"};
     Real damping{this, "damping", 0.2, {1e-3, 1e3, Scale::logarithmic, true}, "of each spring", "N s/m"};
-    Whole masses{this, "masses", 5, {2, 8}, "of the chain, or along a side of net and cloth"};
+    Whole masses{this, "masses", 5, {2, 6}, "of the chain, or along a side of net and cloth"};
     Real gravity{this, "gravity", 9.81, {0, 20}, "downwards", "m/s^2"};
     Real grip{this, "grip", 50, {0, 200}, "stiffness of the spring from the hand to the last mass; 0 lets go", "N/m"};
     Real handX{this, "hand-x", 1, {-1.4, 1.4}, "where the hand is", "m"};
@@ -144,7 +117,7 @@ struct Springs final : Demo {
     Readout endError{this, "end-error", "largest relative error at the end of a classic"};
     Readout evaluations{this, "evaluations", "of a classic's slope"};
 
-    Memory<Game> game{this};
+    Memory<SpringGame> game{this};
     OnDemand<Program> program{std::string("springs")};  // no classic needs it
     Mesh region;
     Drawing drawing;
@@ -158,7 +131,7 @@ struct Springs final : Demo {
     Springs() {
         for (Knob* knob : std::vector<Knob*>{&problem, &masses}) knob->beginsAnew();
         bindHandle("hand", {&handX, &handY}, [this](const FrameInfo& frame) -> std::optional<vec2> {
-            if (!isPlayed() || !isHung(setting().springs.scene) || grip == 0) return std::nullopt;
+            if (!isPlayed() || !isHung(springScene()) || grip == 0) return std::nullopt;
             const Pane pane = leftOf(frame);
             return pictureFromPane(pane, springPixel(pane, vec3(handX, handY, 0)));
         });
@@ -166,8 +139,7 @@ struct Springs final : Demo {
             knob->onlyWhen([this] { return isPlayed(); }, "the classics have their own");
         }
         for (Knob* knob : std::vector<Knob*>{&masses, &gravity, &grip, &handX, &handY}) {
-            knob->onlyWhen([this] { return isPlayed() && isHung(setting().springs.scene); },
-                           "only chain, net and cloth have it");
+            knob->onlyWhen([this] { return isPlayed() && isHung(springScene()); }, "only chain, net and cloth have it");
         }
         tolerance.onlyWhen([this] { return !isPlayed() && isAdaptive(asOde()); },
                            "it is for classics, by a method with an estimate");
@@ -179,120 +151,27 @@ struct Springs final : Demo {
 
     // ---- The game: from frame to frame
 
-    static void begin(Game& now, const Setting& setting) {
-        now = {};
-        now.setting = setting;
-        now.setup = makeSprings(setting.springs);
-        now.stepper = stepperOf(now, 0, now.setup.start);
-        now.first = energyOf(now);
-        now.rests = isStill(now);
-        sample(now, 0);
-    }
-
-    static void advance(Game& now, const Setting& setting, int index) {
-        now.stepsNow = 0;
-        if (!now.failure.empty()) return;
-
-        // What the hand does, and who moves a knob, changes the energy at once: that is their work
-        if (setting != now.setting) {
-            const double before = energyOf(now);
-            std::vector<double> state = now.stepper->state();
-            now.setting = setting;
-            now.setup = makeSprings(setting.springs);
-            if (now.setup.hasHand) {
-                const std::size_t at = state.size() / 2 - 3;
-                state[at] = setting.springs.hand.x;
-                state[at + 1] = setting.springs.hand.y;
-            }
-            now.dissipated += now.stepper->dissipated();
-            now.halved += double(now.stepper->counts().rejected);
-            now.stepper = stepperOf(now, (index - 1) * frameTime, state);
-            now.work += energyOf(now) - before;
-            now.mostWork = std::max(now.mostWork, std::abs(now.work));
-            if (now.rests)
-                now.graph.push_back({(index - 1) * frameTime, now.graph.back().energy, now.graph.back().balance});
-            now.rests = false;
-        }
-
-        // Steps of one length; none where nothing moves
-        for (int i = 0; i < setting.substeps && !now.rests && now.failure.empty(); ++i) {
-            const std::vector<double> before = now.stepper->state();
-            ++now.stepsNow;
-            if (now.stepper->step()) {
-                ++now.steps;
-                if (setting.springs.scene == SpringScene::oneSpring) {
-                    now.turned = turnBetween(setting.springs, before, now.stepper->state());
-                    now.exact = swung(setting.springs, now.exact, frameTime / setting.substeps);
-                }
-            } else {
-                const std::string& why = now.stepper->failure();
-                now.failure = "stopped at step " + std::to_string(now.steps + 1) + ", " +
-                              rounded("%.3f s: ", (index - 1 + double(i) / setting.substeps) * frameTime) +
-                              why.substr(why.find("because ") + 8);
-            }
-        }
-        if (now.rests) return;
-        now.rests = isStill(now);
-        sample(now, index);
-    }
-
-    static SpringStepper stepperOf(const Game& now, double time, const std::vector<double>& state) {
-        const double step = frameTime / now.setting.substeps;
-        if (now.setting.method == energyMomentum) return {now.setup.system, time, step, state};
-        return {now.setup.system, now.setting.method, time, step, state};
-    }
-
-    // Heights count from the picture's lower edge, so that there is energy at first.
-    static double energyOf(const Game& now) {
-        double weight = 0;
-        for (const PointMass& point : now.setup.system.points) {
-            if (!point.isFixed) weight -= point.mass * now.setup.system.gravity.y;
-        }
-        return springEnergy(now.setup.system, now.stepper->state()) + weight * lowerEdge;
-    }
-
-    // It stays where it is to within `stillness` times a second; then it is left there.
-    static bool isStill(const Game& now) {
-        const std::vector<double>& y = now.stepper->state();
-        std::vector<double> slope(y.size());
-        springProblem(now.setup.system).slope(0, y, slope);
-        return std::ranges::all_of(slope, [](double rate) { return std::abs(rate) < stillness; });
-    }
-
-    // As a part of all the energy there was: at first, and by work.
-    static double driftOf(const Game& now) {
-        const double whole = now.first + now.mostWork;
-        return whole > 0 ? (now.graph.back().balance - now.first) / whole : 0;
-    }
-    static void sample(Game& now, int index) {
-        const double balance = energyOf(now) + now.dissipated + now.stepper->dissipated() - now.work;
-        now.graph.push_back({index * frameTime, energyOf(now), balance});
-        now.largestDrift = std::max(now.largestDrift, std::abs(driftOf(now)));
-        if (now.graph.size() > 1200) now.graph.erase(now.graph.begin(), now.graph.begin() + 600);
-    }
-
-    void reset() override {
-        *game = {};
-        if (isPlayed()) begin(*game, setting());
-    }
+    void reset() override { *game = isPlayed() ? SpringGame(rule()) : SpringGame(); }
     void step(int index) override {
-        if (isPlayed()) advance(*game, setting(), index);
+        if (isPlayed()) game->advance(rule(), index);
     }
 
     std::size_t whichClassic() const {
         return static_cast<std::size_t>(Problem(problem)) - static_cast<std::size_t>(Problem::classics);
     }
     bool isPlayed() const { return problem < Problem::classics; }
-    Setting setting() const {
-        return {.springs = {.scene = static_cast<SpringScene>(Problem(problem)),
-                            .masses = masses,
-                            .stiffness = stiffness,
-                            .damping = damping,
-                            .gravity = gravity,
-                            .grip = grip,
-                            .hand = vec2(handX, handY)},
-                .method = method,
-                .substeps = substeps};
+    SpringScene springScene() const { return static_cast<SpringScene>(Problem(problem)); }
+    SpringRule rule() const {
+        SpringRule rule{.springs = {.scene = springScene(),
+                                    .masses = masses,
+                                    .stiffness = stiffness,
+                                    .damping = damping,
+                                    .gravity = gravity,
+                                    .grip = grip,
+                                    .hand = vec2(handX, handY)},
+                        .substeps = substeps};
+        if (method != energyMomentum) rule.method = method;
+        return rule;
     }
     // At rest, where springs are linear, energy-momentum is the implicit midpoint rule.
     OdeMethod asOde() const { return method == energyMomentum ? OdeMethod::implicitMidpoint : OdeMethod(method); }
@@ -305,14 +184,14 @@ struct Springs final : Demo {
         bool grows;
     };
     std::vector<Dot> dots() {
-        SpringSettings springs = setting().springs;
+        SpringSettings springs = rule().springs;
         springs.hand = SpringSettings().hand;
         if (eigenvaluesFor.changed(springs)) {
             const SpringSetup setup = makeSprings(springs);
             const std::vector<vec3> still(setup.slack.size(), vec3(0));
             eigenvaluesAtRest = eigenvalues(springProblem(setup.system), 0, springState(setup.slack, still));
         }
-        const double h = frameTime / substeps, ratio = damping / stiffness;
+        const double h = SpringGame::frameTime / substeps, ratio = damping / stiffness;
         std::vector<Dot> result;
         for (const Complex& eigenvalue : eigenvaluesAtRest) {
             const Complex z = h * eigenvalue;
@@ -333,8 +212,7 @@ struct Springs final : Demo {
             const std::vector<Dot> all = dots();
             drawRegion(frame, all);
             drawMasses(frame);
-            drawEnergy(drawing, rightOf(frame, true), game->graph, game->first, game->first + game->mostWork,
-                       game->largestDrift);
+            drawEnergy(drawing, rightOf(frame, true), *game);
             readOut(all);
         } else {
             drawCurves(frame);
@@ -380,45 +258,41 @@ struct Springs final : Demo {
     }
 
     void drawMasses(const Frame& frame) {
-        const Game& now = *game;
+        const SpringGame& now = *game;
         const Pane pane = leftOf(frame);
         drawing.in(pane);
-        const std::vector<double>& y = now.stepper->state();
-        const int lost = drawSprings(drawing, pane, now.setup, y);
-        if (now.setting.springs.scene == SpringScene::oneSpring) {
-            const vec2 unit(pulled, pulled * std::sqrt(now.setting.springs.stiffness));
-            drawPhase(drawing, pane, vec2(y[3], y[9]) / unit, now.exact / unit);
-        }
+        const int lost = drawSprings(drawing, pane, now.setup(), now.state());
+        if (springScene() == SpringScene::oneSpring) drawPhase(drawing, pane, now);
         double top = pane.height - 4.0;
         const auto say = [&](const std::string& text, const vec4& color = springInk) {
             paneWords(drawing, pane, {12, top}, text, color);
             top -= 18;
         };
         say(method.text() + ", " + (substeps == 1 ? "one step" : substeps.text() + " steps") + " a frame");
-        if (now.rests) say("at rest: no step is computed");
+        if (now.rests()) say("at rest: no step is computed");
         if (lost > 0) say(std::to_string(lost) + " are more than 100 m away", springRed);
-        if (!now.failure.empty()) {
-            for (const std::string& line : wrapped(now.failure, 56)) say(line, springRed);
-            frame.say(now.failure);
+        if (!now.failure().empty()) {
+            for (const std::string& line : wrapped(now.failure(), 56)) say(line, springRed);
+            frame.say(now.failure());
         }
         paneWords(drawing, pane, {12, 26}, "springs: blue 10 % shorter than at rest, grey, red 10 % longer", springInk);
     }
 
     void readOut(const std::vector<Dot>& all) {
-        const Game& now = *game;
+        const SpringGame& now = *game;
         const auto set = [](Readout& readout, double value) {
             if (std::isfinite(value))
                 readout = value;
             else
                 readout.clear();
         };
-        set(drift, driftOf(now));
-        set(largestDrift, now.largestDrift);
-        set(energy, energyOf(now));
-        set(dissipated, now.dissipated + now.stepper->dissipated());
-        set(work, now.work);
-        stepsComputed = now.stepsNow;
-        halved = now.halved + double(now.stepper->counts().rejected);
+        set(drift, now.drift());
+        set(largestDrift, now.largestDrift());
+        set(energy, now.energy());
+        set(dissipated, now.dissipated());
+        set(work, now.work());
+        stepsComputed = now.stepsNow();
+        halved = double(now.halved());
         outside = double(std::ranges::count_if(all, &Dot::grows));
         largestZ = all.empty() ? 0 : std::abs(all.front().z);
         endError.clear();
@@ -426,10 +300,10 @@ struct Springs final : Demo {
         place.clear();
         turn.clear();
         trueTurn.clear();
-        if (now.setting.springs.scene == SpringScene::oneSpring) {
-            set(place, now.stepper->state()[3]);
-            turn = now.turned;
-            trueTurn = std::sqrt(std::max(0.0, stiffness - damping * damping / 4)) * frameTime / substeps;
+        if (springScene() == SpringScene::oneSpring) {
+            set(place, now.state()[3]);
+            turn = now.turned();
+            trueTurn = std::sqrt(std::max(0.0, stiffness - damping * damping / 4)) * SpringGame::frameTime / substeps;
         }
     }
 
@@ -480,24 +354,25 @@ struct Springs final : Demo {
     }
 
     // For the study: half a second of the game, where the masses are then, and what it took.
-    Game played() const {
+    SpringGame played() const {
         if (!isPlayed()) throw Error("--problem", "must be a game for a study of it", problem.text());
-        Game now;
-        begin(now, setting());
-        for (int index = 1; index <= 30; ++index) advance(now, setting(), index);
-        if (!now.failure.empty()) throw Error("springs", now.failure);
-        if (!(now.largestDrift < 1)) throw Error("springs", "blew up: energy was off by more than there was at first");
+        SpringGame now(rule());
+        for (int index = 1; index <= 30; ++index) now.advance(rule(), index);
+        if (!now.failure().empty()) throw Error("springs", now.failure());
+        if (!(now.largestDrift() < 1))
+            throw Error("springs", "blew up: energy was off by more than there was at first");
         return now;
     }
     std::vector<double> values() const override {
-        const std::vector<double> y = played().stepper->state();
+        const SpringGame now = played();
+        const std::vector<double>& y = now.state();
         return {y.begin(), y.begin() + static_cast<std::ptrdiff_t>(y.size() / 2)};
     }
     std::vector<std::pair<std::string, double>> valueCounts() const override {
-        const Game now = played();
-        const OdeCounts& counts = now.stepper->counts();
+        const SpringGame now = played();
+        const OdeCounts& counts = now.counts();
         // Less than 1e-11 is roundings and what Newton's method leaves, which another compiler has otherwise
-        const double off = now.largestDrift < 1e-11 ? 0 : std::stod(rounded("%.2e", 1e6 * now.largestDrift));
+        const double off = now.largestDrift() < 1e-11 ? 0 : std::stod(rounded("%.2e", 1e6 * now.largestDrift()));
         return {{"energy off (ppm)", off},
                 {"evaluations", double(counts.evaluations)},
                 {"factorizations", double(counts.factorizations)},

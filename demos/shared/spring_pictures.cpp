@@ -72,7 +72,10 @@ int drawSprings(Drawing& drawing, const Pane& pane, const SpringSetup& setup, st
     return lost;
 }
 
-void drawPhase(Drawing& drawing, const Pane& pane, const vec2& computed, const vec2& exact) {
+void drawPhase(Drawing& drawing, const Pane& pane, const SpringGame& game) {
+    const std::vector<double>& y = game.state();
+    const vec2 unit(pulled, pulled * std::sqrt(game.rule().springs.stiffness));
+    const vec2 computed = vec2(y[3], y[9]) / unit, exact = game.exact() / unit;
     const vec2 middle = vec2(0.5, 0.6) * vec2(pane.width, pane.height);
     const double radius = 0.24 * std::min(pane.width, pane.height);
     std::vector<vec2> rim = circle(middle, radius);
@@ -84,8 +87,9 @@ void drawPhase(Drawing& drawing, const Pane& pane, const vec2& computed, const v
               springInk);
 }
 
-void drawEnergy(Drawing& drawing, const Pane& pane, std::span<const EnergySample> samples, double first, double whole,
-                double largestDrift) {
+void drawEnergy(Drawing& drawing, const Pane& pane, const SpringGame& game) {
+    const std::vector<EnergySample>& samples = game.graph();
+    const double first = game.first(), whole = game.whole(), largestDrift = game.largestDrift();
     const double last = samples.back().time, from = std::max(0.0, last - 10);
     double low = 0, high = 0;
     for (const EnergySample& sample : samples) {

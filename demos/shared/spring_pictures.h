@@ -7,7 +7,7 @@
 
 #include "mv/gl/drawing.h"
 #include "mv/motion/ode_method.h"
-#include "shared/spring_scenes.h"
+#include "shared/spring_game.h"
 
 namespace mv {
 
@@ -21,15 +21,10 @@ vec2 springPixel(const Pane& pane, const vec3& place);
 int drawSprings(Drawing& drawing, const Pane& pane, const SpringSetup& setup, std::span<const double> state);
 
 // The one spring's place (across) and speed (upwards), in units of its first swing: two hands, which turn.
-void drawPhase(Drawing& drawing, const Pane& pane, const vec2& computed, const vec2& exact);
+void drawPhase(Drawing& drawing, const Pane& pane, const SpringGame& game);
 
-// At a time in seconds, energy and energy + dissipated - work, in J.
-struct EnergySample {
-    double time, energy, balance;
-};
-// The last ten seconds of them. `first`: where the balance ought to stay. `whole`: that and the largest work.
-void drawEnergy(Drawing& drawing, const Pane& pane, std::span<const EnergySample> samples, double first, double whole,
-                double largestDrift);
+// The last ten seconds of energy and balance, and a line where the balance ought to stay.
+void drawEnergy(Drawing& drawing, const Pane& pane, const SpringGame& game);
 
 // A pane's frame for numbers z = step x eigenvalue, in which all of these have room.
 Plot stabilityPlot(const Pane& pane, std::span<const std::complex<double>> numbers);

@@ -11,11 +11,21 @@ namespace {
 
 int textSize(const FrameInfo& frame) { return std::max(8, std::min(frame.width() / 60, frame.height() / 35)); }
 
-void drawAt(Drawing& drawing, const FrameInfo& frame, vec2 at, const ColoredWords& words) {
+// As small as it takes to end before `right`, down to 6 px; words that do not then either are left out.
+void drawAt(Drawing& drawing, const FrameInfo& frame, vec2 at, double right, const ColoredWords& words) {
+    TextStyle style{textSize(frame), vec4(0), vec4(1, 1, 1, 0.6)};
+    const auto end = [&] {
+        double x = at.x;
+        for (const auto& [text, color] : words) x += textWidth(text, style) + 4;
+        return x;
+    };
+    while (style.height > 6 && end() > right) --style.height;
     for (const auto& [text, color] : words) {
-        const TextStyle style{textSize(frame), color, vec4(1, 1, 1, 0.6)};
+        style.color = color;
+        const double next = at.x + textWidth(text, style) + 4;
+        if (next > right) break;
         drawing.text(at, text, style);
-        at.x += textWidth(text, style) + 4;
+        at.x = next;
     }
 }
 
@@ -42,12 +52,13 @@ double roundAbove(double value) {
 
 void drawWords(Drawing& drawing, const FrameInfo& frame, const Pane& pane, int line, const ColoredWords& words) {
     const double each = 1.6 * textSize(frame);
-    drawAt(drawing, frame, {6, line < 0 ? -line * each : pane.height - 6 - line * each}, words);
+    drawAt(drawing, frame, {6, line < 0 ? -line * each : pane.height - 6 - line * each}, pane.width, words);
 }
 
 void drawAxes(Drawing& drawing, const FrameInfo& frame, const Plot& plot, const ColoredWords& title) {
     drawing.axes(plot);
-    drawAt(drawing, frame, {plot.box.low.x, plot.box.high.y + 1.4 * textSize(frame)}, title);
+    drawAt(drawing, frame, {plot.box.low.x, plot.box.high.y + 1.4 * textSize(frame)},
+           plot.box.high.x + frame.width() / 60.0, title);
 }
 
 }  // namespace mv

@@ -21,10 +21,10 @@ double roundAbove(double value);
 
 // Words that stand one after the other, each in its colour.
 using ColoredWords = std::vector<std::pair<std::string, vec4>>;
-// On the line numbered `line`, from 0, below the upper edge of the pane, or from -1 above its lower edge. As large as fits
-// this picture; no smaller than 8 px.
+// On the line numbered `line`, from 0, below the upper edge of the pane, or from -1 above its lower edge. Their size is the
+// picture's, or less, down to 6 px, where they would not fit into the pane; words that do not fit then are left out.
 void drawWords(Drawing& drawing, const FrameInfo& frame, const Pane& pane, int line, const ColoredWords& words);
-// The plot's axes, and its title above it. The whole picture must be the drawing's pane.
+// The plot's axes, and its title above it, no wider than the plot by the same rule. The whole picture must be the drawing's pane.
 void drawAxes(Drawing& drawing, const FrameInfo& frame, const Plot& plot, const ColoredWords& title);
 
 }  // namespace mv

@@ -173,3 +173,38 @@ TEST_F(DrawingTest, a_plot_has_its_curve_where_its_values_are) {
     EXPECT_EQ(picture.at(53, 60 - 1 - 42), (Pixel{0, 0, 255, 255})) << "the pixel (1, 2), magnified nine times";
     EXPECT_EQ(picture.at(53, 60 - 1 - 33), white);
 }
+
+TEST_F(DrawingTest, words_that_do_not_fit_are_smaller_or_left_out) {
+    const auto inkOf = [&] {
+        glClear(GL_COLOR_BUFFER_BIT);
+        const Picture picture = drawn();
+        return 80 * 60 - static_cast<int>(countPixels(picture, white));
+    };
+    const TextStyle plain{.height = 16, .background = vec4(0)};
+    drawing.text({2, 58}, "ab", plain);
+    const int alone = inkOf();
+    ASSERT_GT(alone, 0);
+    // Over earlier words, and over the picture's edge on each side
+    drawing.begin(frame);
+    drawing.text({2, 58}, "ab", plain);
+    drawing.text({10, 50}, "cd", plain);
+    drawing.textAround({0, 20}, "cd", plain);
+    drawing.textAround({40, 0}, "cd", plain);
+    drawing.text({2, 70}, "cd", plain);
+    EXPECT_EQ(inkOf(), alone);
+    // Smaller, where the pane is too narrow; not at all where 6 px are too many
+    drawing.begin(frame);
+    drawing.in({0, 0, 40, 60});
+    drawing.text({2, 58}, "abcdefgh", {.height = 16, .color = vec4(0, 0, 0, 1), .background = vec4(1, 0, 0, 1)});
+    glClear(GL_COLOR_BUFFER_BIT);
+    const Picture picture = drawn();
+    int right = 0;
+    for (int x = 0; x < 80; ++x) {
+        for (int y = 0; y < 60; ++y) right = picture.at(x, y) == white ? right : x;
+    }
+    EXPECT_GT(right, 20);
+    EXPECT_LT(right, 40 + 4) << "its box may be beyond the pane by its padding";
+    drawing.begin(frame);
+    drawing.text({2, 58}, "This sentence is longer than 80 pixels.", plain);
+    EXPECT_EQ(inkOf(), 0);
+}

@@ -9,6 +9,7 @@
 #include "mv/motion/ode_adaptive.h"
 #include "mv/motion/ode_stability.h"
 #include "shared/classic_curves.h"
+#include "shared/spring_game.h"
 #include "shared/spring_pictures.h"
 #include "shared/spring_scenes.h"
 
@@ -112,6 +113,58 @@ TEST(ClassicCurves, EndWhereTheirCasesEnd) {
     const ClassicSolution lost = solveClassic(classic(3), OdeMethod::rungeKutta4, 0, 1000);
     EXPECT_FALSE(lost.result.reachedEnd());
     EXPECT_FALSE(lost.error.has_value());
+}
+
+SpringRule undamped(SpringScene scene, std::optional<OdeMethod> method) {
+    return {
+        .springs = {.scene = scene, .masses = 3, .grip = 20, .hand = vec2(0.8, -0.6)}, .method = method, .substeps = 2};
+}
+
+TEST(SpringGame, WhatAHandPutsInIsWork) {
+    SpringRule rule = undamped(SpringScene::net, std::nullopt);
+    SpringGame game(rule);
+    EXPECT_GT(game.first(), 0);
+    for (int index = 1; index <= 20; ++index) game.advance(rule, index);
+    EXPECT_EQ(game.work(), 0);
+    const double before = game.energy();
+    const SpringGame copy = game;
+    rule.springs.hand = vec2(-1, 1);
+    game.advance(rule, 21);
+    EXPECT_NE(game.work(), 0);
+    // Energy-momentum keeps what was put in; 1e-12 of it is what Newton's method leaves
+    EXPECT_NEAR(game.energy(), before + game.work(), 1e-11 * game.whole());
+    EXPECT_EQ(copy.energy(), before) << "a copy is its own";
+    EXPECT_EQ(game.graph().size(), 22U);
+    EXPECT_EQ(game.stepsNow(), 2);
+}
+
+// Its computed motion sleeps after some steps, undamped; the true one does not.
+TEST(SpringGame, TheTrueHandGoesOnWhereTheComputedOneRests) {
+    SpringRule rule = undamped(SpringScene::oneSpring, OdeMethod::implicitEuler);
+    rule.springs.stiffness = 1e6;
+    SpringGame game(rule);
+    for (int index = 1; index <= 60; ++index) game.advance(rule, index);
+    ASSERT_TRUE(game.rests());
+    EXPECT_EQ(game.stepsNow(), 0);
+    const vec2 exact = swung(rule.springs, vec2(pulled, 0), 1);
+    EXPECT_NEAR(game.exact().x, exact.x, 1e-11) << "roundings of 120 turns by 8 rad";
+    game.advance(rule, 61);
+    EXPECT_NE(game.exact().x, exact.x);
+}
+
+TEST(SpringGame, StopsInWordsWhereItIs) {
+    SpringRule rule = undamped(SpringScene::chain, OdeMethod::explicitEuler);
+    rule.springs.stiffness = 1e6;
+    SpringGame game(rule);
+    int index = 1;
+    for (; game.failure().empty() && index < 1000; ++index) game.advance(rule, index);
+    EXPECT_EQ(game.failure().rfind("stopped at step ", 0), 0U) << game.failure();
+    const std::vector<double> state = game.state();
+    for (const double each : state) EXPECT_TRUE(std::isfinite(each));
+    game.advance(rule, index);
+    EXPECT_EQ(game.state(), state);
+    EXPECT_EQ(game.stepsNow(), 0);
+    EXPECT_THROW(SpringGame({.springs = {.masses = 1}, .method = OdeMethod::velocityVerlet}), Error);
 }
 
 }  // namespace

@@ -576,6 +576,98 @@ memory() {
     quit
 }
 
+# A demo that moves, played by hand: a handle is dragged while it stands and while it plays, time is stopped and gone
+# through to and fro, two settings are compared. Whatever is saved, the copied line makes, and a frame is the same again.
+# motionOf DEMO HANDLE KNOBS FLAGS KNOB=A,B FLAGS: with the first flags the handle moves these knobs ("hand-x hand-y"), with
+# the others A and B are compared.
+motionOf() {
+    local demo=$1 handle=$2 knobs=$3 compared=$5 x y frame before notches
+    local flags comparing
+    read -ra flags <<<"$4"
+    read -ra comparing <<<"$6"
+    start "mvgl: $demo" "$(dirname "$cubeCull")/$demo" --frame 30 --size 720x560 "${flags[@]}"
+    moved() { # X Y: where the handle was, it is dragged there from, by 40 to the left and 25 down, in three moves
+        before=$(knobValues "$knobs")
+        at "$1" "$2" && buttonDown
+        at $(($1 - 10)) $(($2 + 5)) && at $(($1 - 30)) $(($2 + 20)) && at $(($1 - 40)) $(($2 + 25)) && buttonUp
+        [ "$(knobValues "$knobs")" != "$before" ] || fail "$demo: dragging '$handle' has not moved $knobs"
+    }
+    read -r x y <<<"$(place "handle $handle")"
+    moved "$x" "$y"
+    press s
+    sameAsHeadless "$demo-30.png"
+    # While it plays; what is on its way is seen where it was when the report was written, so only what stands is taken
+    press space
+    await "frame 45" atFrame 45
+    case $handle in car) ;; *)
+        read -r x y <<<"$(place "handle $handle")"
+        moved "$x" "$y"
+        ;;
+    esac
+    press space
+    awaitReport playing false
+    frame=$(reported frame)
+    press s
+    cp "$demo-$frame.png" last.png
+    sameAsHeadless last.png
+    # Back, by dragging the number, and forward again
+    at 900 300
+    for ((notches = 0; notches < 60; ++notches)); do # the panel is longer than the window is high
+        read -r x y <<<"$(place frame)"
+        [ "$y" -gt 530 ] || break
+        turn 5 1
+    done
+    at "$x" "$y" && buttonDown
+    at $((x - 15)) "$y"
+    awaitReport frame $((frame - 15))
+    buttonUp
+    press s
+    sameAsHeadless "$demo-$((frame - 15)).png"
+    [ "$demo" = robot-arm ] || ! cmp -s "$demo-$((frame - 15)).png" last.png || # whose solution no time changes
+        fail "$demo: 15 frames before, the picture is the same"
+    at "$x" "$y" && buttonDown
+    at $((x + 15)) "$y"
+    awaitReport frame "$frame"
+    buttonUp
+    press s
+    cmp "$demo-$frame-2.png" last.png || fail "$demo: frame $frame is another after going back"
+    quit
+    # Two side by side, while it plays, and as they stand
+    start "mvgl: $demo" "$(dirname "$cubeCull")/$demo" --frame 30 --size 720x560 "${comparing[@]}" --compare "$compared"
+    awaitReport compare "${compared%%=*}"
+    press space
+    await "frame 40" atFrame 40
+    press space
+    awaitReport playing false
+    frame=$(reported frame)
+    press s
+    quit
+    # Below the labels, left and right of the line in the middle
+    local side knob=${compared%%=*} values=${compared#*=}
+    for side in "${values%%,*} 0" "${values##*,} 363"; do
+        x=${side#* }
+        "$(dirname "$cubeCull")/$demo" --size 720x560 "${comparing[@]}" --"$knob" "${side% *}" --frame "$frame" --shot side.png
+        equal "pixels of $knob ${side% *} that are another in the comparison" 0 \
+            "$(differingIn "$demo-$frame.png" side.png "357x500+$x+60")"
+        mv side.png "side-$x.png"
+    done
+    cmp -s side-0.png side-363.png && fail "$demo: $compared have one picture"
+}
+knobValues() { # "NAME NAME"
+    local knob
+    for knob in $1; do echo "$(reported "$knob")"; done
+}
+atFrame() { says && [ "$(reported frame)" -ge "$1" ]; }
+motion() { # DEMO
+    case $1 in
+        keyframes) motionOf keyframes "key 3" points "--curve catmull-rom" curve=linear,natural "" ;;
+        path) motionOf path car start "" up=fixed,banking "" ;;
+        robot-arm) motionOf robot-arm target "target-x target-y" "--scene arm --method dls" method=closed,ccd "--scene walker" ;;
+        springs) motionOf springs hand "hand-x hand-y" "" method=explicit-euler,energy-momentum "" ;;
+        *) die "no hand plays with $1" ;;
+    esac
+}
+
 reload() {
     mkdir shaders && export PROBE_SHADERS=$PWD/shaders
     cat >shaders/probe.vert <<'END'
@@ -695,10 +787,6 @@ compare_() {
         equal "pixels of $1 left of the line that are not A's" 0 "$(differingIn "$1" back.png "$2x560+0+40")"
         equal "pixels of $1 right of the line that are not B's" 0 "$(differingIn "$1" front.png "$((600 - $3))x560+$3+40")"
     }
-    differingIn() { # FILE FILE AREA: how many pixels
-        convert "$1" -crop "$3" +repage x.png && convert "$2" -crop "$3" +repage y.png
-        differing x.png y.png
-    }
     press s
     mv cube-cull-1.png halves.png && sides halves.png 299 302
     at 303 200 && buttonDown # near the line, not on it
@@ -728,6 +816,11 @@ compare_() {
     "$cubeCull" --spin-x 25 --spin-y 25 --cull back --shot back.png
     "$cubeCull" --spin-x 25 --spin-y 25 --cull front --shot front.png
     sides cube-cull-1.png 299 302
+}
+
+differingIn() { # FILE FILE AREA: how many pixels
+    convert "$1" -crop "$3" +repage x.png && convert "$2" -crop "$3" +repage y.png
+    differing x.png y.png
 }
 
 comparePanel() {
@@ -932,6 +1025,7 @@ case $case in
     resize) resizing ;;
     storm) stormOfProbe ;;
     storm.*) stormOf "${case#storm.}" ;;
+    motion.*) motion "${case#motion.}" ;;
     opens | keys | held | slider | preset | typed | choice | wheel | drag | hand | replay | save | clipboard | error | torn | twice | density | paused | memory | reload | idle | study | bound | measure | vanish)
         "$case"
         ;;

@@ -7,6 +7,7 @@
 
 #include "mv/demo/handle.h"
 #include "mv/gl/state.h"
+#include "mv/gl/word_sheet.h"
 #include "mv/math/clip.h"
 #include "mv/math/projection.h"
 
@@ -31,7 +32,28 @@ void main() { fragColor = paint; }
 )";
 
 constexpr int tickTextHeight = 13;
+constexpr int smallestText = 6;  // px, which is what drawText takes
 const TextStyle tickStyle{.height = tickTextHeight, .background = vec4(0)};
+
+// Without those that the picture's edge would cut off and those that would lie over earlier ones.
+std::vector<TextLine> readable(const Frame& frame, const std::vector<TextLine>& lines) {
+    std::vector<TextLine> kept;
+    std::vector<Box> taken;  // y downwards
+    for (const TextLine& line : lines) {
+        if (line.text.empty()) continue;
+        const vec2 low = vec2(line.x, line.y) + double(wordPadding);
+        const Box box{low, low + vec2(textWidth(line.text, line.style) - 2 * wordPadding, line.style.height)};
+        const auto isOver = [&](const Box& other) {
+            return box.low.x < other.high.x && other.low.x < box.high.x && box.low.y < other.high.y &&
+                   other.low.y < box.high.y;
+        };
+        const bool isCut = box.low.x < 0 || box.low.y < 0 || box.high.x > frame.width() || box.high.y > frame.height();
+        if (isCut || std::ranges::any_of(taken, isOver)) continue;
+        taken.push_back(box);
+        kept.push_back(line);
+    }
+    return kept;
+}
 
 }  // namespace
 
@@ -99,17 +121,25 @@ void Drawing::point(const mat4& clipFromModel, const vec3& at, double size, cons
 }
 
 void Drawing::text(const vec2& upperLeft, const std::string& words, const TextStyle& style) {
+    TextStyle fitted = style;
+    while (fitted.height > smallestText && upperLeft.x + textWidth(words, fitted) - wordPadding > pane_.width) {
+        --fitted.height;
+    }
+    write(upperLeft, words, fitted);
+}
+
+void Drawing::write(const vec2& upperLeft, const std::string& words, const TextStyle& style) {
     words_.push_back(
         {pane_.x + int(std::floor(upperLeft.x)), height_ - pane_.y - int(std::floor(upperLeft.y)), words, style});
 }
 
 void Drawing::text(const mat4& clipFromModel, const vec3& at, const vec2& moved, const std::string& words,
                    const TextStyle& style) {
-    if (const auto pixel = pixelOf(clipFromModel, at)) text(*pixel + moved, words, style);
+    if (const auto pixel = pixelOf(clipFromModel, at)) write(*pixel + moved, words, style);
 }
 
 void Drawing::textAround(const vec2& middle, const std::string& words, const TextStyle& style) {
-    text(middle + vec2(-textWidth(words, style), textHeight(style)) / 2.0, words, style);
+    write(middle + vec2(-textWidth(words, style), textHeight(style)) / 2.0, words, style);
 }
 
 void Drawing::edge(const mat4& clipFromModel, const vec3& from, const vec3& to, const Stroke& stroke) {
@@ -128,20 +158,26 @@ void Drawing::edge(const mat4& clipFromModel, const vec3& from, const vec3& to, 
 
 void Drawing::axes(const Plot& plot, const Stroke& stroke) {
     const Box& box = plot.box;
+    const bool hasRoom = std::min(box.size().x, box.size().y) >= 2 * tickTextHeight;
+    const auto label = [&](const vec2& middle, const std::string& words) {
+        const vec2 low = middle - vec2(textWidth(words, tickStyle) / 2.0 - wordPadding, tickTextHeight / 2.0);
+        if (hasRoom && low.x >= 0 && low.y >= 0) textAround(middle, words, tickStyle);
+    };
     line(std::array{vec2(box.low.x, box.high.y), box.low, vec2(box.high.x, box.low.y)}, stroke);
     for (const double value : ticks(plot.x, std::max(1, int(box.size().x / 60)))) {
         const vec2 at = plot.pixel({value, plot.y.low});
         line(at, at - vec2(0, 5), stroke);
-        textAround(at - vec2(0, 14), tickText(value), tickStyle);
+        label(at - vec2(0, 14), tickText(value));
     }
     for (const double value : ticks(plot.y, std::max(1, int(box.size().y / 30)))) {
         const vec2 at = plot.pixel({plot.x.low, value});
         line(at, at - vec2(5, 0), stroke);
         const std::string words = tickText(value);
-        textAround(at - vec2(6 + textWidth(words, tickStyle) / 2.0, 0), words, tickStyle);
+        label(at - vec2(6 + textWidth(words, tickStyle) / 2.0, 0), words);
     }
-    textAround({(box.low.x + box.high.x) / 2, box.low.y - 30}, plot.x.name, tickStyle);
-    text({box.low.x - 34, box.high.y + 26}, plot.y.name, tickStyle);
+    label({(box.low.x + box.high.x) / 2, box.low.y - 30}, plot.x.name);
+    const double left = box.low.x - 34;
+    if (hasRoom && left + wordPadding >= 0) text({left, box.high.y + 26}, plot.y.name, tickStyle);
 }
 
 void Drawing::curve(const Plot& plot, std::span<const vec2> values, const Stroke& stroke) {
@@ -182,7 +218,7 @@ void Drawing::draw(const Frame& frame) {
         program_.use();
         mesh_.draw();
     }
-    drawText(frame, words_);
+    drawText(frame, readable(frame, words_));
 }
 
 }  // namespace mv

@@ -42,9 +42,11 @@ class Drawing {
     void point(const vec2& at, double size, const vec4& color);
     // The same where the pane's projection draws a point in space, whatever is before it; nothing at or behind the eye.
     void point(const mat4& clipFromModel, const vec3& at, double size, const vec4& color);
-    // Words whose box has its upper left corner there; the line below puts its middle there.
+    // Words whose box has its upper left corner there, smaller, down to 6 px, where they would end beyond the pane's right
+    // edge. Or words at a point in space, moved so far in pixels from where it is drawn, or whose middle is there: these
+    // keep their size. Of all words draw() leaves out what the picture's edge would cut off, and what would lie over words
+    // of an earlier call: a small picture has its shapes, and the words that fit.
     void text(const vec2& upperLeft, const std::string& words, const TextStyle& style = {});
-    // The same, moved so far in pixels from where a point in space is drawn.
     void text(const mat4& clipFromModel, const vec3& at, const vec2& moved, const std::string& words,
               const TextStyle& style = {});
     void textAround(const vec2& middle, const std::string& words, const TextStyle& style = {});
@@ -54,7 +56,8 @@ class Drawing {
     void edge(const mat4& clipFromModel, const vec3& from, const vec3& to, const Stroke& stroke = {});
 
     // The frame of a plot, with a tick for each round number that has room, its number, and the names of its axes:
-    // below it and to its left, for which 40 pixels are needed.
+    // below it and to its left, for which 40 pixels are needed. Those that the pane has no room for are left out, and all of
+    // them where the plot is lower or narrower than two lines of words.
     void axes(const Plot& plot, const Stroke& stroke = {});
     // A curve through those values, cut at the box of the plot.
     void curve(const Plot& plot, std::span<const vec2> values, const Stroke& stroke = {});
@@ -69,6 +72,7 @@ class Drawing {
     std::optional<vec2> pixelOf(const mat4& clipFromModel, const vec3& at) const;  // of the pane
     // Moves what was appended from `first` on from the pane into the picture, cut to a box of the pane.
     void place(std::size_t first, const Box& box);
+    void write(const vec2& upperLeft, const std::string& words, const TextStyle& style);
     void stroke(std::span<const vec3> points, const Stroke& stroke, const Box& box);
 
     int height_ = 0;  // of the picture
