@@ -90,8 +90,8 @@ struct ShadowMap final : Demo {
     DepthMap map;
     MadeFor<mat4, Which, int, Faces, bool, double> mapFor;
     Scene now;
-    LightView view;  // the light's own camera
-    SceneMeshes meshes;
+    LightView view;                                      // the light's own camera
+    SceneMeshes meshes{SceneMeshes::Surface::textured};  // the floor has squares
     LightOverlay overlay;
     Drawing drawing;
 

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "mv/error.h"
-#include "mv/gl/audit.h"
 
 namespace mv {
 
@@ -14,10 +13,7 @@ void Frame::say(std::string message) const { notes_->messages.push_back(std::mov
 
 void Frame::count(std::string name, double amount) const { notes_->counts.emplace_back(std::move(name), amount); }
 
-// A member, though it needs none: a demo tells a frame what it knows of it.
-void Frame::needless(const std::string& what) const {
-    noteNeedless(what);
-}  // NOLINT(readability-convert-member-functions-to-static)
+void Frame::needless(std::string what) const { notes_->needless.push_back(std::move(what)); }
 
 std::vector<Pane> FrameInfo::panes(int count) const {
     if (count < 1) throw Error("panes", "must be 1 or more", std::to_string(count));

@@ -15,6 +15,7 @@ struct FrameNotes {
     std::vector<std::pair<std::string, mat4>> matrices;
     std::vector<std::string> messages;
     std::vector<std::pair<std::string, double>> counts;
+    std::vector<std::string> needless;
 };
 
 // What a picture is seen by.
@@ -83,7 +84,7 @@ class Frame : public FrameInfo {
     // the errors of a study, since it does not depend on the machine.
     void count(std::string name, double amount) const;
     // Work in this frame that only the demo knows to be needless, for --audit; in words ("light 5, which is off").
-    void needless(const std::string& what) const;
+    void needless(std::string what) const;
 
   private:
     FrameMode mode_;

@@ -30,9 +30,6 @@ class Recorder {
     void begin(bool repeats);
     FrameWork end();
     std::vector<Finding> take();
-    void needless(const std::string& what) {
-        if (inFrame_) find(waste::needlessWork, what);
-    }
 
     // ---- State: set again to what it was is needless, and a frame begins in OpenGL's initial state.
     void before_Enable(GLenum cap) { state("glEnable/glDisable(" + stateName(cap) + ")", "on"); }
@@ -566,10 +563,6 @@ std::vector<Finding> Recorder::take() {
 }  // namespace
 
 bool auditing() { return recorder != nullptr; }
-
-void noteNeedless(const std::string& what) {
-    if (recorder) recorder->needless(what);
-}
 
 void startAudit() {
     recorder = std::make_unique<Recorder>();

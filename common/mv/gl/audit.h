@@ -25,7 +25,7 @@ inline constexpr const char* repeatedPass = "repeated-pass";   // such a pass ag
 inline constexpr const char* unusedObject = "unused-object";   // made, and used neither in this frame nor before
 inline constexpr const char* unreadPart =
     "unread-part";  // an attribute or the mipmaps, which no draw so much as asks for
-inline constexpr const char* needlessWork = "needless-work";  // what the demo itself says: noteNeedless()
+inline constexpr const char* needlessWork = "needless-work";  // what no call shows, and the demo itself says
 inline constexpr const char* all[] = {stateAgain, uniformAgain, uploadAgain,  noSample,     outsideView, unusedBuffer,
                                       unsampled,  unreadPass,   repeatedPass, unusedObject, unreadPart,  needlessWork};
 }  // namespace waste
@@ -58,8 +58,5 @@ FrameWork endAuditedFrame();
 // 3.0 lacks is then left for takeBeyondEs().
 std::vector<Finding> stopAudit();
 bool auditing();
-// Work of this frame that no call shows as needless, and whoever drew it knows to be: a light that is off and all the same
-// asked. Nothing happens where no audit watches. By a demo: Frame::needless().
-void noteNeedless(const std::string& what);
 
 }  // namespace mv

@@ -7,14 +7,18 @@
 namespace mv {
 
 void SceneMeshes::follow(const Scene& scene) {
+    const auto upload = [&](const SceneObject& object) -> Uploaded {
+        const bool isTextured = surface_ == Surface::textured;
+        return {object.mesh, Mesh(isTextured ? object.mesh : withoutTexCoords(object.mesh), object.name)};
+    };
     const std::size_t count = scene.objects.size();
     if (uploaded_.size() > count) uploaded_.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
         const SceneObject& object = scene.objects[i];
         if (i == uploaded_.size()) {
-            uploaded_.push_back({object.mesh, Mesh(withoutTexCoords(object.mesh), object.name)});
+            uploaded_.push_back(upload(object));
         } else if (uploaded_[i].data != object.mesh) {
-            uploaded_[i] = {object.mesh, Mesh(withoutTexCoords(object.mesh), object.name)};
+            uploaded_[i] = upload(object);
         }
     }
 }

@@ -53,6 +53,16 @@ std::string line(const std::string& name, const FrameWork& work) {
            number(work.stateChanges) + " state changes\n";
 }
 
+// What a demo has said of its own work, once with its number of times.
+void noteNeedless(std::vector<Finding>& said, const std::string& what) {
+    const auto known = std::find_if(said.begin(), said.end(), [&](const Finding& one) { return one.what == what; });
+    if (known == said.end()) {
+        said.push_back({.kind = waste::needlessWork, .what = what});
+    } else {
+        ++known->times;
+    }
+}
+
 std::string findingText(const Finding& finding) {
     return finding.kind + ": " + finding.what +
            (finding.times > 1 ? ", " + std::to_string(finding.times) + " times" : "") +
@@ -64,7 +74,7 @@ std::string findingText(const Finding& finding) {
 AuditReport auditDemo(Stage& stage, const DemoInfo& info, const std::vector<KnobSetting>& knobs, int index) {
     AuditReport report;
     report.demo = info.name;
-    std::vector<Finding> findings;
+    std::vector<Finding> findings, said;
     startAudit();
     try {
         stage.open(info, info.width, info.height);
@@ -76,8 +86,10 @@ AuditReport auditDemo(Stage& stage, const DemoInfo& info, const std::vector<Knob
             stage.draw(index);
             (repeats ? report.steady : report.first) = endAuditedFrame();
             report.undone = stage.undone();
+            for (const std::string& what : stage.notes().needless) noteNeedless(said, what);
         }
         findings = stopAudit();
+        findings.insert(findings.end(), said.begin(), said.end());
         report.undeclaredBeyondEs = undeclaredBeyondEs(info, takeBeyondEs());
     } catch (...) {
         stopAudit();
