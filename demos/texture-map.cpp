@@ -150,7 +150,7 @@ struct TextureMapDemo final : Demo {
             program.set("quadFromPixel", quadFromPixel(ratio, pane));
         }
         mesh.draw();
-        if (shape == Shape::quad) slip = largestSlip(ratio, divisions, pane).pixels;
+        if (shape == Shape::quad && !isForward()) slip = largestSlip(ratio, divisions, pane).pixels;
         if (shape == Shape::triangle) {
             determinant = glm::determinant(pointFromTexture(triangle()));
             off = errorInFloats(planeMap(), triangle());
@@ -288,7 +288,7 @@ struct TextureMapDemo final : Demo {
         drawing.in(left);
         drawing.text({8, left.height - 8}, what, words);
         drawing.in({0, 0, frame.width(), frame.height()});
-        if (shape != Shape::quad) drawFormulas(frame, words);
+        if (shape != Shape::quad || isForward()) drawFormulas(frame, words);
         glViewport(0, 0, frame.width(), frame.height());
         drawing.draw(frame);
     }
@@ -302,6 +302,8 @@ struct TextureMapDemo final : Demo {
         drawing.text({8, 1.5 * words.height + 4}, "black lines: where the squares belong", words);
         const Slip most = largestSlip(ratio, divisions, left);
         if (method == Method::affine && most.pixels > 2) drawing.arrow(most.shown, most.right, {red, 3});
+
+        if (isForward()) return;
 
         // The slip over the divisions
         drawing.in({0, 0, frame.width(), frame.height()});
@@ -330,7 +332,7 @@ struct TextureMapDemo final : Demo {
         std::vector<vec3> line;
         for (int i = 0; i <= 32; ++i) line.push_back(1.004 * surfacePoint(0, i / 32.0));
         for (std::size_t i = 1; i < line.size(); ++i) drawing.edge(clip, line[i - 1], line[i], {red, 2});
-        drawing.text(clip, surfacePoint(0, 0.6), {6, 0}, "seam: u = 0 and 1", words);
+        drawing.text(clip, surfacePoint(0, 0.6), {5 * words.height, 0}, "seam: u = 0 and 1", words);
         if (shape != Shape::sphere) return;
         drawing.point(clip, surfacePoint(0, 1), 8, red);
         drawing.text(clip, surfacePoint(0, 1), {10, 30}, "pole: every u", words);
@@ -338,7 +340,9 @@ struct TextureMapDemo final : Demo {
 
     void drawFormulas(const FrameInfo& frame, const TextStyle& words) {
         std::vector<std::string> lines;
-        if (shape == Shape::cylinder) {
+        if (shape == Shape::quad) {
+            lines = {"Each texel is drawn", "where it belongs:", "holes where texels are", "larger than pixels"};
+        } else if (shape == Shape::cylinder) {
             lines = {"F(u, v) =", formula == Formula::lecture ? "(cos 2πu, h, sin 2πu)" : "(cos 2πu, h v, sin 2πu)",
                      formula == Formula::lecture ? "v is not in it: a circle" : ""};
         } else if (shape == Shape::sphere) {

@@ -14,7 +14,7 @@ using namespace mv::claims;
 
 namespace {
 
-// Pixels of the square that are compared, the upper row first: those a hundredth of the square from its edges.
+// Pixels of the square that are compared, the upper row first: those a thousandth of the square from its edges.
 std::vector<int> regionsOf(const Demo& demo, const FrameInfo& frame) {
     std::vector<int> regions(static_cast<std::size_t>(frame.width()) * static_cast<std::size_t>(frame.height()), -1);
     if (demo.word("shape") != "quad") return regions;
@@ -22,7 +22,7 @@ std::vector<int> regionsOf(const Demo& demo, const FrameInfo& frame) {
     for (int row = 0; row < frame.height(); ++row) {
         for (int x = 0; x < frame.width(); ++x) {
             const vec2 at = projected(map, {x + 0.5, frame.height() - row - 0.5});
-            if (std::min({at.x, at.y, 1 - at.x, 1 - at.y}) > 0.01) regions[pixelIndex(x, row, frame.width())] = 0;
+            if (std::min({at.x, at.y, 1 - at.x, 1 - at.y}) > 0.001) regions[pixelIndex(x, row, frame.width())] = 0;
         }
     }
     return regions;
@@ -106,7 +106,9 @@ Study study() {
     }
     const auto affine = rows("affine");
     study.says = {
-        claim("square", "With W = 1.5 and 2 the slip falls as the square of the divisions, from 8 of them on.",
+        claim("square",
+              "With W = 1.5 and 2 the slip falls as the square of the divisions, to a tenth in the power, from 8 of "
+              "them on.",
               {slope(of::max, affine.in("W = 1.5").from(8), -2.1, -1.9),
                slope(of::max, affine.in("W = 2").from(8), -2.1, -1.9)}),
         claim("later", "With W = 10 it falls as their power 1.7 near 64 divisions.",
@@ -115,9 +117,11 @@ Study study() {
               {slope(of::max, affine.in("W = 10").upTo(4), -1, 0)}),
         claim("correct", "Divided by the driver or by hand, nothing is off by a hundredth of a pixel.",
               {atMost(of::max, rows("correct", "by-hand"), 0.01)}),
-        claim("no-dearer", "By hand takes at most twice as long as affine.",
-              {ratio(of::time, rows("by-hand"), rows("affine"), 0, 2)}),
-        note("Largest in the picture: the largest over all pixels at least a hundredth of the square from its edges. "
+        claim("at-once",
+              "One cell, divided by the driver, is a hundred times nearer than 64 affine ones, and no slower.",
+              {ratio(of::max, rows("correct").at(1), affine.at(64), 0, 0.01),
+               ratio(of::time, rows("correct").at(1), affine.at(64), 0, 1)}),
+        note("Largest in the picture: the largest over all pixels at least a thousandth of the square from its edges. "
              "The "
              "formula's largest lies between pixels, and on the page.")};
     return study;

@@ -10,7 +10,7 @@ void showTexel(vec2 uv) {
     if (measuring && compared) {
         vec3 belongs = pixelFromQuad * vec3(uv, 1.0), here = quadFromPixel * vec3(gl_FragCoord.xy, 1.0);
         slip = distance(belongs.xy / belongs.z, gl_FragCoord.xy);
-        vec2 inside = 0.49 - abs(here.xy / here.z - 0.5);  // rounding decides at the very edge
+        vec2 inside = 0.499 - abs(here.xy / here.z - 0.5);  // rounding decides at the very edge
         counts = min(inside.x, inside.y) > 0.0;
     }
     show(texture(image, uv).rgb, slip, counts);

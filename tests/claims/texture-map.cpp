@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <string>
@@ -57,6 +58,15 @@ Expected expectedAt(double ratio, int n, const vec2& at) {
         best = {glm::distance(projected(pixels, shown), at), inside};
     }
     return best;
+}
+
+// Pixels that show another square of the texture: within one, neighbouring texels differ by a few steps.
+long otherSquares(const Picture& a, const Picture& b) {
+    long count = 0;
+    for (int y = 0; y < side; ++y) {
+        for (int x = 0; x < side; ++x) count += std::abs(a.at(x, y).green - b.at(x, y).green) > 20;
+    }
+    return count;
 }
 
 }  // namespace
@@ -149,18 +159,30 @@ TEST(TextureMap, forward_leaves_holes) {
             const vec2 uv = projected(quad, middleOf(i));
             if (std::min({uv.x, uv.y, 1 - uv.x, 1 - uv.y}) < 0.02) continue;
             ++asked;
-            if (sure[i]) EXPECT_GE(shown[i], 0) << texels << " " << i;
-            if (!perhaps[i]) EXPECT_LT(shown[i], 0) << texels << " " << i;
+            if (sure[i]) {
+                EXPECT_GE(shown[i], 0) << texels << " " << i;
+            }
+            if (!perhaps[i]) {
+                EXPECT_LT(shown[i], 0) << texels << " " << i;
+            }
             const bool isHole = shown[i] < 0;
             holes += isHole;
             holesNear += isHole && uv.y < 0.1;
             holesFar += isHole && uv.y > 0.8;
             // A texel falls within a pixel's diagonal of where it belongs.
-            if (!isHole) EXPECT_LE(shown[i], std::sqrt(0.5) + 0.02);
+            if (!isHole) {
+                EXPECT_LE(shown[i], std::sqrt(0.5) + 0.02);
+            }
         }
-        if (texels == 64) EXPECT_GT(holes, asked / 2);
-        if (texels == 64) EXPECT_GT(holesNear, 0);
-        if (texels == 512) EXPECT_EQ(holesFar, 0);  // texels are smaller than pixels in both directions there
+        if (texels == 64) {
+            EXPECT_GT(holes, asked / 2);
+        }
+        if (texels == 64) {
+            EXPECT_GT(holesNear, 0);
+        }
+        if (texels == 512) {  // texels are smaller than pixels in both directions there
+            EXPECT_EQ(holesFar, 0);
+        }
     }
 }
 
@@ -192,7 +214,8 @@ TEST(TextureMap, one_strip_runs_back) {
     const Picture shared = run.picture(), doubled = run.set("seam", "doubled").picture();
     EXPECT_EQ(differentPixels(shared, doubled), 0);
     run.set("turn", -60);
-    EXPECT_GT(differentPixels(run.picture(), run.set("seam", "shared").picture()), 500);
+    const Picture whole = run.picture();
+    EXPECT_GT(differentPixels(whole, run.set("seam", "shared").picture()), 500);
 }
 
 TEST(TextureMap, half_at_the_pole) {
@@ -220,8 +243,8 @@ TEST(TextureMap, through_the_origin) {
     (void)run.set("distance", 1e-6).picture();
     EXPECT_GT(run.readout("off"), 1e-3);
     const Picture broken = run.picture(), sound = run.set("map", "edges").picture();
-    EXPECT_GT(differentPixels(broken, sound), 1000);
-    // By edges it is the same picture near and far.
+    EXPECT_GT(otherSquares(broken, sound), 1000);
+    // By edges it is the same picture near and far, but for pixels at the very edges of squares.
     const Picture far = run.set("distance", 0.5).picture();
-    EXPECT_LT(differentPixels(far, sound), 400);  // pixels at the squares' edges, which may fall on either side
+    EXPECT_LT(otherSquares(far, sound), 50);
 }
