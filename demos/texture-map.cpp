@@ -333,6 +333,10 @@ struct TextureMapDemo final : Demo {
         for (int i = 0; i <= 32; ++i) line.push_back(1.004 * surfacePoint(0, i / 32.0));
         for (std::size_t i = 1; i < line.size(); ++i) drawing.edge(clip, line[i - 1], line[i], {red, 2});
         drawing.text(clip, surfacePoint(0, 0.6), {5 * words.height, 0}, "seam: u = 0 and 1", words);
+        if (shape == Shape::cylinder && formula == Formula::lecture) {  // which has no faces to be seen
+            for (int i = 0; i < 64; ++i)
+                drawing.edge(clip, surfacePoint(i / 64.0, 1), surfacePoint((i + 1) / 64.0, 1), {blue, 2});
+        }
         if (shape != Shape::sphere) return;
         drawing.point(clip, surfacePoint(0, 1), 8, red);
         drawing.text(clip, surfacePoint(0, 1), {10, 30}, "pole: every u", words);
@@ -391,6 +395,9 @@ const bool added = addDemo<TextureMapDemo>({
              "The triangle's plane passes the origin at a millionth: the inverse of P has lost the floats' digits.",
              {{"shape", "triangle"}, {"map", "matrix"}, {"distance", "1e-06"}}},
         },
+    .waste = {{"no-sample", "draw of 'surface'", "the lecture's cylinder is a circle, which covers no pixel"},
+              {"unsampled-texture", "texture 'chart'", "the same"},
+              {"unused-object", "texture 'chart'", "the same"}},
 });
 
 }  // namespace
