@@ -109,6 +109,9 @@ struct TextureMapDemo final : Demo {
         formula.onlyWhen([this] { return shape == Shape::cylinder; }, "it is the cylinder's");
         seam.onlyWhen(isRound, "the shape has no seam");
         seam.onlyWhen(hasFaces, "points have no seam");
+        const auto hasArea = [this] { return !isCircle(); };
+        for (Knob* knob : std::vector<Knob*>{&divisions, &texels, &seam})
+            knob->onlyWhen(hasArea, "the lecture's cylinder has no faces");
         map.onlyWhen(isTriangle, "it is the triangle's");
         distance.onlyWhen(isTriangle, "it is the triangle's");
         turn.onlyWhen(isRound, "the shape does not turn");
