@@ -114,8 +114,8 @@ TEST(Procedural, finer_by_name) {
     };
     // The sphere's nearest point is 2.9 before the eye, where a pixel is 0.044 wide. A wave is two cells long: of frequency 64
     // it is shorter than that. Four samples across a pixel are nearer to each other than any.
-    const std::vector<std::string> two{"octave of frequency 128, finer than every pixel",
-                                       "octave of frequency 64, finer than every pixel"};
+    const std::vector<std::string> two{"octave of frequency 64, finer than every pixel",
+                                       "octave of frequency 128, finer than every pixel"};
     EXPECT_EQ(named("none"), two);
     EXPECT_EQ(named("samples"), std::vector<std::string>());
     EXPECT_EQ(named("leave-out"), std::vector<std::string>());
