@@ -135,7 +135,8 @@ struct TextureMapDemo final : Demo {
             image.bind(0);
         }
         if (meshFor.changed(shape, method, texels, divisions, formula, seam, distance)) {
-            mesh = Mesh(isForward() ? texelPoints() : surfaceMesh(), "surface");
+            const MeshData made = isForward() ? texelPoints() : surfaceMesh();
+            mesh = Mesh(shape == Shape::triangle ? withoutTexCoords(made) : made, "surface");
         }
         glEnable(GL_DEPTH_TEST);
 

@@ -31,7 +31,10 @@ std::vector<float> slips(DemoRun& run) {
 double largest(const std::vector<float>& values) { return double(*std::max_element(values.begin(), values.end())); }
 
 // The middle of a pixel, from the lower left corner.
-vec2 middleOf(std::size_t i) { return {double(i % side) + 0.5, side - double(i / side) - 0.5}; }
+vec2 middleOf(std::size_t i) {
+    const std::size_t row = i / side;
+    return {double(i % side) + 0.5, side - double(row) - 0.5};
+}
 
 // Barycentric coordinates of a place in a triangle of the picture.
 vec3 weightsOf(const vec2& a, const vec2& b, const vec2& c, const vec2& at) {
