@@ -166,7 +166,7 @@ struct Environment final : Demo {
                 drawSky(now);
             }
         }
-        facesDrawn = faces;
+        if (!frame.measuring()) facesDrawn = faces;
         if (frame.readouts()) tell();
     }
 

@@ -73,12 +73,14 @@ Study study() {
                                .values = {"2", "4", "8", "16", "32", "64"},
                                .scenes = std::move(scenes)});
     };
-    add("direction", {{"lookup", "direction"}}, {"mirror", "glass"});
+    add("direction", {{"lookup", "direction"}, {"refract", "inside"}}, {"mirror", "glass"});
+    add("direction, faces drawn anew", {{"lookup", "direction"}, {"keep", "off"}}, {"mirror"});
     add("direction, 64 texels", {{"lookup", "direction"}, {"cube-size", "64"}}, {"mirror"});
-    add("walls", {{"lookup", "walls"}}, {"mirror", "glass"});
+    add("walls", {{"lookup", "walls"}, {"refract", "inside"}}, {"mirror", "glass"});
     add("walls, 64 texels", {{"lookup", "walls"}, {"cube-size", "64"}}, {"mirror"});
-    add("rays", {{"lookup", "rays"}}, {});
-    add("rays, Schlick", {{"lookup", "rays"}, {"fresnel", "schlick"}}, {"gold", "glass"});
+    add("rays", {{"lookup", "rays"}, {"refract", "inside"}}, {});
+    add("rays, Schlick", {{"lookup", "rays"}, {"refract", "inside"}, {"fresnel", "schlick"}}, {"gold", "glass"});
+    add("rays, both surfaces", {{"lookup", "rays"}, {"refract", "both"}}, {"glass"});
     add("rays, first surface", {{"lookup", "rays"}, {"refract", "first"}}, {"glass"});
     return study;
 }
