@@ -70,4 +70,21 @@ double schlick(double cosine, double headOn) {
     return headOn + (1 - headOn) * std::pow(1 - cosine, 5);
 }
 
+vec3 Coating::reflected(double cosine, bool bySchlick) const {
+    switch (kind) {
+        case Kind::mirror:
+            break;
+        case Kind::metal: {
+            if (!bySchlick) return fresnelOfMetal(cosine, metal);
+            const vec3 headOn = fresnelOfMetal(1, metal);
+            return {schlick(cosine, headOn.x), schlick(cosine, headOn.y), schlick(cosine, headOn.z)};
+        }
+        case Kind::glass: {
+            const double exact = fresnel(cosine, index).reflected;
+            return vec3(bySchlick && exact < 1 ? schlick(cosine, fresnel(1, index).reflected) : exact);
+        }
+    }
+    return vec3(1);
+}
+
 }  // namespace mv

@@ -42,4 +42,15 @@ vec3 fresnelOfMetal(double cosine, const Metal& metal);
 // "An inexpensive BRDF model for physically-based rendering" (1994).
 double schlick(double cosine, double headOn);
 
+// What a body's surface is made of.
+struct Coating {
+    enum class Kind { mirror, metal, glass };
+    Kind kind = Kind::mirror;
+    Metal metal = gold;
+    double index = 1.5;  // of the glass
+    // The part of red, green and blue that is reflected: a mirror's is 1. Schlick's curve knows of no total reflection; where
+    // there is no light behind, all is reflected by either. Refused: as fresnel().
+    vec3 reflected(double cosine, bool bySchlick = false) const;
+};
+
 }  // namespace mv

@@ -14,17 +14,11 @@ std::optional<vec3> ShinySphere::seenAlong(const Ray& ray) const {
     const vec3 n = glm::normalize(ray.at(within->near)), way = glm::normalize(ray.direction);
     const double cosine = std::clamp(-glm::dot(n, way), 0.0, 1.0);
     const vec3 mirrored = room.seenAlong({n, way + 2 * cosine * n});
-    switch (material) {
-        case Material::mirror:
-            return mirrored;
-        case Material::metal:
-            return fresnelOfMetal(cosine, metal) * mirrored;
-        case Material::glass:
-            break;
-    }
-    const double reflected = fresnel(cosine, index).reflected;
-    vec3 light = reflected * mirrored;
-    const auto into = refracted(way, n, index);
+    const vec3 part = coating.reflected(cosine);
+    vec3 light = part * mirrored;
+    if (coating.kind != Coating::Kind::glass) return light;
+    const double reflected = part.x;
+    const auto into = refracted(way, n, coating.index);
     if (reflected < 1 && into) light += through(*into, n, reflected);
     return light;
 }
@@ -35,7 +29,7 @@ vec3 ShinySphere::through(const vec3& into, const vec3& normal, double reflected
     double part = 1 - reflected;
     for (int i = 0; i <= innerReflections && part > 1e-6; ++i) {
         const vec3 end = glm::normalize(from - 2 * glm::dot(from, way) * way);
-        const auto out = refracted(way, -end, 1 / index);
+        const auto out = refracted(way, -end, 1 / coating.index);
         if (!out) break;  // rounding, at the very edge of total reflection
         light += part * (1 - reflected) * room.seenAlong({end, *out});
         part *= reflected;

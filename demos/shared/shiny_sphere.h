@@ -12,11 +12,8 @@
 namespace mv {
 
 struct ShinySphere {
-    enum class Material { mirror, metal, glass };
     Room room;
-    Material material = Material::mirror;
-    Metal metal = gold;
-    double index = 1.5;  // of the glass
+    Coating coating = {};
     // Times that light is reflected inside the glass, at most. Each share less than 1e-6 of the light is left out.
     int innerReflections = 0;
 

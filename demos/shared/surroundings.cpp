@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "mv/math/projection.h"
 #include "shared/procedural.h"
 
 namespace mv {
@@ -55,6 +56,22 @@ std::array<vec3, Room::ballCount> Room::ballPlaces() const {
 
 std::array<vec3, Room::ballCount> Room::ballColors() {
     return {vec3(0.85, 0.20, 0.15), vec3(0.95, 0.80, 0.25), vec3(0.25, 0.35, 0.80), vec3(0.90, 0.90, 0.90)};
+}
+
+bool Room::isBallInView(std::size_t ball, const mat4& clipFromWorld) const {
+    const vec3 place = ballPlaces().at(ball);
+    const auto planes = planesFromClip(clipFromWorld);
+    return std::all_of(planes.begin(), planes.end(),
+                       [&](const vec4& plane) { return glm::dot(vec3(plane), place) + plane.w > -ballRadius(); });
+}
+
+// The ball's cone from the eye is within the sphere's, which is taken a little smaller: a mesh stands for it.
+bool Room::isBallHidden(std::size_t ball, const vec3& eye) const {
+    const vec3 to = ballPlaces().at(ball) - eye;
+    const double away = glm::length(to), middle = glm::length(eye);
+    const double between = std::acos(std::clamp(-glm::dot(to, eye) / (away * middle), -1.0, 1.0));
+    return away > middle &&
+           between + std::asin(std::min(ballRadius() / away, 1.0)) < std::asin(std::min(0.99 / middle, 1.0));
 }
 
 vec3 Room::wallAlong(const Ray& ray) const {

@@ -24,6 +24,11 @@ struct Room {
     std::array<vec3, ballCount> ballPlaces() const;
     static std::array<vec3, ballCount> ballColors();
 
+    // Whether a part of that ball may be in the view volume; false where it lies beyond one of the six planes.
+    bool isBallInView(std::size_t ball, const mat4& clipFromWorld) const;
+    // Whether that ball is wholly behind the sphere of radius 1 in the middle, for an eye outside of both.
+    bool isBallHidden(std::size_t ball, const vec3& eye) const;
+
     // Where a ray that starts inside meets a wall.
     vec3 wallAlong(const Ray& ray) const;
     // The light that comes along a ray from inside the room, outside the balls, 0..1 in linear light.

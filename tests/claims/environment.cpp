@@ -28,11 +28,11 @@ std::vector<float> drawn(DemoRun& run) {
 std::vector<double> byRays(DemoRun& run, const std::string& material, int innerReflections = 0) {
     const Demo& demo = run.demo();
     const ShinySphere sphere{.room = {demo.number("room"), demo.number("ball") + 1},
-                             .material = material == "mirror"  ? ShinySphere::Material::mirror
-                                         : material == "glass" ? ShinySphere::Material::glass
-                                                               : ShinySphere::Material::metal,
-                             .metal = material == "copper" ? copper : gold,
-                             .index = demo.number("index"),
+                             .coating = {.kind = material == "mirror"  ? Coating::Kind::mirror
+                                                 : material == "glass" ? Coating::Kind::glass
+                                                                       : Coating::Kind::metal,
+                                         .metal = material == "copper" ? copper : gold,
+                                         .index = demo.number("index")},
                              .innerReflections = innerReflections};
     return sphere.picture(demo.scene(FrameInfo(1, side, side)), side, side);
 }

@@ -6,6 +6,8 @@
 #include <glm/geometric.hpp>
 
 #include "mv/error.h"
+#include "mv/math/projection.h"
+#include "mv/math/transform.h"
 #include "shared/shiny_sphere.h"
 #include "support/random.h"
 
@@ -70,6 +72,17 @@ TEST(Room, a_ball_hides_the_wall_behind_it) {
     EXPECT_LT(room.seenAlong({vec3(0), -glm::normalize(ball)}).x, 3 * light.y + 1);
 }
 
+TEST(Room, balls_are_in_view_or_hidden_where_their_points_are) {
+    const Room room{4, 180};  // the first ball is behind the middle, seen from +z
+    const mat4 clipFromView = perspective(60, 1, 0.1, 100);
+    const vec3 behind = room.ballPlaces().front(), eye = -3.0 * glm::normalize(behind);
+    EXPECT_TRUE(room.isBallHidden(0, eye));
+    EXPECT_FALSE(room.isBallHidden(0, 3.0 * glm::normalize(behind)));  // it is before the sphere
+    EXPECT_FALSE(room.isBallHidden(0, vec3(0, 2, 3)));                 // beside it
+    EXPECT_TRUE(room.isBallInView(0, clipFromView * lookAtAnyRoll(eye, behind)));
+    EXPECT_FALSE(room.isBallInView(0, clipFromView * lookAtAnyRoll(eye, 2.0 * eye)));
+}
+
 TEST(Sky, is_light_and_has_no_seams) {
     const auto faces = skyCube(8);
     for (const FloatPicture& face : faces) {
@@ -100,8 +113,7 @@ TEST(ShinySphere, a_mirror_shows_what_a_mirrored_ray_sees) {
 TEST(ShinySphere, glass_divides_light_and_loses_none) {
     // Where all around is alike, nothing of the glass is to be seen: with all its inner reflections it sends out what it gets.
     // Walls of tiles are not; but along one axis, head on, light comes from two places only.
-    ShinySphere sphere{
-        .room = {5, 40}, .material = ShinySphere::Material::glass, .index = 1.5, .innerReflections = 100};
+    ShinySphere sphere{.room = {5, 40}, .coating = {.kind = Coating::Kind::glass}, .innerReflections = 100};
     const Ray ray{{0, 0, 4}, {0, 0, -1}};
     const vec3 front = sphere.room.seenAlong({{0, 0, 1}, {0, 0, 1}}),
                back = sphere.room.seenAlong({{0, 0, -1}, {0, 0, -1}});
@@ -112,6 +124,6 @@ TEST(ShinySphere, glass_divides_light_and_loses_none) {
     // What is left out is less than 1e-6 of the light.
     EXPECT_LT(glm::distance(*light, (r + t * t * r * again) * front + t * t * again * back), 1e-6);
     EXPECT_NEAR(r + t * t * r * again + t * t * again, 1, 1e-15);
-    sphere.index = 1;
+    sphere.coating.index = 1;
     EXPECT_LT(glm::distance(*sphere.seenAlong(ray), back), 1e-15);
 }
