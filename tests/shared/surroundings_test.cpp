@@ -78,7 +78,7 @@ TEST(Room, balls_are_in_view_or_hidden_where_their_points_are) {
     const vec3 behind = room.ballPlaces().front(), eye = -3.0 * glm::normalize(behind);
     EXPECT_TRUE(room.isBallHidden(0, eye));
     EXPECT_FALSE(room.isBallHidden(0, 3.0 * glm::normalize(behind)));  // it is before the sphere
-    EXPECT_FALSE(room.isBallHidden(0, vec3(0, 2, 3)));                 // beside it
+    EXPECT_FALSE(room.isBallHidden(0, vec3(4, 0, 0)));                 // beside it
     EXPECT_TRUE(room.isBallInView(0, clipFromView * lookAtAnyRoll(eye, behind)));
     EXPECT_FALSE(room.isBallInView(0, clipFromView * lookAtAnyRoll(eye, 2.0 * eye)));
 }
