@@ -319,7 +319,11 @@ class Recorder {
 
     Objects textures_, arrays_, programs_;
     ReadParts parts_{below};
-    std::map<GLuint, std::vector<GLint>> samplers_;   // of a program: the locations of its samplers
+    struct Sampler {
+        GLint location;
+        GLenum binding;  // by which the driver is asked for the texture
+    };
+    std::map<GLuint, std::vector<Sampler>> samplers_;  // of a program
     std::map<GLuint, std::set<GLuint>> attached_;     // of a framebuffer: its textures
     std::set<GLuint> bound_, sampled_;                // textures, in this frame
     std::set<GLuint> unread_;                         // framebuffers drawn into, whose result nobody has read yet
@@ -410,15 +414,17 @@ void Recorder::noteSampled() {
     if (isNew) {
         for (const Uniform& uniform : activeUniforms()) {
             if (uniform.type == GL_SAMPLER_2D || uniform.type == GL_SAMPLER_2D_SHADOW) {
-                known->second.push_back(uniform.location);
+                known->second.push_back({uniform.location, GL_TEXTURE_BINDING_2D});
+            } else if (uniform.type == GL_SAMPLER_CUBE) {
+                known->second.push_back({uniform.location, GL_TEXTURE_BINDING_CUBE_MAP});
             }
         }
     }
-    for (const GLint location : known->second) {
+    for (const Sampler& sampler : known->second) {
         GLint unit = 0, texture = 0;
-        below.GetUniformiv(program_, location, &unit);
+        below.GetUniformiv(program_, sampler.location, &unit);
         below.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-        below.GetIntegerv(GL_TEXTURE_BINDING_2D, &texture);
+        below.GetIntegerv(sampler.binding, &texture);
         const auto name = static_cast<GLuint>(texture);
         sampled_.insert(name);
         use(textures_, name);
@@ -475,7 +481,7 @@ void Recorder::expectInitialState() {
     for (const GLenum capability : std::initializer_list<GLenum>{
              GL_BLEND, GL_CULL_FACE, GL_DEPTH_CLAMP, GL_DEPTH_TEST, GL_FRAMEBUFFER_SRGB, GL_POLYGON_OFFSET_FILL,
              GL_PROGRAM_POINT_SIZE, GL_RASTERIZER_DISCARD, GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_COVERAGE,
-             GL_SCISSOR_TEST, GL_STENCIL_TEST}) {
+             GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_TEXTURE_CUBE_MAP_SEAMLESS}) {
         before_Disable(capability);
     }
     for (GLenum i = 0; i < 8; ++i) before_Disable(GL_CLIP_DISTANCE0 + i);

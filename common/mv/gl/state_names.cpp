@@ -20,6 +20,7 @@ std::string stateName(GLenum capability) {
         {GL_SAMPLE_COVERAGE, "GL_SAMPLE_COVERAGE"},
         {GL_SCISSOR_TEST, "GL_SCISSOR_TEST"},
         {GL_STENCIL_TEST, "GL_STENCIL_TEST"},
+        {GL_TEXTURE_CUBE_MAP_SEAMLESS, "GL_TEXTURE_CUBE_MAP_SEAMLESS"},
     };
     for (const auto& [value, name] : names) {
         if (value == capability) return name;
