@@ -10,6 +10,7 @@
 #include "mv/error.h"
 #include "mv/gl/object.h"
 #include "mv/gl/shader_source.h"
+#include "mv/gl/tangent_buffer.h"
 #include "mv/math/require.h"
 
 namespace mv {
@@ -99,6 +100,7 @@ Linked link(const std::string& name, const Sources& sources) {
     glBindAttribLocation(program, static_cast<GLuint>(Attribute::normal), "normal");
     glBindAttribLocation(program, static_cast<GLuint>(Attribute::color), "color");
     glBindAttribLocation(program, static_cast<GLuint>(Attribute::texCoord), "texCoord");
+    glBindAttribLocation(program, tangentLocation, "tangent");
     // So that countTriangles() can read back where each vertex went; costs nothing while no capture is active.
     const char* captured = "gl_Position";
     glTransformFeedbackVaryings(program, 1, &captured, GL_INTERLEAVED_ATTRIBS);

@@ -1,0 +1,40 @@
+#include "shared/relief_figures.h"
+
+#include <cmath>
+#include <vector>
+
+#include "mv/gl/text.h"
+
+namespace mv {
+namespace {
+
+const vec4 ink(0.1, 0.1, 0.1, 1), grey(0.55, 0.55, 0.55, 1), gold(0.85, 0.6, 0.0, 1), goldInk(0.6, 0.42, 0.0, 1),
+    blue(0.1, 0.3, 0.75, 1);
+
+vec2 way(double degrees) { return {std::sin(radians(degrees)), std::cos(radians(degrees))}; }
+
+}  // namespace
+
+vec2 SightFigure::tip(double degrees) const { return foot + size * way(degrees); }
+
+void SightFigure::draw(Drawing& drawing, double degrees, int wordHeight) const {
+    drawing.line(foot - vec2(0.2 * size, 0), foot + vec2(size, 0), {ink, 2});
+    drawing.line(foot, tip(0), {grey, 1});
+    drawing.arrow(foot, tip(degrees), {blue, 2});
+    std::vector<vec2> arc;
+    for (int i = 0; i <= 20; ++i) arc.push_back(foot + 0.35 * size * way(degrees * i / 20));
+    drawing.line(arc, {blue, 1});
+    drawing.text(foot + vec2(-0.2 * size, size + 1.5 * wordHeight), rounded("eye at %.0f°", degrees),
+                 {wordHeight, blue, vec4(0)});
+}
+
+void LampDial::draw(Drawing& drawing, const vec3& towardsLamp, int wordHeight) const {
+    std::vector<vec2> ring;
+    for (int i = 0; i <= 48; ++i) ring.push_back(middle + radius * way(7.5 * i));
+    drawing.line(ring, {grey, 1.5});
+    drawing.line(middle, at(towardsLamp), {gold, 1.5});
+    drawing.point(at(towardsLamp), 12, gold);
+    drawing.text(middle + vec2(1.2 * radius, 0.6 * wordHeight), "lamp", {wordHeight, goldInk, vec4(0)});
+}
+
+}  // namespace mv

@@ -1,0 +1,25 @@
+// Figures of surfaces that are lit and looked at from a side: the angle of sight, and the lamp's direction.
+#pragma once
+#include "mv/gl/drawing.h"
+
+namespace mv {
+
+// A surface, its normal, and the way to the eye at an angle in degrees, all `size` pixels long, with its foot at `foot`.
+struct SightFigure {
+    vec2 foot;
+    double size;
+    // Where the way to the eye ends.
+    vec2 tip(double degrees) const;
+    void draw(Drawing& drawing, double degrees, int wordHeight) const;
+};
+
+// The lamp's direction as seen along the surface's normal: in the middle it shines straight down.
+struct LampDial {
+    vec2 middle;
+    double radius;
+    // Where the unit vector to the lamp is marked.
+    vec2 at(const vec3& towardsLamp) const { return middle + radius * vec2(towardsLamp); }
+    void draw(Drawing& drawing, const vec3& towardsLamp, int wordHeight) const;
+};
+
+}  // namespace mv

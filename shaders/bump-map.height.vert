@@ -1,0 +1,1 @@
+#include "bumped-vertex.glsl"
