@@ -15,7 +15,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -29,9 +28,8 @@
 #include "mv/gl/on_demand.h"
 #include "mv/gl/scene_meshes.h"
 #include "mv/gl/target.h"
-#include "mv/math/projection.h"
 #include "mv/math/shadow.h"
-#include "mv/math/transform.h"
+#include "shared/mirror_room.h"
 #include "shared/mirrors.h"
 
 using namespace mv;
@@ -43,11 +41,6 @@ enum class Near { oblique, clipDistance, none };
 enum class Count { one, two };
 
 const vec3 sky(0.80, 0.88, 0.95);
-const vec3 firstMiddle(0, 1.2, -2), secondMiddle(0, 1.2, 3.4);  // of the mirrors; the eye looks at the first
-const vec3 halfU(1.4, 0, 0), halfV(0, 1, 0);
-constexpr double ballRadius = 0.35;
-constexpr ObjectId ofFloor{0}, ofFrame{1}, ofBall{2}, ofSecondFrame{6};
-const vec4 red(0.8, 0.1, 0.1, 1), blue(0.1, 0.35, 0.8, 1), grey(0.5, 0.5, 0.5, 1), ink(0.1, 0.1, 0.1, 1);
 
 struct MirrorDemo final : Demo {
     Choice<Method> method{this,
@@ -98,7 +91,7 @@ struct MirrorDemo final : Demo {
         mat4 clipFromWorld{1};
         std::vector<vec4> edges = {};  // in clip space: between them all lies that is seen
         vec4 before{0};                // half space in world space: what is not in it is behind the last mirror,
-        ObjectId frame = ofFrame;      // and so is this
+        ObjectId frame{0};             // and so is this
     };
     std::vector<std::vector<SeenMirror>> chains;
     std::vector<std::array<vec4, 8>> boxes;  // round each object, in world space
@@ -106,14 +99,17 @@ struct MirrorDemo final : Demo {
         int passes = 0, drawn = 0, leftOut = 0;
     } work;  // for all mirrors, when what they show was drawn last
 
-    // Uniforms and state that are set only where they change
-    const Program* inUse = nullptr;
-    MadeFor<std::size_t> objectSet;
-    MadeFor<double> partSet, skySet;
-    MadeFor<vec4> beforeSet, lightSet;
-    MadeFor<vec3> lookupSet;
-    MadeFor<const Program*, mat4> placeSet;
-    MadeFor<bool> clipsSet, frontSet;
+    // What uniforms and state were set to last in this frame: many draws share them.
+    struct Last {
+        const Program* program = nullptr;
+        MadeFor<std::size_t> object = {};
+        MadeFor<double> part = {}, sky = {};
+        MadeFor<vec4> light = {}, before = {};
+        MadeFor<vec3> lookup = {};
+        MadeFor<const Program*, mat4> place = {};
+        MadeFor<bool> clips = {};
+        bool clockwise = false;
+    } last;
 
     MirrorDemo() {
         bindKeys(Key::left, Key::right, bounces, 1);
@@ -121,9 +117,11 @@ struct MirrorDemo final : Demo {
         bindWheel(eyeZ, -0.1);
         bindHandle("ball", {&ballX, &ballZ}, [this](const FrameInfo& frame) {
             const Pane picture{0, 0, frame.width(), frame.height()};
-            return pictureFromPane(picture, scene(frame).clipFromWorld(), ball());
+            return pictureFromPane(picture, scene(frame).clipFromWorld(), room().ball);
         });
-        bindHandle("eye", {&eyeX, &eyeZ}, [this](const FrameInfo& frame) { return plan(frame).pixel({eyeX, eyeZ}); });
+        bindHandle("eye", {&eyeX, &eyeZ}, [this](const FrameInfo& frame) {
+            return planOfRoom(frame).pixel({eyeX, eyeZ});
+        });
         bounces.onlyWhen([this] { return count == Count::two; }, "a single mirror is not seen in itself");
         for (Knob* knob : std::vector<Knob*>{&coarser, &keep})
             knob->onlyWhen([this] { return method == Method::texture; }, "there is no texture");
@@ -138,9 +136,10 @@ struct MirrorDemo final : Demo {
         now = seen(frame);
         meshes.follow(now);
         // The mirrors that are seen through one another; the last one shows nothing.
-        chains = mirrorChains(mirrors(), now.clipFromWorld(), bounces + 1);
+        chains = mirrorChains(room().mirrors(), now.clipFromWorld(), bounces + 1);
         const vec2 whole(frame.width(), frame.height());
-        begin();
+        findBoxes();
+        last = {};
         glEnable(GL_DEPTH_TEST);
         glEnable(GL_CULL_FACE);
 
@@ -238,23 +237,23 @@ struct MirrorDemo final : Demo {
 
     // A mirror of the chain as it is seen after so many reflections: with its texture, or before anything is seen in it.
     void drawMirror(std::size_t chain, int bounce, const vec2& size) {
-        const Mirror mirror = mirrors()[chains[chain][static_cast<std::size_t>(bounce)].which];
+        const Mirror mirror = room().mirrors()[chains[chain][static_cast<std::size_t>(bounce)].which];
         const bool hasTexture = method == Method::texture && bounce < bounces;
         const Program& surface = hasTexture ? *textured : *plain;
         use(surface);
         if (hasTexture) {
             textureOf(chain, bounce + 1).bindColor(0);
             const vec3 lookup(1.0 / size, reflectance);
-            if (lookupSet.changed(lookup)) surface.set("lookup", lookup);
+            if (last.lookup.changed(lookup)) surface.set("lookup", lookup);
         } else {
             const double part = std::pow(double(reflectance), method == Method::texture ? 1 : bounce + 1);
-            if (skySet.changed(part)) surface.set("sky", part * sky);
+            if (last.sky.changed(part)) surface.set("sky", part * sky);
         }
         // From the unit square, which lies in the plane y = 0
         const mat4 worldFromSquare(vec4(2.0 * mirror.halfU, 0), vec4(vec3(mirror.plane()), 0),
                                    vec4(-2.0 * mirror.halfV, 0), vec4(mirror.middle, 1));
         const mat4 clipFromSquare = viewAfter(chain, bounce).clipFromWorld * worldFromSquare;
-        if (placeSet.changed(&surface, clipFromSquare)) surface.set("clipFromSquare", clipFromSquare);
+        if (last.place.changed(&surface, clipFromSquare)) surface.set("clipFromSquare", clipFromSquare);
         setFront(bounce);
         rectangle.draw();
     }
@@ -262,11 +261,10 @@ struct MirrorDemo final : Demo {
     // The world as it is seen after so many reflections.
     View viewAfter(std::size_t chain, int bounce) const {
         if (bounce == 0) return {.clipFromWorld = now.clipFromWorld(), .edges = edgesOfView()};
-        const SeenMirror& last = chains[chain][static_cast<std::size_t>(bounce - 1)];
-        const vec4 plane = mirrors()[last.which].plane();
-        const mat4 viewFromShown = now.viewFromWorld * last.worldFromShown;
-        View view{bounce, now.clipFromView * viewFromShown, last.edges, plane,
-                  last.which == 0 ? ofFrame : ofSecondFrame};
+        const SeenMirror& mirror = chains[chain][static_cast<std::size_t>(bounce - 1)];
+        const vec4 plane = room().mirrors()[mirror.which].plane();
+        const mat4 viewFromShown = now.viewFromWorld * mirror.worldFromShown;
+        View view{bounce, now.clipFromView * viewFromShown, mirror.edges, plane, MirrorRoom::frameOf(mirror.which)};
         if (nearBy() == Near::oblique)
             view.clipFromWorld =
                 withNearPlane(now.clipFromView, planeIn(glm::inverse(viewFromShown), plane)) * viewFromShown;
@@ -281,17 +279,17 @@ struct MirrorDemo final : Demo {
         setFront(view.bounce);
         use(program);
         const vec4 light = now.lights.front().position;
-        if (lightSet.changed(light)) program.set("light", light);
-        if (partSet.changed(part)) program.set("part", part);
+        if (last.light.changed(light)) program.set("light", light);
+        if (last.part.changed(part)) program.set("part", part);
         const bool clips = view.bounce > 0 && nearBy() == Near::clipDistance;
-        if (clipsSet.changed(clips)) program.set("clips", clips);
-        if (clips && beforeSet.changed(view.before)) program.set("beforeMirror", view.before);
+        if (last.clips.changed(clips)) program.set("clips", clips);
+        if (clips && last.before.changed(view.before)) program.set("beforeMirror", view.before);
         if (clips) glEnable(GL_CLIP_DISTANCE0);
         const auto all = meshes.of(now);
         for (std::size_t i = 0; i < all.size(); ++i) {
             if (!isShown(i, view)) continue;
             const auto& [object, mesh] = all[i];
-            if (objectSet.changed(i)) {
+            if (last.object.changed(i)) {
                 program.set("worldFromObject", object.worldFromObject);
                 program.set("color", object.color);
                 program.set("number", double(i + 1));
@@ -322,67 +320,35 @@ struct MirrorDemo final : Demo {
     // Each reflection turns the winding of all faces over.
     void setFront(int bounce) {
         const bool turned = winding && bounce % 2 == 1;
-        if (frontSet.changed(turned)) glFrontFace(turned ? GL_CW : GL_CCW);
+        if (turned != last.clockwise) glFrontFace(turned ? GL_CW : GL_CCW);
+        last.clockwise = turned;
     }
     void use(const Program& other) {
-        if (inUse != &other) other.use();
-        inUse = &other;
+        if (last.program != &other) other.use();
+        last.program = &other;
     }
 
-    void begin() {
+    void findBoxes() {
         boxes.clear();
         for (const SceneObject& object : now.objects) {
             const auto box = boundsOf(object.mesh, object.worldFromObject).corners();
             std::array<vec4, 8>& corners = boxes.emplace_back();
             std::transform(box.begin(), box.end(), corners.begin(), [](const vec3& p) { return vec4(p, 1); });
         }
-        inUse = nullptr;
-        objectSet.forget();
-        partSet.forget();
-        clipsSet.forget();
-        beforeSet.forget();
-        lightSet.forget();
-        skySet.forget();
-        lookupSet.forget();
-        placeSet.forget();
-        (void)frontSet.changed(false);
     }
 
     // ---- the scene
 
-    std::vector<Mirror> mirrors() const {
-        const vec3 turned(rotateY(turn) * vec4(halfU, 0));
-        if (count == Count::one) return {{firstMiddle, turned, halfV}};
-        return {{firstMiddle, turned, halfV}, {secondMiddle, -halfU, halfV}};
+    MirrorRoom room() const {
+        return {turn, count == Count::two, {eyeX, eyeHeight, eyeZ}, {ballX, MirrorRoom::ballRadius, ballZ}};
     }
-    vec3 ball() const { return {ballX, ballRadius, ballZ}; }
-    vec3 eye() const { return {eyeX, eyeHeight, eyeZ}; }
+    Scene scene(const FrameInfo& frame) const override { return room().scene(frame.aspect()); }
 
     void check() const override {
-        if (std::hypot(eyeX - firstMiddle.x, eyeZ - firstMiddle.z) < 0.01)
+        const vec3 beside = room().eye - MirrorRoom::lookedAt();
+        if (std::hypot(beside.x, beside.z) < 0.01)
             throw Error("--eye-x", "must keep the eye from above the first mirror's middle, on which it looks",
                         eyeX.text());
-    }
-
-    Scene scene(const FrameInfo& frame) const override {
-        static const MeshData floor = grid(1, 1, 10, 10), back = box({-1.5, -1.1, -0.1}, {1.5, 1.1, -0.03}),
-                              sphereMesh = sphere(ballRadius, 64, 32), cube = box(vec3(-0.3), vec3(0.3)),
-                              cone = lathe(std::array{vec2(0, 0), vec2(0.3, 0), vec2(0, 1)}, 64),
-                              column = box({-0.25, 0, -0.25}, {0.25, 2.7, 0.25});
-        Scene scene;
-        scene.objects = {{"floor", floor, translate(0, 0, 0.5), {0.82, 0.80, 0.74}},
-                         {"frame", back, translate(firstMiddle) * rotateY(turn), {0.45, 0.33, 0.22}},
-                         {"ball", sphereMesh, translate(ball()), {0.20, 0.45, 0.80}},
-                         {"cube", cube, translate(-1.1, 0.3, -0.9) * rotateY(30), {0.95, 0.65, 0.15}},
-                         {"cone", cone, translate(0.75, 0, -0.9), {0.25, 0.60, 0.30}},
-                         {"column", column, translate(0.9, 0, -2.9), {0.80, 0.20, 0.18}}};
-        if (count == Count::two)
-            scene.objects.push_back({"second frame", back, translate(secondMiddle) * rotateY(180), {0.35, 0.27, 0.20}});
-        scene.lights = {{.position = vec4(3, 5, 2, 0)}};
-        scene.viewFromWorld = lookAt(eye(), firstMiddle, vec3(0, 1, 0));
-        // The world is in the left part of the picture; the plan is beside it.
-        scene.clipFromView = translate(-0.3, 0, 0) * perspective(50, frame.aspect(), 0.1, 200);
-        return scene;
     }
 
     // ---- what is told beside it
@@ -392,9 +358,9 @@ struct MirrorDemo final : Demo {
         passes = work.passes;
         drawn = work.drawn;
         leftOut = work.leftOut;
-        const vec4 plane = mirrors().front().plane();
-        distance = glm::dot(plane, vec4(eye(), 1));
-        if (lightSide(vec4(eye(), 1), plane) <= 0)
+        const vec4 eye(room().eye, 1), plane = room().mirrors().front().plane();
+        distance = glm::dot(plane, eye);
+        if (lightSide(eye, plane) <= 0)
             frame.say("The eye is not in front of the first mirror: nothing is seen in it.");
         if (chains.empty() || chains.front().front().which != 0) return;
         const double left = depthSteps();
@@ -408,80 +374,16 @@ struct MirrorDemo final : Demo {
     // From the ball's front to its back, as the eye sees them in the first mirror.
     double depthSteps() const {
         const View view = viewAfter(0, 1);
-        const vec3 imagedEye(reflection(view.before) * vec4(eye(), 1));
-        const vec3 along = ballRadius * glm::normalize(ball() - imagedEye);
-        const auto depthAt = [&](const vec3& point) {
-            const vec4 clip = view.clipFromWorld * vec4(point, 1);
-            return 0.5 * clip.z / clip.w;
-        };
-        return (depthAt(ball() + along) - depthAt(ball() - along)) * (std::exp2(24) - 1);
-    }
-
-    // Seen from above; x is to the right, and what is far is above.
-    static Plot plan(const FrameInfo& frame) {
-        const double height = std::min(0.94 * frame.height(), 0.5 * frame.width()), width = 0.66 * height;
-        const vec2 high(frame.width() - 0.03 * height, frame.height() - 0.03 * height);
-        return {{high - vec2(width, height), high}, {-3.1, 3.1}, {4.2, -5.2}};
-    }
-
-    static std::vector<vec2> ringRound(const vec2& middle, double radius) {
-        std::vector<vec2> ring;
-        ring.reserve(33);
-        for (int i = 0; i <= 32; ++i) {
-            const double angle = i * std::numbers::pi / 16;
-            ring.push_back(middle + radius * vec2(std::cos(angle), std::sin(angle)));
-        }
-        return ring;
+        const vec3 imagedEye(reflection(view.before) * vec4(room().eye, 1)), ball = room().ball;
+        const vec3 along = MirrorRoom::ballRadius * glm::normalize(ball - imagedEye);
+        const vec4 front = view.clipFromWorld * vec4(ball - along, 1),
+                   back = view.clipFromWorld * vec4(ball + along, 1);
+        return 0.5 * (back.z / back.w - front.z / front.w) * (std::exp2(24) - 1);
     }
 
     void annotate(const Frame& frame) override {
         drawing.begin(frame);
-        const Plot plot = plan(frame);
-        const int words = std::clamp(frame.height() / 38, 8, 16);
-        const double meter = plot.pixel({1, 0}).x - plot.pixel({0, 0}).x;
-        const auto at = [&](const vec3& p) { return plot.pixel({p.x, p.z}); };
-        const auto label = [&](const vec2& where, const std::string& text, const vec4& color = ink) {
-            drawing.textAround(where, text, {words, color, vec4(0)});
-        };
-        drawing.fill(plot.box, vec4(1, 1, 1, 0.88));
-
-        // What stands there
-        for (std::size_t i = ofBall.index; i < now.objects.size(); ++i) {
-            if (i == ofSecondFrame.index) continue;
-            const SceneObject& object = now.objects[i];
-            drawing.point(at(vec3(object.worldFromObject[3])), 0.6 * meter, vec4(object.color, 1));
-        }
-        const auto all = mirrors();
-        for (const Mirror& mirror : all)
-            drawing.line(at(mirror.middle - mirror.halfU), at(mirror.middle + mirror.halfU), {ink, 3});
-        label(at(all[0].middle - 0.7 * all[0].halfU) - vec2(0, -0.9 * words), "mirror");
-
-        // Where the ball appears, and by which way its light comes
-        const SeenMirror* first = nullptr;
-        for (const auto& chain : chains) {
-            if (chain[0].which == 0) first = &chain[0];
-            for (const SeenMirror& mirror : chain) {
-                const vec3 image(mirror.worldFromShown * vec4(ball(), 1));
-                drawing.line(ringRound(at(image), 0.3 * meter), {blue, 1});
-            }
-        }
-        if (first != nullptr) {
-            const Mirror& mirror = all[0];
-            const vec3 image(first->worldFromShown * vec4(ball(), 1));
-            const double from = glm::dot(mirror.plane(), vec4(eye(), 1)), to = glm::dot(mirror.plane(), vec4(image, 1));
-            const vec3 hit = glm::mix(eye(), image, from / (from - to));
-            const vec3 inMirror = hit - mirror.middle;
-            const double right = glm::dot(inMirror, mirror.halfU) / glm::dot(mirror.halfU, mirror.halfU);
-            if (to < 0 && std::abs(right) < 1 && std::abs(inMirror.y) < halfV.y) {
-                drawing.line(at(hit), at(image), {grey, 1});
-                drawing.arrow(at(ball()), at(hit), {red, 1.5});
-                drawing.arrow(at(hit), at(eye()), {red, 1.5});
-            }
-            label(at(image) + vec2(0, 0.3 * meter + 0.7 * words), "image of the ball", blue);
-        }
-        drawing.point(at(eye()), 10, red);
-        label(at(eye()) + vec2(0, -1.1 * words), "eye", red);
-        label(at(ball()) - vec2(0, 0.3 * meter + 0.7 * words), "ball", blue);
+        drawPlan(drawing, frame, room(), now, chains);
         drawing.draw(frame);
     }
 };

@@ -14,7 +14,7 @@ using namespace mv::test;
 
 namespace {
 
-const Mirror first{{0, 0, -2}, {1, 0, 0}, {0, 1, 0}};    // faces +z
+const Mirror first{{0, 0, -2}, {1, 0, 0}, {0, 1, 0}};   // faces +z
 const Mirror second{{0, 0, 3}, {-1, 0, 0}, {0, 1, 0}};  // faces -z
 const std::array<Mirror, 2> both{first, second};
 const mat4 projection = perspective(60, 1, 0.1, 200);
@@ -49,7 +49,9 @@ TEST(Mirrors, show_each_other_farther_and_farther_away) {
         const vec4 shown = seen.worldFromShown * vec4(0, 0, 1, 1);
         EXPECT_LT(shown.z, middle.z);
         // What is seen of it lies within what is seen of the one before.
-        if (i > 0) EXPECT_FALSE(areBeyond(seen.outline, chains[0][i - 1].edges));
+        if (i > 0) {
+            EXPECT_FALSE(areBeyond(seen.outline, chains[0][i - 1].edges));
+        }
     }
     EXPECT_EQ(mirrorChains({&first, 1}, clipFrom({0.2, 0.3, 2}), 9).front().size(), 1U);  // none is seen in itself
 }
@@ -60,7 +62,9 @@ TEST(Mirrors, show_nothing_to_an_eye_that_is_not_before_them) {
     EXPECT_TRUE(mirrorChains({&first, 1}, clipFrom({0, 0, 2}, {0, 0, 5}), 9).empty()) << "behind the eye's back";
     EXPECT_FALSE(mirrorChains({&first, 1}, clipFrom({1.5, 0, -1.9}), 9).empty());
     const std::array<Mirror, 3> three{first, second, first};
-    EXPECT_EQ(refusal([&] { mirrorChains(three, clipFrom({0, 0, 2}), 1); }),
+    EXPECT_EQ(refusal([&] {
+                  mirrorChains(three, clipFrom({0, 0, 2}), 1);
+              }),
               "mirrorChains: must be given two mirrors at most, 3");
 }
 
@@ -93,7 +97,8 @@ TEST(Mirrors, lay_the_near_plane_where_it_is_asked) {
         const mat4 oblique = withNearPlane(projection, plane);
         for (int k = 0; k < 50; ++k) {
             // A point of the view volume
-            const vec4 far = glm::inverse(projection) * vec4(random.number(-1, 1), random.number(-1, 1), random.number(-1, 1), 1);
+            const vec4 far =
+                glm::inverse(projection) * vec4(random.number(-1, 1), random.number(-1, 1), random.number(-1, 1), 1);
             const vec4 point(vec3(far) / far.w, 1);
             const vec4 clip = oblique * point, before = projection * point;
             EXPECT_EQ(clip.x, before.x);
@@ -101,11 +106,16 @@ TEST(Mirrors, lay_the_near_plane_where_it_is_asked) {
             EXPECT_EQ(clip.w, before.w);
             // In front of the plane it is seen, behind it is not; a rounding of numbers up to 200 either way.
             const double side = glm::dot(plane, point);
-            if (side > 1e-9) EXPECT_TRUE(clip.z >= -clip.w && clip.z <= clip.w * (1 + 1e-12));
-            if (side < -1e-9) EXPECT_LT(clip.z, -clip.w);
+            if (side > 1e-9) {
+                EXPECT_TRUE(clip.z >= -clip.w && clip.z <= clip.w * (1 + 1e-12));
+            } else if (side < -1e-9) {
+                EXPECT_LT(clip.z, -clip.w);
+            }
         }
     }
-    EXPECT_EQ(refusal([] { withNearPlane(projection, {0, 0, -1, 0}); }),
+    EXPECT_EQ(refusal([] {
+                  withNearPlane(projection, {0, 0, -1, 0});
+              }),
               "withNearPlane: must be given a plane with the eye behind it, 0");
 }
 
