@@ -79,7 +79,7 @@ struct BumpMap final : Demo {
 
     OnDemand<Program> smooth{"bump-map", "smooth"}, byHeight{"bump-map", "height"}, byNormal{"bump-map"},
         byParallax{"bump-map", "parallax"}, byOcclusion{"bump-map", "occlusion"}, mapProgram{"bump-map", "map"};
-    OnDemand<Mesh> sheet{square(), "map"};
+    OnDemand<Mesh> sheet{withoutNormals(square()), "map"};
     Mesh flat, real, turned;
     Buffer tangents;
     MadeFor<ReliefBody, bool> flatFor;

@@ -92,8 +92,10 @@ struct Environment final : Demo {
     Program program;
     OnDemand<Program> roomProgram{"environment", "room"}, skyProgram{"environment", "sky"},
         crossProgram{"environment", "cross"};
-    OnDemand<Mesh> round{sphere(1, 128, 64), "sphere"}, teapotMesh{tessellated(teapot(), 12), "teapot"},
-        box{mv::box(vec3(-1), vec3(1)), "walls"}, ballMesh{sphere(1, 48, 24), "ball"},
+    OnDemand<Mesh> round{withoutTexCoords(sphere(1, 128, 64)), "sphere"},
+        teapotMesh{withoutTexCoords(tessellated(teapot(), 12)), "teapot"},
+        box{withoutTexCoords(mv::box(vec3(-1), vec3(1))), "walls"},
+        ballMesh{withoutTexCoords(sphere(1, 48, 24)), "ball"},
         pane{MeshData{.primitive = Primitive::triangleStrip,
                       .positions = {{-1, -1, 0}, {1, -1, 0}, {-1, 1, 0}, {1, 1, 0}}},
              "pane"};

@@ -129,7 +129,7 @@ struct MirrorDemo final : Demo {
 
     void init() override {
         program = Program("mirror");
-        rectangle = Mesh(square(), "mirror");
+        rectangle = Mesh(positionsOnly(square()), "mirror");
     }
 
     void draw(const Frame& frame) override {

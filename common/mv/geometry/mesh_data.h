@@ -29,10 +29,13 @@ inline MeshData withoutTexCoords(MeshData mesh) {
     mesh.texCoords.clear();
     return mesh;
 }
-inline MeshData positionsOnly(MeshData mesh) {
+inline MeshData withoutNormals(MeshData mesh) {
     mesh.normals.clear();
+    return mesh;
+}
+inline MeshData positionsOnly(MeshData mesh) {
     mesh.colors.clear();
-    return withoutTexCoords(std::move(mesh));
+    return withoutTexCoords(withoutNormals(std::move(mesh)));
 }
 
 }  // namespace mv

@@ -2,14 +2,14 @@
 
 #include <array>
 
-#include "mv/gl/program.h"
+#include "mv/gl/tangent_buffer.h"
 
 namespace mv {
 namespace {
 
 // Attributes have one place each, whatever the program.
-constexpr std::array<const char*, 4> attributeNames{"position", "normal", "color", "texCoord"};
-static_assert(static_cast<std::size_t>(Attribute::texCoord) == attributeNames.size() - 1);
+constexpr std::array<const char*, 5> attributeNames{"position", "normal", "color", "texCoord", "tangent"};
+static_assert(tangentLocation == attributeNames.size() - 1);
 
 std::string nameOf(GLuint attribute) {
     return attribute < attributeNames.size() ? attributeNames.at(attribute) : std::to_string(attribute);
