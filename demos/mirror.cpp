@@ -137,6 +137,8 @@ struct MirrorDemo final : Demo {
         meshes.follow(now);
         // The mirrors that are seen through one another; the last one shows nothing.
         chains = mirrorChains(room().mirrors(), now.clipFromWorld(), bounces + 1);
+        for (const auto& chain : chains)
+            frame.show("worldFromImage" + std::to_string(chain[0].which + 1), chain[0].worldFromShown);
         const vec2 whole(frame.width(), frame.height());
         findBoxes();
         last = {};
@@ -282,7 +284,7 @@ struct MirrorDemo final : Demo {
         if (last.light.changed(light)) program.set("light", light);
         if (last.part.changed(part)) program.set("part", part);
         const bool clips = view.bounce > 0 && nearBy() == Near::clipDistance;
-        if (last.clips.changed(clips)) program.set("clips", clips);
+        if (!isEs() && last.clips.changed(clips)) program.set("clips", clips);
         if (clips && last.before.changed(view.before)) program.set("beforeMirror", view.before);
         if (clips) glEnable(GL_CLIP_DISTANCE0);
         const auto all = meshes.of(now);

@@ -150,6 +150,8 @@ const std::set<std::string> unseen{
     "shadow-map keep",      // what is kept is what would be drawn again
     "shadow-lights keep",   // the same
     "shadow-methods keep",  // the same
+    "mirror keep",          // the same
+    "mirror leave-out",     // what is left out is not seen
     "lights ask",           // lights that are off, or reach nothing, give nothing
     "path pieces",          // a digit of the length, in words for which pictures as small as these have no room
 };

@@ -63,10 +63,16 @@ TEST(Mirror, as_by_rays) {
     // Both mirrors beside each other in a wide picture, so that both chains have their own marks
     DemoRun wide("mirror", 1500, 300);
     for (const char* method : methods) {
-        wide.set("method", method).set("mirrors", "two").set("eye-x", -3).set("eye-z", 3.2).picture();
+        wide.set("method", method)
+            .set("mirrors", "two")
+            .set("eye-x", -3)
+            .set("eye-z", 3.2)
+            .set("mirror-turn", -15)
+            .picture();
         EXPECT_GT(wide.readout("passes"), 2);
-        (void)wide.matrix("worldFromMirrored1");
-        (void)wide.matrix("worldFromMirrored2");
+        // What is at the mirrors stays there.
+        EXPECT_NEAR((wide.matrix("worldFromImage1") * vec4(0, 1.2, -2, 1)).z, -2, 1e-12);
+        EXPECT_NEAR((wide.matrix("worldFromImage2") * vec4(0, 1.2, 3.4, 1)).z, 3.4, 1e-12);
         EXPECT_EQ(compareWithRays(1500, 300).awayFromEdges.fraction, 0) << method;
     }
 }
@@ -158,7 +164,7 @@ TEST(Mirror, each_bounce_a_pass) {
         }
     }
     DemoRun wide("mirror", 1500, 300);
-    wide.set("mirrors", "two").set("eye-x", -3).set("eye-z", 3.2);
+    wide.set("mirrors", "two").set("eye-x", -3).set("eye-z", 3.2).set("mirror-turn", -15);
     double before = 0;
     for (int bounces = 1; bounces <= 6; ++bounces) {
         wide.set("bounces", bounces).picture();
