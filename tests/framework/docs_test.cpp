@@ -81,10 +81,11 @@ TEST(Docs, a_chapter_that_is_none_is_refused) {
         addDemo(info);
         FAIL() << "there is no such chapter";
     } catch (const Error& error) {
-        EXPECT_EQ(std::string(error.what()),
-                  "demo stray: must have no chapter or one of mv/demo/chapters.h ('Viewing and projection', "
-                  "'Stereo and hidden surfaces', 'Shadows', 'Motion', 'Light, colour and texture', 'Surfaces, mirrors and "
-                  "stages'), 'Shadow'");
+        EXPECT_EQ(
+            std::string(error.what()),
+            "demo stray: must have no chapter or one of mv/demo/chapters.h ('Viewing and projection', "
+            "'Stereo and hidden surfaces', 'Shadows', 'Motion', 'Light, colour and texture', 'Surfaces, mirrors and "
+            "stages'), 'Shadow'");
     }
     EXPECT_EQ(catalogue().size(), before);
     info.chapter = courseChapters.front();
