@@ -162,7 +162,8 @@ struct BumpMap final : Demo {
         }
         if (method == Method::occlusion) program.set("layers", layers);
         flat.draw();
-        triangles = flat.count() / 3;
+        const auto corners = flat.count();
+        triangles = double(corners) / 3;
         constexpr std::array<int, 5> lookupsOf{1, 5, 2, 3, 3};
         lookups = lookupsOf.at(static_cast<std::size_t>(Method(method))) + (method == Method::occlusion ? layers : 0);
     }
