@@ -150,6 +150,7 @@ const std::set<std::string> unseen{
     "shadow-map keep",      // what is kept is what would be drawn again
     "shadow-lights keep",   // the same
     "shadow-methods keep",  // the same
+    "environment keep",     // the same
 };
 
 // In a setting that a knob calls idle it changes no byte of the picture; and a knob that changes none in any of the
