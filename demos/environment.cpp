@@ -326,7 +326,7 @@ struct Environment final : Demo {
     Scene scene(const FrameInfo& frame) const override {
         Scene scene;
         scene.viewFromWorld = turntable.seenBy(lookAt(vec3(0, 0.9, 5.4), vec3(0), vec3(0, 1, 0)));
-        scene.clipFromView = perspective(34, view(frame).aspect(), 0.3, 40 + 4 * roomSize);
+        scene.clipFromView = perspective(34, view(frame).aspect(), 0.3, 450);  // the largest room is within
         return scene;
     }
 };

@@ -150,6 +150,7 @@ const std::set<std::string> unseen{
     "shadow-map keep",      // what is kept is what would be drawn again
     "shadow-lights keep",   // the same
     "shadow-methods keep",  // the same
+    "environment keep",     // the same
     "mirror keep",          // the same
     "mirror leave-out",     // what is left out is not seen
     "lights ask",           // lights that are off, or reach nothing, give nothing
