@@ -78,7 +78,7 @@ struct Environment final : Demo {
                           "how the mirrored light is found"};
     Toggle split{this, "split", true, "the right half as exact as rays make it"};
     Real roomSize{this, "room", 3, {2, 100, Scale::logarithmic}, "half of the room's width, in radii of the sphere"};
-    NumberChoice size{this, "cube-size", 256, {4, 16, 64, 256, 512}, "texels along a side of each face"};
+    NumberChoice size{this, "cube-size", 256, {4, 16, 64, 256}, "texels along a side of each face"};
     Toggle seamless{this, "seamless", true, "filter across the edges of the cube"};
     Angle ball{this, "ball", -7, "where the red ball is on its way round"};
     Toggle moving{this, "moving", true, "the red ball goes round, a degree a frame"};

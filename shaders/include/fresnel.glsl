@@ -15,11 +15,10 @@ vec3 refracted(vec3 way, vec3 normal, float ratio) {
     return way / ratio + normal * ((cosine - sqrt(max(squareBehind(cosine, ratio), 0.0))) / ratio);
 }
 
+// Where there is light behind the surface.
 float fresnelOfGlass(float cosine) {
     if (index == 1.0) return 0.0;  // no surface
-    float square = squareBehind(cosine, index);
-    if (square <= 0.0) return 1.0;
-    float behind = sqrt(square), dense = index * index * cosine;
+    float behind = sqrt(squareBehind(cosine, index)), dense = index * index * cosine;
     float across = (cosine - behind) / (cosine + behind), along = (dense - behind) / (dense + behind);
     return 0.5 * (across * across + along * along);
 }
@@ -37,8 +36,8 @@ vec3 fresnelOfMetal(float cosine) {
 
 vec3 fresnel(float cosine, bool bySchlick) {
     if (material == 0) return vec3(1.0);
-    // Schlick's curve knows of no total reflection; where there is no light behind, there is none to share.
-    if (material == 2 && squareBehind(cosine, index) <= 0.0) return vec3(1.0);
+    // Total reflection, of which Schlick's curve does not know. An index of 1 is none, at any angle.
+    if (material == 2 && index != 1.0 && squareBehind(cosine, index) <= 0.0) return vec3(1.0);
     vec3 headOn = material == 1 ? fresnelOfMetal(1.0) : vec3(fresnelOfGlass(1.0));
     if (bySchlick) return headOn + (1.0 - headOn) * pow(1.0 - cosine, 5.0);
     return material == 1 ? fresnelOfMetal(cosine) : vec3(fresnelOfGlass(cosine));

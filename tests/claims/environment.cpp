@@ -252,5 +252,8 @@ TEST(Environment, no_surface) {
     }
     EXPECT_LE(difference(shown, empty).typical, floats);
     EXPECT_EQ(run.readout("head-on"), 0);
+    // Nor is there a black pixel, as NaN would be, where a teapot's interpolated normals turn away from the eye.
+    EXPECT_EQ(countPixels(run.set("body", "teapot").picture(), {0, 0, 0}), 0);
+    run.set("body", "sphere");
     EXPECT_GT(difference(drawn(run.set("index", 1.05)), empty).typical, 10 * floats);
 }

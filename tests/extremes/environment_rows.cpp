@@ -67,7 +67,7 @@ Row seam(const std::string& name, const std::string& where, const vec3& from, co
             .ours = "GL_TEXTURE_CUBE_MAP_SEAMLESS",
             .ourError = largestStep(from, to, true),
             .tolerance = 2,
-            .reason = "a look is a sixteenth of a texel from the next, of at most 30 levels, rounded at both ends"};
+            .reason = "a look is less than a fiftieth of a texel from the next, and texels differ by 30 at most; rounding of both"};
 }
 [[maybe_unused]] const bool x57edge =
     addRow([] { return seam("edge", "across the edge +x +z", vec3(1, 0.1, 0.5), vec3(0.5, 0.1, 1)); });
