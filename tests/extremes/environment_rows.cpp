@@ -25,7 +25,8 @@ CubeMap smoothCube() {
     for (int face = 0; face < cubeFaces; ++face) {
         FloatPicture picture(8, 8, 4);
         for (int i = 0; i < 64; ++i) {
-            const vec3 way = glm::normalize(cubeDirection({face, {(i % 8 + 0.5) / 8, (i / 8 + 0.5) / 8}}));
+            const int row = i / 8;
+            const vec3 way = glm::normalize(cubeDirection({face, {(i % 8 + 0.5) / 8, (row + 0.5) / 8}}));
             picture.values[4 * std::size_t(i)] = float(0.5 + 0.45 * glm::dot(way, glm::normalize(vec3(1, -1, -2))));
         }
         faces.at(static_cast<std::size_t>(face)) = picture;
@@ -67,7 +68,9 @@ Row seam(const std::string& name, const std::string& where, const vec3& from, co
             .ours = "GL_TEXTURE_CUBE_MAP_SEAMLESS",
             .ourError = largestStep(from, to, true),
             .tolerance = 2,
-            .reason = "a look is less than a fiftieth of a texel from the next, and texels differ by 30 at most; rounding of both"};
+            .reason =
+                "a look is less than a fiftieth of a texel from the next, and texels differ by 30 at most; rounding of "
+                "both"};
 }
 [[maybe_unused]] const bool x57edge =
     addRow([] { return seam("edge", "across the edge +x +z", vec3(1, 0.1, 0.5), vec3(0.5, 0.1, 1)); });

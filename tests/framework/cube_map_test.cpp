@@ -66,7 +66,8 @@ TEST_F(CubeMaps, a_texel_is_found_where_cubePlace_says) {
         for (std::size_t i = 0; i < 16; ++i) picture.values[4 * i] = float(10 * i) / 255;
         const CubeMap map(faces);
         for (int i = 0; i < 16; ++i) {
-            const vec2 at((i % 4 + 0.5) / 4, (i / 4 + 0.5) / 4);
+            const int row = i / 4;
+            const vec2 at((i % 4 + 0.5) / 4, (row + 0.5) / 4);
             // The middle of a texel, where the others have no weight; one level is for the driver's own sums.
             EXPECT_NEAR(lookedUp(map, cubeDirection({face, at})).red, 10 * i, 1) << face << " " << i;
         }
