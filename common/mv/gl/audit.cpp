@@ -324,10 +324,10 @@ class Recorder {
         GLenum binding;  // by which the driver is asked for the texture
     };
     std::map<GLuint, std::vector<Sampler>> samplers_;  // of a program
-    std::map<GLuint, std::set<GLuint>> attached_;     // of a framebuffer: its textures
-    std::set<GLuint> bound_, sampled_;                // textures, in this frame
-    std::set<GLuint> unread_;                         // framebuffers drawn into, whose result nobody has read yet
-    std::map<GLuint, std::pair<bool, bool>> tested_;  // of a framebuffer drawn into: whether depth, stencil was used
+    std::map<GLuint, std::set<GLuint>> attached_;      // of a framebuffer: its textures
+    std::set<GLuint> bound_, sampled_;                 // textures, in this frame
+    std::set<GLuint> unread_;                          // framebuffers drawn into, whose result nobody has read yet
+    std::map<GLuint, std::pair<bool, bool>> tested_;   // of a framebuffer drawn into: whether depth, stencil was used
 };
 
 std::unique_ptr<Recorder> recorder;
