@@ -318,6 +318,13 @@ void DemoScreen::showPanelContent() {
     }
     if (!demo.knobs().empty() && section("Settings")) moved |= knobs_.show(comparison_);
     if (!demo.knobs().empty() && section("Compare")) moved |= showComparison(demo, comparison_, gui_);
+    if (section("Draw by draw")) {
+        if (comparison_.on()) {
+            wrapped(color::dim, "Two settings are compared: each is drawn whole.");
+        } else if (steps_.show()) {
+            session_.touch();
+        }
+    }
     if (session_.playback().animated() && section("Time")) moved |= showTime(session_, gui_.scale());
     if (!demo.readouts().empty() && section("Readouts")) showReadouts(demo, comparison_);
     if (study_.any() && section("Error and time")) moved |= study_.show(demo);
@@ -325,13 +332,6 @@ void DemoScreen::showPanelContent() {
     if (!session_.notes().matrices.empty() && section("Matrices")) {
         if (comparison_.on()) wrapped(color::dim, "of A: " + comparison_.labelA());
         showMatrices(session_.notes());
-    }
-    if (section("Draw by draw")) {
-        if (comparison_.on()) {
-            wrapped(color::dim, "Two settings are compared: each is drawn whole.");
-        } else if (steps_.show()) {
-            session_.touch();
-        }
     }
     if (section("Picture")) showFile();
     if (section("Keys and mouse")) showControls(demo, info_.animated, menu_, comparison_.on());
