@@ -238,7 +238,7 @@ TEST(CommandLine, every_pair_of_flags_means_something_or_is_refused) {
             EXPECT_TRUE(bothNamed || demoMissing || oneIdle) << a << " " << b << ": " << said;
         }
     }
-    EXPECT_EQ(understood + refused, 24 * 23);
+    EXPECT_EQ(understood + refused, 25 * 24);
     EXPECT_NE(refusal({"cube-cull", "--gallery", "g"}), "accepted") << "it would be of all demos";
     EXPECT_NE(refusal({"cube-cull", "--audit", "--all"}), "accepted");
 }

@@ -31,13 +31,13 @@ bool StepSection::show() {
     }
     const FrameSteps steps = *session_.steps();  // a copy: another picture may come before the end
     bool moved = showSlider(steps);
-    if (session_.error().empty()) {
-        showDraw(steps);
-        showBuffers(steps);
-    }
     if (button("Show the whole frame", {width, 0})) {
         session_.stopAfter({});
         moved = true;
+    }
+    if (session_.error().empty()) {
+        showDraw(steps);
+        showBuffers(steps);
     }
     return moved;
 }
