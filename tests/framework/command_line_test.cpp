@@ -152,6 +152,7 @@ TEST(CommandLine, every_pair_of_flags_means_something_or_is_refused) {
                                              {"--within", {"--within", "5ms"}},
                                              {"--error", {"--error", "0.01"}},
                                              {"--measure-here", {"--measure-here"}},
+                                             {"--until", {"--until", "1"}},
                                              {"--audit", {"--audit"}},
                                              {"--all", {"--all"}},
                                              {"--knobs", {"--knobs"}},
@@ -177,6 +178,9 @@ TEST(CommandLine, every_pair_of_flags_means_something_or_is_refused) {
         {"--headless", {"--report", "--study", "--audit"}},
         {"--compare", {"--window", "--copyable"}},
         {"--report", {"--window"}},
+        {"--until",
+         {"--preset", "--cull", "--at", "--shot", "--frame", "--size", "--headless", "--report", "--window",
+          "--copyable", "--within", "--error"}},
         {"--study", {"--vary"}},
         {"--within",
          {"--cull", "--preset", "--shot", "--frame", "--size", "--headless", "--report", "--window", "--audit",
@@ -234,7 +238,7 @@ TEST(CommandLine, every_pair_of_flags_means_something_or_is_refused) {
             EXPECT_TRUE(bothNamed || demoMissing || oneIdle) << a << " " << b << ": " << said;
         }
     }
-    EXPECT_EQ(understood + refused, 24 * 23);
+    EXPECT_EQ(understood + refused, 25 * 24);
     EXPECT_NE(refusal({"cube-cull", "--gallery", "g"}), "accepted") << "it would be of all demos";
     EXPECT_NE(refusal({"cube-cull", "--audit", "--all"}), "accepted");
 }

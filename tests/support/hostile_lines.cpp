@@ -27,6 +27,7 @@ HostileLines::HostileLines(unsigned seed) : random_(seed) {
               "--within",
               "--error",
               "--measure-here",
+              "--until",
               "--window",
               "--audit",
               "--all",

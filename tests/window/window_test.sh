@@ -289,6 +289,33 @@ replay() { # as fast as xdotool is: nothing is waited for between two moves
     sameAsHeadless cube-cull-1.png
 }
 
+steps() { # by the panel, and what is saved and copied
+    start 'mvgl: cube-cull' "$cubeCull" --size 600x960
+    equal "until, of a whole frame" "" "$(reported until)"
+    clickOn "Step through the draws"
+    awaitReport until 1
+    [ -n "$(place "buffer color")" ] || fail "no picture of the colours"
+    [ -n "$(place "buffer depth")" ] || fail "no picture of the depths"
+    clickOn "<##draw"
+    awaitReport until 0
+    clickOn ">##draw"
+    awaitReport until 1
+    press s
+    awaitReport until 1
+    quit
+    case $(reported command) in *" --until 1") ;; *) fail "the copied line must end with --until 1: $(reported command)" ;; esac
+    sameAsHeadless cube-cull-1.png
+    rm cube-cull-1.png
+    # More draws than it has: a sentence that says how many, and the slider is there to come back.
+    start 'mvgl: cube-cull' "$cubeCull" --size 600x960 --until 99
+    case $(reported error) in "--until: must be 0 .. 2, "*) ;; *) fail "not refused: $(reported error)" ;; esac
+    clickOn "<##draw"
+    awaitReport until 2
+    equal "error" "" "$(reported error)"
+    clickOn "Show the whole frame"
+    awaitReport until ""
+    quit
+}
 save() {
     start 'mvgl: cube-cull' "$cubeCull"
     press s s
@@ -1026,7 +1053,7 @@ case $case in
     storm) stormOfProbe ;;
     storm.*) stormOf "${case#storm.}" ;;
     motion.*) motion "${case#motion.}" ;;
-    opens | keys | held | slider | preset | typed | choice | wheel | drag | hand | replay | save | clipboard | error | torn | twice | density | paused | memory | reload | idle | study | bound | measure | vanish)
+    opens | keys | held | slider | preset | typed | choice | wheel | drag | hand | replay | save | clipboard | error | torn | twice | density | paused | memory | reload | idle | steps | study | bound | measure | vanish)
         "$case"
         ;;
     *) fail "there is no case '$case'" ;;

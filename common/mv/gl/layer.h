@@ -14,7 +14,8 @@ struct FunctionTable {
 };
 
 // A Listener has members before_NAME or after_NAME, with the arguments of glNAME, for the functions it wants to hear of;
-// the others are not touched. There is one layer for each class of listeners, and one listener in it.
+// the others are not touched. A member skip_NAME that returns true leaves the call out. There is one layer for each class
+// of listeners, and one listener in it.
 template <class Listener>
 class Layer {
   public:
@@ -28,6 +29,14 @@ class Layer {
     }
 #include "mv/gl/function_list.inc"
 #undef X
+    }
+
+    // Takes it off again, where nothing was laid over it and the table was not filled since.
+    static void takeOff() {
+#define X(name, TYPE, version) gl##name = below.name;
+#include "mv/gl/function_list.inc"
+#undef X
+        listener_ = nullptr;
     }
 
     // The functions under this layer: for a listener's own calls.
@@ -65,10 +74,14 @@ class Layer {
     struct Told##name<Result (*)(Arguments...)> {                                                              \
         static constexpr bool hearsBefore = requires(Listener & l, Arguments... a) { l.before_##name(a...); }; \
         static constexpr bool hearsAfter = requires(Listener & l, Arguments... a) { l.after_##name(a...); };   \
-        static constexpr bool heard = hearsBefore || hearsAfter;                                               \
+        static constexpr bool skips = requires(Listener & l, Arguments... a) { l.skip_##name(a...); };         \
+        static constexpr bool heard = hearsBefore || hearsAfter || skips;                                      \
         template <class Hearing>                                                                               \
         static Result call(Arguments... a) {                                                                   \
             Hearing& listener = *listener_;                                                                    \
+            if constexpr (skips) {                                                                             \
+                if (listener.skip_##name(a...)) return;                                                        \
+            }                                                                                                  \
             if constexpr (hearsBefore) listener.before_##name(a...);                                           \
             if constexpr (std::is_void_v<Result>) {                                                            \
                 below.name(a...);                                                                              \

@@ -1,9 +1,11 @@
 #include "mv/gl/state.h"
 
 #include <array>
+#include <cstdio>
 #include <map>
 #include <tuple>
 
+#include "mv/error.h"
 #include "mv/gl/functions.h"
 #include "mv/gl/layer.h"
 #include "mv/gl/state_names.h"
@@ -226,6 +228,80 @@ std::vector<std::string> changedState() {
     if (!now.pixelStore.empty()) calls.emplace_back("glPixelStorei");
     if (!now.buffers.empty()) calls.emplace_back("glBindBuffer");
     if (!now.textures.empty()) calls.emplace_back("glBindTexture");
+    return calls;
+}
+
+namespace {
+
+// One argument as it is written in a program: the calls of plain state take names where they take whole numbers, but for a
+// mask and a number of vertices.
+std::string argumentText(GLenum value) { return valueName(value); }
+std::string argumentText(GLboolean value) { return value == GL_TRUE ? "GL_TRUE" : "GL_FALSE"; }
+std::string argumentText(GLint value) { return std::to_string(value); }
+std::string argumentText(double value) { return numberText(value); }
+std::string argumentText(float value) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%g", double(value));
+    return text.data();
+}
+
+template <class... Values>
+std::string callText(const std::string& name, const std::tuple<Values...>& values) {
+    std::string text;
+    std::apply([&](auto... value) { ((text += (text.empty() ? "" : ", ") + argumentText(value)), ...); }, values);
+    return "gl" + name + "(" + text + ")";
+}
+
+// Of one call, for each face where the two differ, else for both.
+template <class Tuple, class Write>
+void addFaces(std::vector<std::string>& calls, const std::string& name, const std::array<Tuple, 2>& faces,
+              const Tuple& initial, const Write& write) {
+    if (faces[0] == faces[1]) {
+        if (faces[0] != initial) calls.push_back("gl" + name + "(" + write(faces[0]) + ")");
+        return;
+    }
+    for (const int side : {0, 1}) {
+        const Tuple& values = faces[static_cast<std::size_t>(side)];
+        if (values != initial) {
+            calls.push_back("gl" + name + "Separate(" + (side == 0 ? "GL_FRONT, " : "GL_BACK, ") + write(values) + ")");
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<std::string> stateOfDraw() {
+    const Values initial;
+    std::vector<std::string> calls;
+    for (const auto& [capability, on] : now.switches) {
+        calls.push_back((on ? "glEnable(" : "glDisable(") + stateName(capability) + ")");
+    }
+    const auto add = [&](const std::string& name, const auto& value, const auto& wanted) {
+        if (value == wanted) return;
+        if (name == "StencilMask") {
+            calls.push_back("glStencilMask(" + hexadecimal(std::get<0>(now.StencilMask)) + ")");
+        } else if (name != "ActiveTexture" && name != "BindVertexArray" && name != "UseProgram") {
+            calls.push_back(callText(name, value));
+        }
+    };
+#define X(name, ...) add(#name, now.name, initial.name);
+    MV_PLAIN_STATE(X)
+#undef X
+    addFaces(calls, "StencilFunc", now.stencilTest, initial.stencilTest[0], [](const StencilTest& test) {
+        return valueName(std::get<0>(test)) + ", " + std::to_string(std::get<1>(test)) + ", " +
+               hexadecimal(std::get<2>(test));
+    });
+    addFaces(calls, "StencilOp", now.stencilChange, initial.stencilChange[0], [](const StencilChange& change) {
+        const auto operation = [](GLenum value) {
+            return value == GL_ZERO ? std::string("GL_ZERO") : valueName(value);
+        };
+        return operation(std::get<0>(change)) + ", " + operation(std::get<1>(change)) + ", " +
+               operation(std::get<2>(change));
+    });
+    for (const auto& [place, texture] : now.textures) {
+        calls.push_back("glBindTexture(" + valueName(place.second) + ", " + labelOf(GL_TEXTURE, texture) +
+                        ") on unit " + std::to_string(place.first - GL_TEXTURE0));
+    }
     return calls;
 }
 

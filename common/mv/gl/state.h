@@ -26,6 +26,11 @@ void setOverlayState(Overlay overlay = Overlay::onTop);
 // What differs from it now, as calls: "glEnable(GL_DEPTH_TEST)", "glDepthFunc".
 std::vector<std::string> changedState();
 
+// The same with what it is set to, a draw at a time: "glDepthFunc(GL_LEQUAL)", "glBindTexture(GL_TEXTURE_2D, 'checks') on
+// unit 0". Without program and vertex array, buffers, the active unit and the layout of pixels in memory: they say which draw
+// it is, or tell the next call of that kind where it goes, and change no pixel of a draw.
+std::vector<std::string> stateOfDraw();
+
 // What is set within a scope is undone at its end: for a helper that draws in the midst of somebody else's picture.
 class StateScope {
   public:

@@ -113,7 +113,7 @@ constexpr std::string_view severalTimes = "--at";
 // The flags of the command line; each has one line here, and its value is read below. Which go together: flag_table.cpp.
 struct Flags {
     std::string preset, shot, frame, frames, headless, size, compare, report, knobs, gallery, docs, study, vary;
-    std::string within, error;
+    std::string within, error, until;
     std::vector<std::pair<std::string, std::string>> at;
     bool list = false, version = false, copyable = false, audit = false, all = false, window = false;
     bool measureHere = false;
@@ -129,6 +129,9 @@ void declareFlags(CLI::App& app, Flags& flags, bool launcher) {
     app.add_option("--at", flags.at, "set a knob at a frame, after the step to it; as often as you like")
         ->type_name("N KNOB=VALUE")
         ->allow_extra_args(false);
+    app.add_option("--until", flags.until,
+                   "stop the frame after its draw K (0: before the first), and print what its draws are made of")
+        ->type_name("K");
     app.add_option("--size", flags.size, "of the picture in pixels; the original's canvas if not given")
         ->type_name("WxH");
     app.add_flag("--headless{automatic}", flags.headless,
@@ -247,6 +250,14 @@ Command readFlags(const Flags& flags, Command command, Demo* demo) {
     if (!flags.frames.empty()) readFrames(flags.frames, command);
     command.frameGiven = !flags.frame.empty() || !flags.frames.empty();
     if (!flags.size.empty()) readSize(flags.size, command);
+    if (!flags.until.empty()) {
+        command.until =
+            wholeNumber(flags.until);  // one that is out of range is refused when the frame's draws are known
+        if (!command.until) {
+            throw UsageError("--until", "must be a whole number from 0 to the frame's number of draws",
+                             "'" + flags.until + "'");
+        }
+    }
     if (!flags.headless.empty()) command.host = readHost(flags.headless);
     if (!flags.report.empty()) {
         if (flags.report != "text" && flags.report != "json") {
@@ -271,7 +282,7 @@ Command readFlags(const Flags& flags, Command command, Demo* demo) {
                            command.action == Action::render || command.action == Action::study ||
                            (command.action == Action::audit && !command.all) || !flags.compare.empty() ||
                            !flags.preset.empty() || !flags.size.empty() || command.frameGiven || command.bound ||
-                           !flags.at.empty();
+                           !flags.at.empty() || command.until;
     if (!demo && wantsDemo) {
         throw UsageError("demo", "must be named first, as in: mvgl cube-cull --shot a.png (--list shows them)");
     }
@@ -395,7 +406,8 @@ std::string startOf(const std::string& program, const DemoInfo& info) {
 }
 
 std::string copyableCommand(const std::string& start, const DemoInfo& info, const Demo& demo, int frame, int width,
-                            int height, const ComparedKnob& compared, const Timeline* timeline) {
+                            int height, const ComparedKnob& compared, const Timeline* timeline,
+                            std::optional<int> until) {
     std::string text = start;
     const auto set = [&](const std::string& knob, const std::string& value) {
         if (knob != compared.name) text += " --" + knob + " " + quotedForShell(value);
@@ -419,6 +431,7 @@ std::string copyableCommand(const std::string& start, const DemoInfo& info, cons
     if (width != info.width || height != info.height) {
         text += " --size " + std::to_string(width) + "x" + std::to_string(height);
     }
+    if (until) text += " --until " + std::to_string(*until);
     return text;
 }
 

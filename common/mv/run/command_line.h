@@ -43,6 +43,7 @@ struct Command {
     std::optional<StudyBound> bound;  // --within or --error: which setting of the study is drawn
     bool measureHere = false;         // by times measured here, not the committed ones
     std::string vary;                 // of --study: KNOB=A..B:N or KNOB=a,b,c; "" for the demo's own study
+    std::optional<int> until;         // --until: the frame is stopped after so many draws
     std::string text;                 // what --help prints
     std::string program;  // how the program was started: what to type to start it once more; "" where nobody knows
 };
@@ -57,10 +58,11 @@ struct ComparedKnob {
 };
 
 // The command line that reproduces the picture: `start`, the knobs that are not at their initial value, what was changed and
-// when, what is compared, frame and size. A shell reads each word as it is meant. Without a timeline, the demo's knobs are
+// when, what is compared, frame, size and after how many draws it is stopped. A shell reads each word as it is meant. Without a timeline, the demo's knobs are
 // those that it begins with.
 std::string copyableCommand(const std::string& start, const DemoInfo& info, const Demo& demo, int frame, int width,
-                            int height, const ComparedKnob& compared = {}, const Timeline* timeline = nullptr);
+                            int height, const ComparedKnob& compared = {}, const Timeline* timeline = nullptr,
+                            std::optional<int> until = {});
 
 // What to type, where the program was started so, to start that demo: "./run shadow-map", and "build/bin/shadow-map" where the
 // program is that demo's and has its name.

@@ -33,24 +33,26 @@ const std::vector<Use>& uses() {
         {"--study", Action::study, {demoName, anyKnob, "--preset", "--vary", "--frame", "--size", "--headless"}},
         {"--audit", Action::audit, settingsAnd({"--frame", "--headless", "--all"})},
         {"--knobs", Action::knobs, {demoName, anyKnob, "--preset"}},
-        {"--copyable", Action::copyable, settingsAnd({"--at", "--frame", "--size", "--compare"})},
-        {"--window", Action::window, settingsAnd({"--at", "--frame", "--size", "--compare", "--report"})},
+        {"--copyable", Action::copyable, settingsAnd({"--at", "--frame", "--size", "--compare", "--until"})},
+        {"--window", Action::window, settingsAnd({"--at", "--frame", "--size", "--compare", "--report", "--until"})},
         {"--shot", Action::render,
-         settingsAnd({"--at", "--frame", "--frames", "--size", "--compare", "--report", "--headless"})},
-        {"--report", Action::render, settingsAnd({"--at", "--frame", "--size", "--headless"})},
-        {"--headless", Action::render, settingsAnd({"--at", "--frame", "--size"})},
+         settingsAnd({"--at", "--frame", "--frames", "--size", "--compare", "--report", "--headless", "--until"})},
+        {"--report", Action::render, settingsAnd({"--at", "--frame", "--size", "--headless", "--until"})},
+        {"--headless", Action::render, settingsAnd({"--at", "--frame", "--size", "--until"})},
     };
     return all;
 }
 
 // Flags of one action that leave each other nothing to do.
-constexpr std::array<std::array<std::string_view, 2>, 7> apart{{
+constexpr std::array<std::array<std::string_view, 2>, 9> apart{{
     {"--frame", "--frames"},    // two ways to say which
     {"--within", "--error"},    // as well
     {"--compare", "--within"},  // a bound is for one setting
     {"--compare", "--error"},
     {"--at", "--within"},
     {"--at", "--error"},
+    {"--until", "--frames"},    // a list is of one frame
+    {"--until", "--compare"},   // and of one setting
     {"--report", "--compare"},  // a report is of one setting (a window with both reports what is shown)
 }};
 

@@ -22,8 +22,10 @@ std::unique_ptr<Context> openNoted(HostKind host) {
 
 void printReport(const Command& command, Stage& stage, int index, double firstMs) {
     const FrameTimes times = timeFrames(stage, index, 9, firstMs);
-    const std::string text =
-        command.report == ReportForm::json ? reportJson(stage, index, times) : reportText(stage, index, times);
+    if (command.until) stage.stopAfter(index, *command.until);
+    const std::string text = command.report == ReportForm::json
+                                 ? reportJson(stage, index, times)
+                                 : reportText(stage, index, times) + (command.until ? stepsText(*stage.steps()) : "");
     std::cout << text << std::flush;
     if (!std::cout) throw Error("standard output", "could not be written");
 }
@@ -76,6 +78,7 @@ void render(const Command& command) {
             firstMs = std::chrono::duration<double, std::milli>(now - before).count();
             for (const std::string& message : stage.notes().messages) std::cerr << "note: " << message << "\n";
         }
+        if (command.until) stage.stopAfter(index, *command.until);
         if (!command.shot.empty()) {
             writePng(frameFile(command.shot, index), command.compareKnob.empty() ? stage.picture() : sheet);
         }
@@ -84,7 +87,12 @@ void render(const Command& command) {
             std::fprintf(stderr, "frame %d of %d..%d\n", index, command.firstFrame, command.lastFrame);
         }
     }
-    if (command.report != ReportForm::none) printReport(command, stage, command.lastFrame, firstMs);
+    if (command.report != ReportForm::none) {
+        printReport(command, stage, command.lastFrame, firstMs);
+    } else if (command.until) {
+        std::cout << stepsText(*stage.steps()) << std::flush;
+        if (!std::cout) throw Error("standard output", "could not be written");
+    }
     stage.close();
 }
 

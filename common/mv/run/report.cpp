@@ -49,6 +49,28 @@ std::string matrixText(const mat4& matrix) {
     return text;
 }
 
+std::string stepsText(const FrameSteps& steps) {
+    const auto into = [](bool isPicture, const std::string& target, int width, int height) {
+        return (isPicture ? "the picture" : target) + ", " + std::to_string(width) + "x" + std::to_string(height);
+    };
+    std::string text =
+        "until     " + std::to_string(steps.until) + " of " + std::to_string(steps.draws.size()) + " draws\n";
+    for (std::size_t i = 0; i < steps.draws.size(); ++i) {
+        const DrawStep& draw = steps.draws[i];
+        const bool made = i < static_cast<std::size_t>(steps.until);
+        text += (made ? "draw " : "left out ") + std::to_string(i + 1) + ": " + draw.mesh + " by program " +
+                draw.program + ", " + std::to_string(draw.count) + (draw.indexed ? " indices" : " vertices") + " as " +
+                draw.primitive + ", into " + into(draw.inPicture, draw.target, draw.width, draw.height) + "\n";
+        for (const std::string& call : draw.state) text += "          " + call + "\n";
+    }
+    for (const BufferPicture& buffer : steps.shown.buffers) {
+        text += "buffer    " + buffer.name + " of " +
+                into(steps.shown.isPicture, steps.shown.target, steps.shown.width, steps.shown.height) + ": " +
+                buffer.range + "\n";
+    }
+    return text;
+}
+
 std::string reportText(Stage& stage, int index, const FrameTimes& times) {
     const Target& target = stage.front();
     std::string text = stage.info().name + ", frame " + std::to_string(index) + ", " + std::to_string(target.width()) +
@@ -119,6 +141,26 @@ std::string reportJson(Stage& stage, int index, const FrameTimes& times) {
         }
     }
     json["messages"] = stage.notes().messages;
+    if (stage.steps()) {
+        const FrameSteps& steps = *stage.steps();
+        json["until"] = steps.until;
+        json["draws"] = nlohmann::ordered_json::array();
+        for (const DrawStep& draw : steps.draws) {
+            json["draws"].push_back({{"mesh", draw.mesh},
+                                     {"program", draw.program},
+                                     {"primitive", draw.primitive},
+                                     {"count", draw.count},
+                                     {"indexed", draw.indexed},
+                                     {"target", draw.inPicture ? "the picture" : draw.target},
+                                     {"target_width", draw.width},
+                                     {"target_height", draw.height},
+                                     {"state", draw.state}});
+        }
+        json["shown"] = {{"target", steps.shown.isPicture ? "the picture" : steps.shown.target},
+                         {"target_width", steps.shown.width},
+                         {"target_height", steps.shown.height}};
+        for (const BufferPicture& buffer : steps.shown.buffers) json["shown"][buffer.name] = buffer.range;
+    }
     return json.dump(2) + "\n";
 }
 

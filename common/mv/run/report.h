@@ -16,6 +16,9 @@ struct FrameTimes {
 // Draws frame `index` `runs` times more and times each. The picture stays the same.
 FrameTimes timeFrames(Stage& stage, int index, int runs, double firstMs);
 
+// The draws of a frame that was stopped, what each is made of, and its buffers, a line each.
+std::string stepsText(const FrameSteps& steps);
+
 std::string reportText(Stage& stage, int index, const FrameTimes& times);
 std::string reportJson(Stage& stage, int index, const FrameTimes& times);
 

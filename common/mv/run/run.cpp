@@ -102,7 +102,8 @@ void act(const Command& command) {
             timeline.setChanges(command.changes);
             return print(copyableCommand(startOf(command.program, info), info, *demo, command.firstFrame,
                                          command.width ? command.width : info.width,
-                                         command.height ? command.height : info.height, compared, &timeline) +
+                                         command.height ? command.height : info.height, compared, &timeline,
+                                         command.until) +
                          "\n");
         }
         case Action::gallery:

@@ -9,7 +9,11 @@
 namespace mv {
 
 Session::Session(Stage& stage, const DemoInfo& info, const SessionStart& start)
-    : stage_(stage), info_(info), playback_(info.animated, start.frame, start.paused), drawnFrame_(start.frame) {
+    : stage_(stage),
+      info_(info),
+      playback_(info.animated, start.frame, start.paused),
+      until_(start.until),
+      drawnFrame_(start.frame) {
     stage_.open(info, start.width, start.height);
     stage_.begin(start.knobs, start.changes);
     stage_.timeline().record();
@@ -91,13 +95,22 @@ OtherPicture::Cost Session::drawDemo(bool readouts) {
     const auto start = std::chrono::steady_clock::now();
     stage_.draw(playback_.frame(), readouts);
     glFinish();
-    return {1, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count()};
+    const double milliseconds =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    if (until_) {
+        drawnFrame_ = playback_.frame();
+        hasPicture_ = true;  // of the whole frame, where there are fewer draws than that
+        stage_.stopAfter(playback_.frame(), *until_);
+    }
+    return {1, milliseconds};
 }
 
 FrameTimes Session::times(int runs) {
     if (runs > 0 && error_.empty() && hasPicture_) {
         try {
-            return timeFrames(stage_, drawnFrame_, runs, firstMs_);
+            const FrameTimes times = timeFrames(stage_, drawnFrame_, runs, firstMs_);
+            if (until_) stage_.stopAfter(drawnFrame_, *until_);
+            return times;
         } catch (const std::exception& error) {
             error_ = sentenceOf(error, info_.name);
         }

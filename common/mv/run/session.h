@@ -3,6 +3,7 @@
 //
 // As data it has knobsJson(session.info(), session.demo()) and, after a picture, session.report().
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,8 @@ struct SessionStart {
     std::vector<KnobSetting> knobs = {};
     std::vector<TimedChange> changes = {};
     int frame = 1;
-    bool paused = false;  // an animated demo stands still at that frame
+    bool paused = false;            // an animated demo stands still at that frame
+    std::optional<int> until = {};  // as Session::stopAfter()
 };
 
 // What is drawn instead of one picture of the demo: two of its settings, say.
@@ -68,6 +70,15 @@ class Session {
     // Over the picture; notches away from the user.
     void wheel(double notches);
 
+    // From now on the picture is stopped after so many of its draws, see Stage::stopAfter(); nothing: it is whole.
+    void stopAfter(std::optional<int> draws) {
+        stale_ |= draws != until_;
+        until_ = draws;
+    }
+    const std::optional<int>& until() const { return until_; }
+    // Of the last picture, where it was stopped.
+    const std::optional<FrameSteps>& steps() const { return stage_.steps(); }
+
     // Back to frame 1, with the settings as they are now and nothing changed since.
     void restart();
     // Lets so many seconds pass, as the playback has it.
@@ -102,6 +113,8 @@ class Session {
     Playback playback_;
     bool dragging_ = false;
     double dragX_ = 0, dragY_ = 0;
+
+    std::optional<int> until_;
 
     bool stale_ = true;        // the picture is not that of the present settings
     bool hasPicture_ = false;  // the stage has one of its present size

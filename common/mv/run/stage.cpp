@@ -7,6 +7,7 @@
 #include "mv/gl/program.h"
 #include "mv/gl/state.h"
 #include "mv/gl/text.h"
+#include "mv/run/command_line.h"
 
 namespace mv {
 namespace {
@@ -117,6 +118,7 @@ void Stage::begin(const std::vector<KnobSetting>& knobs, const std::vector<Timed
 }
 
 void Stage::close() {
+    steps_.reset();
     timeline_.reset();
     demo_.reset();
     notes_ = {};
@@ -139,6 +141,11 @@ Stage::Drawn Stage::drawInto(const Target& target, int index, FrameMode mode) {
     takeMissing();
     timeline_->bring(index);
     demo_->check();
+    return paint(*demo_, target, index, std::move(mode), {});
+}
+
+Stage::Drawn Stage::paint(Demo& demo, const Target& target, int index, FrameMode mode,
+                          const std::function<void()>& begins) const {
     Drawn drawn;
     mode.bindTarget = [&target] { target.bind(); };
     restoreInitialState();
@@ -149,14 +156,15 @@ Stage::Drawn Stage::drawInto(const Target& target, int index, FrameMode mode) {
         clearTarget(*info_->background, info_->needs);
     }
     if (mode.readouts) {
-        for (Readout* readout : demo_->readouts()) readout->clear();
+        for (Readout* readout : demo.readouts()) readout->clear();
     }
     resetCounters();
     const bool before = setMeasuring(mode.measuring);
     try {
         const Frame frame({index, target.width(), target.height()}, drawn.notes, mode);
-        demo_->draw(frame);
-        if (!mode.measuring) demo_->annotate(frame);
+        if (begins) begins();
+        demo.draw(frame);
+        if (!mode.measuring) demo.annotate(frame);
     } catch (...) {
         setMeasuring(before);
         restoreInitialState();
@@ -206,6 +214,39 @@ void Stage::draw(int index, bool readouts) {
     if (readouts) askProbes(targets_[next], index);
     keep(std::move(drawn));
     shown_ = next;
+    steps_.reset();
+}
+
+FrameSteps Stage::stepsOf(const Target& target, int index, std::optional<int> stopAfter) {
+    StepWatch watch;  // from before the demo is made: it is told the sizes of the textures, too
+    const std::unique_ptr<Demo> demo = info_->make();
+    demo->init();
+    for (const Knob* knob : demo_->knobs()) demo->knob(knob->name()).parse(knob->text());
+    if (demo_->memory()) {
+        demo->reset();
+        demo->memory()->restore(demo_->memory()->copy());
+    }
+    target.bind();
+    clearTarget(vec4(0), info_->needs);  // OpenGL says nothing of what a demo without a background would find
+    paint(*demo, target, index, {}, [&] { watch.begin(stopAfter); });
+    watch.end();
+    return {watch.draws(), stopAfter.value_or(static_cast<int>(watch.draws().size())), watch.shown()};
+}
+
+void Stage::stopAfter(int index, int draws) {
+    timeline_->bring(index);
+    demo_->check();
+    FrameSteps whole = stepsOf(front(), index, {});
+    const int all = static_cast<int>(whole.draws.size());
+    if (draws < 0 || draws > all) {
+        steps_ = std::move(whole);
+        throw UsageError("--until",
+                         "must be 0 .. " + std::to_string(all) + ", the draws of this frame in these settings",
+                         std::to_string(draws));
+    }
+    FrameSteps stopped = stepsOf(front(), index, draws);
+    stopped.draws = std::move(whole.draws);
+    steps_ = std::move(stopped);
 }
 
 std::vector<float> Stage::measure(int index) {

@@ -1,11 +1,14 @@
 // Where a demo is drawn: a context, a target with just the buffers it needs, and the demo itself.
 #pragma once
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "mv/demo/demo.h"
 #include "mv/gl/functions.h"
+#include "mv/gl/steps.h"
 #include "mv/gl/target.h"
 #include "mv/host/context.h"
 #include "mv/run/timeline.h"
@@ -16,6 +19,13 @@ namespace mv {
 struct DriverInfo {
     std::string host, vendor, renderer, version;
     int glVersion = 0;  // 10 * major + minor
+};
+
+// A frame, stopped after one of its draws.
+struct FrameSteps {
+    std::vector<DrawStep> draws;  // of the whole frame
+    int until = 0;                // the picture is that after so many of them
+    TargetPictures shown;
 };
 
 class Stage {
@@ -39,6 +49,15 @@ class Stage {
     // Draws frame `index`; with `readouts`, also measures what the demo reads out. Error: the settings make no picture
     // (check()), or GL reports an error.
     void draw(int index, bool readouts = false);
+    // Draws frame `index` once more into the same picture, stopped after so many of its draws (see mv/gl/steps.h), by a demo of
+    // its own with the settings and the memory that this one has for frame `index`: the frame is one that has nothing kept
+    // from frames before, so a shadow map that is made once is among its draws, and what a stopped frame leaves half made is
+    // kept by nobody. The picture is cleared before it also where the demo declares no background: to transparent black.
+    // Counters, notes and readouts stay those of the last draw(). Error: UsageError for more draws than it has, or fewer than
+    // 0, with how many it has, and the whole frame is then shown; else as draw().
+    void stopAfter(int index, int draws);
+    // What stopAfter() found out, and nothing after another draw().
+    const std::optional<FrameSteps>& steps() const { return steps_; }
     // Draws frame `index` with frame.measuring() into a target of its own and returns the quantity, one float a pixel,
     // the upper row first; -1 where the demo has none. The picture is not touched. Error: as draw().
     std::vector<float> measure(int index);
@@ -68,6 +87,8 @@ class Stage {
     };
     void makeTargets(int width, int height);
     Drawn drawInto(const Target& target, int index, FrameMode mode);
+    Drawn paint(Demo& demo, const Target& target, int index, FrameMode mode, const std::function<void()>& begins) const;
+    FrameSteps stepsOf(const Target& target, int index, std::optional<int> stopAfter);
     void keep(Drawn drawn);
     void fitForMeasuring(Target& target, int width, int height) const;
     void askProbes(const Target& drawn, int index);
@@ -82,6 +103,7 @@ class Stage {
     FrameNotes notes_;
     Counters counters_;
     std::vector<std::string> undone_;
+    std::optional<FrameSteps> steps_;
 };
 
 }  // namespace mv

@@ -34,7 +34,8 @@ SessionStart startOf(const Command& command) {
             .knobs = command.knobs,
             .changes = command.changes,
             .frame = command.firstFrame,
-            .paused = command.frameGiven};
+            .paused = command.frameGiven,
+            .until = command.until};
 }
 
 }  // namespace
@@ -50,6 +51,7 @@ DemoScreen::DemoScreen(Window& window, Gui& gui, Stage& stage, const Command& co
       menu_(menu),
       knobs_(gui, session_),
       study_(*command.demo, gui),
+      steps_(window, session_),
       hand_(gui) {
     if (command.bound) study_.ask(*command.bound);
     const bool sizeGiven = command.width > 0;
@@ -316,6 +318,13 @@ void DemoScreen::showPanelContent() {
     }
     if (!demo.knobs().empty() && section("Settings")) moved |= knobs_.show(comparison_);
     if (!demo.knobs().empty() && section("Compare")) moved |= showComparison(demo, comparison_, gui_);
+    if (section("Draw by draw")) {
+        if (comparison_.on()) {
+            wrapped(color::dim, "Two settings are compared: each is drawn whole.");
+        } else if (steps_.show()) {
+            session_.touch();
+        }
+    }
     if (session_.playback().animated() && section("Time")) moved |= showTime(session_, gui_.scale());
     if (!demo.readouts().empty() && section("Readouts")) showReadouts(demo, comparison_);
     if (study_.any() && section("Error and time")) moved |= study_.show(demo);
@@ -336,7 +345,7 @@ std::string DemoScreen::commandLine() const {
     const Target& target = stage_.front();
     return copyableCommand(startOf(program_, info_), info_, session_.demo(), session_.drawnFrame(), target.width(),
                            target.height(), comparison_.on() ? comparison_.compared() : ComparedKnob{},
-                           &stage_.timeline());
+                           &stage_.timeline(), comparison_.on() ? std::optional<int>() : session_.until());
 }
 
 void DemoScreen::showFile() {

@@ -13,6 +13,7 @@
 #include "mv/window/knob_panel.h"
 #include "mv/window/panel_parts.h"
 #include "mv/window/screen.h"
+#include "mv/window/step_section.h"
 #include "mv/window/study_section.h"
 
 namespace mv {
@@ -68,6 +69,7 @@ class DemoScreen final : public Screen {
     KnobPanel knobs_;
     Comparison comparison_;
     StudySection study_;
+    StepSection steps_;
     Hand hand_;
 
     bool panelShown_ = true;

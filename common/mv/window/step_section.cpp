@@ -1,0 +1,110 @@
+#include "mv/window/step_section.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mv/window/gui.h"
+
+namespace mv {
+namespace {
+
+constexpr int longestSide = 320;  // of a buffer's picture, in pixels
+
+std::string sizeText(int width, int height) { return std::to_string(width) + " x " + std::to_string(height); }
+
+}  // namespace
+
+bool StepSection::show() {
+    const float width = ImGui::GetContentRegionAvail().x;
+    if (!session_.until()) {
+        buffers_.clear();
+        picture_ = -1;
+        const bool pressed = button("Step through the draws", {width, 0});
+        tooltip("stops the frame after one of its draws, and shows what that draw is made of; or --until K");
+        if (pressed) session_.stopAfter(1);
+        return pressed;
+    }
+    if (!session_.steps()) {  // no setting has made a picture yet
+        if (!button("Show the whole frame", {width, 0})) return false;
+        session_.stopAfter({});
+        return true;
+    }
+    const FrameSteps steps = *session_.steps();  // a copy: another picture may come before the end
+    bool moved = showSlider(steps);
+    if (button("Show the whole frame", {width, 0})) {
+        session_.stopAfter({});
+        moved = true;
+    }
+    if (session_.error().empty()) {
+        showDraw(steps);
+        showBuffers(steps);
+    }
+    return moved;
+}
+
+bool StepSection::showSlider(const FrameSteps& steps) {
+    const int all = static_cast<int>(steps.draws.size());
+    int until = *session_.until();
+    const float arrow = ImGui::GetFrameHeight(), gap = ImGui::GetStyle().ItemSpacing.x / 2;
+    const auto step = [&](const char* label, const char* tip, int by) {
+        const bool pressed = button(label, {arrow, 0});
+        tooltip(tip);
+        if (pressed) until = std::clamp(until + by, 0, all);
+    };
+    step("<##draw", "one draw less", -1);
+    ImGui::SameLine(0, gap);
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - arrow - gap);
+    const std::string words = until == 0 ? "before draw 1 of " : until == 1 ? "draw 1 of " : "draws 1 to %d of ";
+    ImGui::SliderInt("##until", &until, 0, all, (words + std::to_string(all)).c_str(),
+                     ImGuiSliderFlags_NoInput | ImGuiSliderFlags_AlwaysClamp);
+    notePlace("until");
+    tooltip("the frame stops after this draw; what comes later is left out, clears and copies, too");
+    ImGui::SameLine(0, gap);
+    step(">##draw", "one draw more", 1);
+    if (until == *session_.until()) return false;
+    session_.stopAfter(until);
+    return true;
+}
+
+void StepSection::showDraw(const FrameSteps& steps) const {
+    if (steps.until == 0) {
+        wrapped(color::dim, "Nothing is drawn yet: the picture is as it was cleared.");
+        return;
+    }
+    const DrawStep& draw = steps.draws[static_cast<std::size_t>(steps.until) - 1];
+    wrapped("Draw " + std::to_string(steps.until) + ": " + draw.mesh + "\nprogram " + draw.program + "\n" +
+            std::to_string(draw.count) + (draw.indexed ? " indices" : " vertices") + " as " + draw.primitive +
+            "\ninto " + (draw.inPicture ? "the picture" : draw.target + ", " + sizeText(draw.width, draw.height)));
+    wrapped(color::heading, "State that is not the initial one");
+    if (draw.state.empty()) wrapped(color::dim, "none");
+    for (const std::string& call : draw.state) wrapped(color::dim, call);
+}
+
+void StepSection::showBuffers(const FrameSteps& steps) {
+    if (picture_ != session_.picturesDrawn()) {
+        picture_ = session_.picturesDrawn();
+        buffers_.clear();
+        for (const BufferPicture& buffer : steps.shown.buffers) {
+            Picture small =
+                buffer.picture.rgba.empty() ? Picture(1, 1) : shrink(buffer.picture, longestSide, longestSide);
+            // What is shown is the colour; how opaque it is, is the window's affair.
+            for (std::size_t i = 3; i < small.rgba.size(); i += 4) small.rgba[i] = 255;
+            buffers_.emplace_back(context_, small);
+        }
+    }
+    const TargetPictures& shown = steps.shown;
+    wrapped(
+        color::heading,
+        "Buffers of " + (shown.isPicture ? "the picture" : shown.target + ", " + sizeText(shown.width, shown.height)));
+    const float width = ImGui::GetContentRegionAvail().x;
+    for (std::size_t i = 0; i < buffers_.size(); ++i) {
+        const BufferPicture& buffer = shown.buffers[i];
+        wrapped(color::dim, buffer.name + ": " + buffer.range);
+        if (buffer.picture.rgba.empty()) continue;
+        const float side = std::min(width, width * float(buffers_[i].width()) / float(buffers_[i].height()));
+        ImGui::Image(buffers_[i].imguiId(), {side, side * float(buffers_[i].height()) / float(buffers_[i].width())});
+        notePlace("buffer " + buffer.name);
+    }
+}
+
+}  // namespace mv

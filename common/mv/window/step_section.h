@@ -1,0 +1,29 @@
+// The panel's part that stops the frame after one of its draws, and shows what that draw is made of.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "mv/host/context.h"
+#include "mv/run/session.h"
+#include "mv/window/thumbnail.h"
+
+namespace mv {
+
+class StepSection {
+  public:
+    StepSection(const Context& context, Session& session) : context_(context), session_(session) {}
+    // True when the picture is to be drawn anew.
+    bool show();
+
+  private:
+    bool showSlider(const FrameSteps& steps);
+    void showDraw(const FrameSteps& steps) const;
+    void showBuffers(const FrameSteps& steps);
+
+    const Context& context_;
+    Session& session_;
+    long picture_ = -1;  // the session's picture that the buffers below are of
+    std::vector<Thumbnail> buffers_;
+};
+
+}  // namespace mv
