@@ -10,8 +10,13 @@
 namespace mv {
 
 // The course's chapters, in its order.
-inline constexpr std::array<std::string_view, 5> courseChapters{
-    "Viewing and projection", "Stereo and hidden surfaces", "Shadows", "Motion", "Light, colour and texture",
+inline constexpr std::array<std::string_view, 6> courseChapters{
+    "Viewing and projection",
+    "Stereo and hidden surfaces",
+    "Shadows",
+    "Motion",
+    "Light, colour and texture",
+    "Surfaces, mirrors and stages",
 };
 
 // The place of the demo's chapter among them, from 0; after the last for "", which a demo has that is none of the course's.

@@ -6,11 +6,13 @@
 #include <iterator>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string_view>
 #include <tuple>
 
 #include "mv/gl/beyond_es.h"
+#include "mv/gl/feedback.h"
 #include "mv/gl/layer.h"
 #include "mv/gl/object.h"
 #include "mv/gl/state_names.h"
@@ -116,6 +118,12 @@ class Recorder {
     }
     void after_GenTextures(GLsizei n, GLuint* names) { made(textures_, n, names); }
     void after_GenVertexArrays(GLsizei n, GLuint* names) { made(arrays_, n, names); }
+    void before_AttachShader(GLuint program, GLuint shader) {
+        GLint kind = 0;
+        below.GetShaderiv(shader, GL_SHADER_TYPE, &kind);
+        if (kind == GL_GEOMETRY_SHADER) makesPrimitives_[program] = GL_GEOMETRY_SHADER;
+        if (kind == GL_TESS_EVALUATION_SHADER) makesPrimitives_.emplace(program, GL_TESS_EVALUATION_SHADER);
+    }
     void before_LinkProgram(GLuint program) { programs_.emplace(program, false); }
     void before_DeleteTextures(GLsizei n, const GLuint* names) {
         gone(textures_, n, names);
@@ -126,6 +134,7 @@ class Recorder {
     void before_DeleteProgram(GLuint program) {
         programs_.erase(program);
         samplers_.erase(program);
+        makesPrimitives_.erase(program);
     }
     void after_FramebufferTexture2D(GLenum, GLenum, GLenum, GLuint texture, GLint) {
         attached_[framebuffer_].insert(texture);
@@ -142,7 +151,9 @@ class Recorder {
     }
     void before_ReadPixels(GLint, GLint, GLsizei, GLsizei, GLenum, GLenum, void*) { readBack(); }
 
-    // ---- Draws
+    // ---- Draws. What is drawn within a query of the demo's own is a measurement, as of a probe, and no work of the picture.
+    void before_BeginQuery(GLenum, GLuint) { inQuery_ = true; }
+    void after_EndQuery(GLenum) { inQuery_ = false; }
     void before_DrawArrays(GLenum, GLint, GLsizei) { beginDraw(); }
     void after_DrawArrays(GLenum mode, GLint first, GLsizei count) {
         endDraw(mode, count, [=] { below.DrawArrays(mode, first, count); });
@@ -151,6 +162,12 @@ class Recorder {
     void after_DrawElements(GLenum mode, GLsizei count, GLenum type, const void* indices) {
         endDraw(mode, count, [=] { below.DrawElements(mode, count, type, indices); });
     }
+    void before_DispatchCompute(GLuint, GLuint, GLuint) {
+        if (!inFrame_) return;
+        use(programs_, program_);
+        std::erase_if(pending_, [&](const auto& key) { return key.first == program_; });
+    }
+    void before_PatchParameteri(GLenum, GLint value) { state("glPatchParameteri", value); }
     void before_Clear(GLbitfield) { ++work_.stateChanges; }
 
   private:
@@ -284,6 +301,7 @@ class Recorder {
     void endDraw(GLenum mode, GLsizei count, const Draw& draw);
     template <class Draw>
     TriangleCount triangles(GLenum mode, GLsizei count, const Draw& draw) const;
+    std::optional<bool> makesTriangles() const;
     bool stencilCountsElsewhere() const;
     void noteSampled();
     void notePass();
@@ -292,7 +310,7 @@ class Recorder {
 
     std::map<std::pair<std::string, std::string>, Finding> findings_;
     FrameWork work_;
-    bool inFrame_ = false, repeats_ = false, passOpen_ = false;
+    bool inFrame_ = false, inQuery_ = false, repeats_ = false, passOpen_ = false;
     GLuint picture_ = 0, framebuffer_ = 0, program_ = 0, vertexArray_ = 0, texture_ = 0;
     GLenum unit_ = GL_TEXTURE0;
     GLuint query_ = 0;
@@ -307,6 +325,7 @@ class Recorder {
     std::vector<Content> perhapsAgain_;  // uploaded in this frame, and some other object already held it
 
     Objects textures_, arrays_, programs_;
+    std::map<GLuint, GLenum> makesPrimitives_;  // of a program: its last stage that makes others of those it is given
     std::map<GLuint, std::vector<GLint>> samplers_;   // of a program: the locations of its samplers
     std::map<GLuint, std::set<GLuint>> attached_;     // of a framebuffer: its textures
     std::set<GLuint> bound_, sampled_;                // textures, in this frame
@@ -319,7 +338,7 @@ std::unique_ptr<Recorder> recorder;
 // ---- Draws
 
 void Recorder::beginDraw() {
-    if (!inFrame_) return;
+    if (!inFrame_ || inQuery_) return;
     below.GenQueries(1, &query_);
     below.BeginQuery(GL_SAMPLES_PASSED, query_);
 }
@@ -327,6 +346,12 @@ void Recorder::beginDraw() {
 template <class Draw>
 void Recorder::endDraw(GLenum mode, GLsizei count, const Draw& draw) {
     if (!inFrame_) return;
+    if (inQuery_) {
+        use(programs_, program_);
+        use(arrays_, vertexArray_);
+        std::erase_if(pending_, [&](const auto& key) { return key.first == program_; });
+        return;
+    }
     GLuint samples = 0;
     below.EndQuery(GL_SAMPLES_PASSED);
     below.GetQueryObjectuiv(query_, GL_QUERY_RESULT, &samples);
@@ -364,8 +389,26 @@ bool Recorder::stencilCountsElsewhere() const {
     return false;
 }
 
+// Whether a program's own stages end in triangles; nothing where they make no primitives.
+std::optional<bool> Recorder::makesTriangles() const {
+    const auto found = makesPrimitives_.find(program_);
+    if (found == makesPrimitives_.end()) return {};
+    const auto ask = [&](GLenum what) {
+        GLint answer = 0;
+        below.GetProgramiv(program_, what, &answer);
+        return answer;
+    };
+    if (found->second == GL_GEOMETRY_SHADER) return ask(GL_GEOMETRY_OUTPUT_TYPE) == GL_TRIANGLE_STRIP;
+    return ask(GL_TESS_GEN_POINT_MODE) == GL_FALSE && ask(GL_TESS_GEN_MODE) != GL_ISOLINES;
+}
+
 template <class Draw>
 TriangleCount Recorder::triangles(GLenum mode, GLsizei count, const Draw& draw) const {
+    if (const std::optional<bool> made = makesTriangles()) {
+        if (!*made) return {};
+        const Layer<Recorder>::Past past;
+        return sortTriangles(captured(GL_TRIANGLES, draw).positions);
+    }
     if (mode != GL_TRIANGLES && mode != GL_TRIANGLE_STRIP && mode != GL_TRIANGLE_FAN) return {};
     if (count < 3) return {};
     const Layer<Recorder>::Past past;
@@ -480,6 +523,7 @@ void Recorder::expectInitialState() {
     before_DepthRange(0, 1);
     before_FrontFace(GL_CCW);
     before_LineWidth(1);
+    before_PatchParameteri(GL_PATCH_VERTICES, 3);
     before_PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     before_PolygonOffset(0, 0);
     before_StencilFunc(GL_ALWAYS, 0, ~0U);
