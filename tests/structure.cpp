@@ -223,7 +223,8 @@ TEST_P(Shaders, draw_the_same_in_es) {
     ASSERT_TRUE(isEs());
     drawAll(stage, [&](const std::string& setting, const Picture& picture) {
         ASSERT_TRUE(right.contains(setting)) << setting;
-        if (!lacksAStage(stage.notes().messages)) EXPECT_EQ(compare(right.at(setting), picture).beyond, 0) << setting;
+        if (lacksAStage(stage.notes().messages)) return;
+        EXPECT_EQ(compare(right.at(setting), picture).beyond, 0) << setting;
     });
 }
 
