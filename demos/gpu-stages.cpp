@@ -244,7 +244,7 @@ struct GpuStages final : Demo {
         const bool counts = has(beyond_es::countingQueries);
         const Program& flat = programOf({"gpu-stages.flat.vert", "gpu-stages.flat.frag"});
         flat.use();
-        glEnable(GL_PROGRAM_POINT_SIZE);
+        if (!isEs()) glEnable(GL_PROGRAM_POINT_SIZE);  // which has it always on
         figure.draw(frame, flat, vertices, counts);
         if (counts && frame.readouts()) made = double(figure.counted());
     }

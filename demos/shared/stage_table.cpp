@@ -43,14 +43,17 @@ void drawStageTable(Drawing& drawing, const Box& box, const PatchDraw& patch) {
     const std::array<Flow, 11> flows = flowsOf(patch);
     const double width = box.high.x - box.low.x, height = box.high.y - box.low.y;
     const double line = height / double(stageNames.size() + 1);
-    const int words = std::min(static_cast<int>(0.5 * line), static_cast<int>(width / 36));
+    // Four columns, or two of them where there is no room for their words
+    const auto largestWords = [&](double across) { return static_cast<int>(std::min(0.5 * line, width / across)); };
+    const bool all = largestWords(36) >= 8;
+    const int words = largestWords(all ? 36 : 25);
     if (words < 8) return;
     const vec4 ink(0.1, 0.1, 0.1, 1), grey(0.62, 0.62, 0.64, 1), programmable(0.86, 0.91, 0.97, 1);
-    const std::array<double, 4> columns{0.01 * width, 0.37 * width, 0.59 * width, 0.79 * width};
+    const std::array<double, 4> columns{0.01 * width, 0.37 * width, 0.59 * width, (all ? 0.79 : 0.62) * width};
     double y = box.high.y;
     const auto cells = [&](const std::array<std::string, 4>& texts, const vec4& color) {
         for (std::size_t i = 0; i < texts.size(); ++i) {
-            if (!texts[i].empty())
+            if (!texts[i].empty() && (all || i == 0 || i == 3))
                 drawing.text({box.low.x + columns.at(i), y - 0.5 * (line - words) + 2}, texts[i],
                              {words, color, vec4(0)});
         }
@@ -62,7 +65,8 @@ void drawStageTable(Drawing& drawing, const Box& box, const PatchDraw& patch) {
         const Flow& flow = flows.at(i);
         if (stage.isProgrammable && flow.isOn)
             drawing.fill({{box.low.x, y - line + 1}, {box.high.x, y - 1}}, programmable);
-        cells({stage.openGl, stage.direct3d[2], flow.isOn ? flow.in : "off", flow.isOn ? flow.out : ""},
+        const std::string off = all ? "" : "off";
+        cells({stage.openGl, stage.direct3d[2], flow.isOn ? flow.in : "off", flow.isOn ? flow.out : off},
               flow.isOn ? ink : grey);
     }
     drawing.line({box.low.x, box.high.y - line}, {box.high.x, box.high.y - line}, {ink, 1});

@@ -128,8 +128,7 @@ TEST(GpuStages, regular_only_with_euler_0) {
             const bool isClosed = counts.boundaryEdges == 0;
             EXPECT_EQ(isClosed, body.name == "torus" || body.name == "sphere");
             EXPECT_EQ(counts.euler(), body.name == "plane" ? 1 : body.name == "sphere" ? 2 : 0) << body.name;
-            // Two poles of as many edges as there are cells around, and beside each a ring of vertices of 5. (Of 3 cells, in
-            // which the rings are one behind the other, a vertex has 4; of 6 cells the poles would be regular.)
+            // Two poles with as many edges as there are cells around, and beside each a ring of vertices with 5.
             const long odd = body.name != "sphere" ? 0 : 2 + 2 * cells;
             EXPECT_EQ(counts.irregular(), odd) << body.name << " " << cells;
         }
