@@ -11,8 +11,8 @@
 function(mvgl_embed_shaders target name folder)
   file(GLOB files CONFIGURE_DEPENDS
     "${folder}/${name}.vert" "${folder}/${name}.frag" "${folder}/${name}.geom" "${folder}/${name}.tesc"
-    "${folder}/${name}.tese" "${folder}/${name}.*.vert" "${folder}/${name}.*.frag" "${folder}/${name}.*.geom"
-    "${folder}/${name}.*.tesc" "${folder}/${name}.*.tese" "${folder}/include/*.glsl")
+    "${folder}/${name}.tese" "${folder}/${name}.comp" "${folder}/${name}.*.vert" "${folder}/${name}.*.frag" "${folder}/${name}.*.geom"
+    "${folder}/${name}.*.tesc" "${folder}/${name}.*.tese" "${folder}/${name}.*.comp" "${folder}/include/*.glsl")
   if(NOT files)
     message(FATAL_ERROR "${name}: no shader files ${name}.vert, ${name}.frag in ${folder}")
   endif()

@@ -90,7 +90,9 @@ TEST_P(Sweep, without_what_a_context_may_lack) {
     stage();
     const DemoInfo& info = findDemo(GetParam());
     for (const BeyondEs& lacking : info.needs.beyondEs) {
-        const std::set<std::string> asked{beyond_es::clipControl, beyond_es::floatBlending, beyond_es::clipDistances};
+        const std::set<std::string> asked{
+            beyond_es::clipControl,  beyond_es::floatBlending,  beyond_es::clipDistances,  beyond_es::geometryShaders,
+            beyond_es::tessellation, beyond_es::computeShaders, beyond_es::countingQueries};
         if (!asked.contains(lacking.feature)) continue;  // others are asked by isEs(), and met by the ES tests
         SCOPED_TRACE("without " + lacking.feature);
         withhold({lacking.feature});

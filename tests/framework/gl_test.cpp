@@ -514,7 +514,7 @@ TEST_F(Gl, what_es_lacks_is_noted) {
     corners.indices = {0, 1, 2};
     const Mesh indexed(corners, "indexed");
     const Target picture(2, 2, {.depth = true, .stencil = true}, "picture"), floats(2, 2, {.color = GL_R32F}, "floats");
-    allowClipControl();
+    allow(Newer::clipControl);
     const auto usedBy = [](const std::function<void()>& calls) {
         watchBeyondEs();
         calls();
@@ -607,11 +607,11 @@ TEST_F(Gl, textures_refuse_what_is_no_chain_of_levels) {
 // A demo of 3.3 may ask for glClipControl; the next one starts without it.
 TEST_F(Gl, clip_control_is_called_only_where_it_was_asked_for) {
     allowVersion(33);
-    EXPECT_FALSE(clipControlAllowed());
+    EXPECT_FALSE(isAllowed(Newer::clipControl));
     EXPECT_TRUE(has(errorOf([] { glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE); }), "needs OpenGL 4.5"));
     EXPECT_TRUE(has(errorOf([] { mv::has(beyond_es::clipControl); }), "what is declared"));
-    ASSERT_TRUE(allowClipControl()) << "llvmpipe has it";
-    EXPECT_TRUE(clipControlAllowed());
+    ASSERT_TRUE(allow(Newer::clipControl)) << "llvmpipe has it";
+    EXPECT_TRUE(isAllowed(Newer::clipControl));
     takeMissing();
     EXPECT_TRUE(mv::has(beyond_es::clipControl));
     EXPECT_TRUE(mv::has(beyond_es::floatBlending));

@@ -6,12 +6,14 @@
 #include <iterator>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string_view>
 #include <tuple>
 
 #include "mv/gl/audit_reads.h"
 #include "mv/gl/beyond_es.h"
+#include "mv/gl/feedback.h"
 #include "mv/gl/layer.h"
 #include "mv/gl/object.h"
 #include "mv/gl/state_names.h"
@@ -123,6 +125,12 @@ class Recorder {
     void before_EnableVertexAttribArray(GLuint attribute) { parts_.attributeMade(vertexArray_, attribute); }
     void after_GenTextures(GLsizei n, GLuint* names) { made(textures_, n, names); }
     void after_GenVertexArrays(GLsizei n, GLuint* names) { made(arrays_, n, names); }
+    void before_AttachShader(GLuint program, GLuint shader) {
+        GLint kind = 0;
+        below.GetShaderiv(shader, GL_SHADER_TYPE, &kind);
+        if (kind == GL_GEOMETRY_SHADER) makesPrimitives_[program] = GL_GEOMETRY_SHADER;
+        if (kind == GL_TESS_EVALUATION_SHADER) makesPrimitives_.emplace(program, GL_TESS_EVALUATION_SHADER);
+    }
     void before_LinkProgram(GLuint program) { programs_.emplace(program, false); }
     void before_DeleteTextures(GLsizei n, const GLuint* names) {
         gone(textures_, n, names);
@@ -137,6 +145,7 @@ class Recorder {
     void before_DeleteProgram(GLuint program) {
         programs_.erase(program);
         samplers_.erase(program);
+        makesPrimitives_.erase(program);
     }
     void after_FramebufferTexture2D(GLenum, GLenum, GLenum, GLuint texture, GLint) {
         attached_[framebuffer_].insert(texture);
@@ -153,7 +162,9 @@ class Recorder {
     }
     void before_ReadPixels(GLint, GLint, GLsizei, GLsizei, GLenum, GLenum, void*) { readBack(); }
 
-    // ---- Draws
+    // ---- Draws. What is drawn within a query of the demo's own is a measurement, as of a probe, and no work of the picture.
+    void before_BeginQuery(GLenum, GLuint) { inQuery_ = true; }
+    void after_EndQuery(GLenum) { inQuery_ = false; }
     void before_DrawArrays(GLenum, GLint, GLsizei) { beginDraw(); }
     void after_DrawArrays(GLenum mode, GLint first, GLsizei count) {
         endDraw(mode, count, [=] { below.DrawArrays(mode, first, count); });
@@ -162,6 +173,12 @@ class Recorder {
     void after_DrawElements(GLenum mode, GLsizei count, GLenum type, const void* indices) {
         endDraw(mode, count, [=] { below.DrawElements(mode, count, type, indices); });
     }
+    void before_DispatchCompute(GLuint, GLuint, GLuint) {
+        if (!inFrame_) return;
+        use(programs_, program_);
+        std::erase_if(pending_, [&](const auto& key) { return key.first == program_; });
+    }
+    void before_PatchParameteri(GLenum, GLint value) { state("glPatchParameteri", value); }
     void before_Clear(GLbitfield) { ++work_.stateChanges; }
 
   private:
@@ -295,6 +312,7 @@ class Recorder {
     void endDraw(GLenum mode, GLsizei count, const Draw& draw);
     template <class Draw>
     TriangleCount triangles(GLenum mode, GLsizei count, const Draw& draw) const;
+    std::optional<bool> makesTriangles() const;
     bool stencilCountsElsewhere() const;
     void noteSampled();
     void notePass();
@@ -303,7 +321,7 @@ class Recorder {
 
     std::map<std::pair<std::string, std::string>, Finding> findings_;
     FrameWork work_;
-    bool inFrame_ = false, repeats_ = false, passOpen_ = false;
+    bool inFrame_ = false, inQuery_ = false, repeats_ = false, passOpen_ = false;
     GLuint picture_ = 0, framebuffer_ = 0, program_ = 0, vertexArray_ = 0, texture_ = 0;
     GLenum unit_ = GL_TEXTURE0;
     GLuint query_ = 0;
@@ -318,6 +336,7 @@ class Recorder {
     std::vector<Content> perhapsAgain_;  // uploaded in this frame, and some other object already held it
 
     Objects textures_, arrays_, programs_;
+    std::map<GLuint, GLenum> makesPrimitives_;  // of a program: its last stage that makes others of those it is given
     ReadParts parts_{below};
     struct Sampler {
         GLint location;
@@ -335,7 +354,7 @@ std::unique_ptr<Recorder> recorder;
 // ---- Draws
 
 void Recorder::beginDraw() {
-    if (!inFrame_) return;
+    if (!inFrame_ || inQuery_) return;
     below.GenQueries(1, &query_);
     below.BeginQuery(GL_SAMPLES_PASSED, query_);
 }
@@ -343,6 +362,12 @@ void Recorder::beginDraw() {
 template <class Draw>
 void Recorder::endDraw(GLenum mode, GLsizei count, const Draw& draw) {
     if (!inFrame_) return;
+    if (inQuery_) {
+        use(programs_, program_);
+        use(arrays_, vertexArray_);
+        std::erase_if(pending_, [&](const auto& key) { return key.first == program_; });
+        return;
+    }
     GLuint samples = 0;
     below.EndQuery(GL_SAMPLES_PASSED);
     below.GetQueryObjectuiv(query_, GL_QUERY_RESULT, &samples);
@@ -381,8 +406,26 @@ bool Recorder::stencilCountsElsewhere() const {
     return false;
 }
 
+// Whether a program's own stages end in triangles; nothing where they make no primitives.
+std::optional<bool> Recorder::makesTriangles() const {
+    const auto found = makesPrimitives_.find(program_);
+    if (found == makesPrimitives_.end()) return {};
+    const auto ask = [&](GLenum what) {
+        GLint answer = 0;
+        below.GetProgramiv(program_, what, &answer);
+        return answer;
+    };
+    if (found->second == GL_GEOMETRY_SHADER) return ask(GL_GEOMETRY_OUTPUT_TYPE) == GL_TRIANGLE_STRIP;
+    return ask(GL_TESS_GEN_POINT_MODE) == GL_FALSE && ask(GL_TESS_GEN_MODE) != GL_ISOLINES;
+}
+
 template <class Draw>
 TriangleCount Recorder::triangles(GLenum mode, GLsizei count, const Draw& draw) const {
+    if (const std::optional<bool> made = makesTriangles()) {
+        if (!*made) return {};
+        const Layer<Recorder>::Past past;
+        return sortTriangles(captured(GL_TRIANGLES, draw).positions);
+    }
     if (mode != GL_TRIANGLES && mode != GL_TRIANGLE_STRIP && mode != GL_TRIANGLE_FAN) return {};
     if (count < 3) return {};
     const Layer<Recorder>::Past past;
@@ -500,6 +543,7 @@ void Recorder::expectInitialState() {
     before_DepthRange(0, 1);
     before_FrontFace(GL_CCW);
     before_LineWidth(1);
+    before_PatchParameteri(GL_PATCH_VERTICES, 3);
     before_PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     before_PolygonOffset(0, 0);
     before_StencilFunc(GL_ALWAYS, 0, ~0U);

@@ -71,6 +71,7 @@ class EsWatch {
     void before_CreateShader(GLenum kind) {
         if (kind == GL_GEOMETRY_SHADER) used.insert(beyond_es::geometryShaders);
         if (isOneOf(kind, {GL_TESS_CONTROL_SHADER, GL_TESS_EVALUATION_SHADER})) used.insert(beyond_es::tessellation);
+        if (kind == GL_COMPUTE_SHADER) used.insert(beyond_es::computeShaders);
     }
     void before_BeginTransformFeedback(GLenum primitive) { captured_ = primitive; }
     void before_EndTransformFeedback() { captured_ = GL_NONE; }
@@ -119,14 +120,22 @@ bool isThere(const std::string& feature) {
     if (feature == beyond_es::floatBlending) return floatBlending();
     if (feature == beyond_es::floatFiltering) return !isEs() || hasExtension("GL_OES_texture_float_linear");
     if (feature == beyond_es::anisotropicFiltering) return largestAnisotropy() > 1;
-    if (feature != beyond_es::clipControl) return !isEs();
-    if (clipControlAllowed()) return true;
-    if (contextHasClipControl())
+    const std::optional<Newer> newer = newerThan33(feature);
+    if (!newer) return !isEs();
+    if (isAllowed(*newer)) return true;
+    if (contextHas(*newer))
         throw Error("has", "must be asked for what is declared in .needs = {.beyondEs = ...}", feature);
     return false;
 }
 
 }  // namespace
+
+std::optional<Newer> newerThan33(const std::string& feature) {
+    if (feature == beyond_es::clipControl) return Newer::clipControl;
+    if (feature == beyond_es::tessellation) return Newer::tessellation;
+    if (feature == beyond_es::computeShaders) return Newer::compute;
+    return {};
+}
 
 bool has(const char* feature) {
     const bool there = isThere(feature);

@@ -1,9 +1,13 @@
 // What a demo uses of OpenGL that ES 3.0, and so WebGL 2, lacks: known from its calls and from the formats it draws into.
 //
-// Shaders are not looked at here, since all of them compile as GLSL ES 3.00 (a test holds them to it).
+// Shaders are not looked at here, since all of them compile as GLSL ES 3.00 (a test holds them to it), but for those of
+// programs with a stage that ES lacks.
 #pragma once
+#include <optional>
 #include <set>
 #include <string>
+
+#include "mv/gl/functions.h"
 
 namespace mv {
 
@@ -21,19 +25,23 @@ inline constexpr const char* countingQueries = "counting queries";    // of samp
 inline constexpr const char* indexedFeedback = "indexed feedback";    // glDrawElements under transform feedback
 inline constexpr const char* expandedFeedback = "expanded feedback";  // strips and fans, captured as separate triangles
 inline constexpr const char* geometryShaders = "geometry shaders";    //
-inline constexpr const char* tessellation = "tessellation";           //
+inline constexpr const char* tessellation = "tessellation";           // OpenGL 4.0
+inline constexpr const char* computeShaders = "compute shaders";      // OpenGL 4.3
 inline constexpr const char* floatFiltering = "float filtering";      // of textures of 32-bit floats, linearly
 inline constexpr const char* anisotropicFiltering = "anisotropic filtering";  // GL_TEXTURE_MAX_ANISOTROPY
-inline constexpr const char* all[] = {clipDistances,   clipControl,     polygonMode,         borderClamp,
-                                      floatTargets,    floatBlending,   depthReadBack,       stencilReadBack,
-                                      countingQueries, indexedFeedback, expandedFeedback,    geometryShaders,
-                                      tessellation,    floatFiltering,  anisotropicFiltering};
+inline constexpr const char* all[] = {clipDistances,   clipControl,     polygonMode,      borderClamp,
+                                      floatTargets,    floatBlending,   depthReadBack,    stencilReadBack,
+                                      countingQueries, indexedFeedback, expandedFeedback, geometryShaders,
+                                      tessellation,    computeShaders,  floatFiltering,   anisotropicFiltering};
 }  // namespace beyond_es
 
+// The functions of OpenGL beyond 3.3 that a feature stands for; nothing for the others.
+std::optional<Newer> newerThan33(const std::string& feature);
+
 // Whether the context has one of these. OpenGL ES has few of them; OpenGL 3.3 has all but clip control, which came with 4.5
-// (or with GL_ARB_clip_control), and anisotropic filtering, which came with 4.6 (or with GL_EXT_texture_filter_anisotropic). A demo asks at the point where its settings need the feature. Where the answer is no, the
+// (or with GL_ARB_clip_control), tessellation (4.0), compute shaders (4.3), and anisotropic filtering, which came with 4.6 (or with GL_EXT_texture_filter_anisotropic). A demo asks at the point where its settings need the feature. Where the answer is no, the
 // framework says so beside the picture, in the words of DemoInfo::needs.beyondEs.
-// Error: clip control is there, but the demo did not declare it.
+// Error: clip control, tessellation or compute shaders are there, but the demo did not declare them.
 bool has(const char* feature);
 // The features that has() answered with no since the last call.
 std::set<std::string> takeMissing();

@@ -1,6 +1,7 @@
 #include "mv/gl/functions.h"
 
 #include <map>
+#include <set>
 #include <utility>
 
 #include "mv/error.h"
@@ -22,7 +23,7 @@ GLuint vertexArray = 0;
 bool newPass = true;  // nothing was drawn yet into the framebuffer that is bound
 long live = 0;
 int allowed = 33;
-bool clipControl = false;  // allowed beside that version
+std::set<Newer> newerAllowed;  // beside that version
 bool es = false;
 std::vector<std::string> debugMessages;
 std::function<void()> extraLayer;
@@ -165,6 +166,22 @@ void layCountersOver() {
     glDeleteShader = countedDeleteShader;
 }
 
+void fillIn(Newer what) {
+    switch (what) {
+        case Newer::clipControl:
+            glClipControl = driver.ClipControl;
+            break;
+        case Newer::tessellation:
+            glPatchParameteri = driver.PatchParameteri;
+            break;
+        case Newer::compute:
+            glBindImageTexture = driver.BindImageTexture;
+            glMemoryBarrier = driver.MemoryBarrier;
+            glDispatchCompute = driver.DispatchCompute;
+            break;
+    }
+}
+
 // What may be called now, then what counts, what keeps the state, and what listens.
 void fillTable() {
 #define X(name, TYPE, version)                                                    \
@@ -173,7 +190,7 @@ void fillTable() {
                                  : &Missing<facts##name, PFNGL##TYPE##PROC>::call;
 #include "mv/gl/function_list.inc"
 #undef X
-    if (clipControl) glClipControl = driver.ClipControl;
+    for (const Newer what : newerAllowed) fillIn(what);
     layCountersOver();
     keepState();
     if (extraLayer) extraLayer();
@@ -233,26 +250,39 @@ void loadFunctions(const std::function<void*(const char*)>& address) {
 void allowVersion(int newest) {
     restoreInitialState();  // while what was set may still be called
     allowed = newest;
-    clipControl = false;
+    newerAllowed.clear();
     fillTable();
 }
 int allowedVersion() { return allowed; }
 
-bool contextHasClipControl() {
-    if (es || driver.ClipControl == nullptr) return false;
+bool contextHas(Newer what) {
+    if (es) return false;
     GLint major = 0, minor = 0;
     glGetIntegerv(GL_MAJOR_VERSION, &major);
     glGetIntegerv(GL_MINOR_VERSION, &minor);
-    return 10 * major + minor >= 45 || hasExtension("GL_ARB_clip_control");
+    const int version = 10 * major + minor;
+    switch (what) {
+        case Newer::clipControl:
+            return driver.ClipControl && (version >= 45 || hasExtension("GL_ARB_clip_control"));
+        case Newer::tessellation:
+            return driver.PatchParameteri && version >= 40;
+        case Newer::compute:
+            return driver.DispatchCompute && driver.BindImageTexture && driver.MemoryBarrier && version >= 43;
+    }
+    return false;
 }
 
-bool allowClipControl() {
-    clipControl = contextHasClipControl();
+bool allow(Newer what) {
+    if (!contextHas(what)) return false;
+    newerAllowed.insert(what);
     fillTable();
-    return clipControl;
+    return true;
 }
 
-bool clipControlAllowed() { return clipControl || (allowed >= 45 && driver.ClipControl); }
+bool isAllowed(Newer what) {
+    const int since = what == Newer::clipControl ? 45 : what == Newer::tessellation ? 40 : 43;
+    return newerAllowed.contains(what) || (!es && allowed >= since);
+}
 
 void setLayer(std::function<void()> layOver) {
     extraLayer = std::move(layOver);

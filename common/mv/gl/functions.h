@@ -24,12 +24,15 @@ void loadFunctions(const std::function<void*(const char*)>& address);
 // name. Set to what the demo declares, so that a demo that says 3.3 runs on 3.3.
 void allowVersion(int version);
 int allowedVersion();
-// Whether the context has glClipControl, as OpenGL 4.5 or as GL_ARB_clip_control; OpenGL ES never has it.
-bool contextHasClipControl();
-// Lets it be called, too, where the context has it, until the next allowVersion. False: it has not, and the call stays
-// refused.
-bool allowClipControl();
-bool clipControlAllowed();
+
+// What is newer than 3.3, and may be there all the same: glClipControl (OpenGL 4.5, or GL_ARB_clip_control), the stages of
+// tessellation (4.0) and of compute shaders (4.3). OpenGL ES 3.0 has none of them.
+enum class Newer { clipControl, tessellation, compute };
+bool contextHas(Newer what);
+// Lets its functions be called, too, where the context has it, until the next allowVersion. False: it has not, and the
+// calls stay refused.
+bool allow(Newer what);
+bool isAllowed(Newer what);
 // Lays something more over the table (the audit does), now and whenever the table is filled anew; empty: no more.
 void setLayer(std::function<void()> layOver);
 // Whether the current context is OpenGL ES.

@@ -89,7 +89,11 @@ void Mesh::uploadIndices(const std::vector<std::uint32_t>& indices, const std::s
 
 void Mesh::draw() const { draw(0, static_cast<std::size_t>(count_)); }
 
-void Mesh::draw(std::size_t first, std::size_t count) const {
+void Mesh::draw(std::size_t first, std::size_t count) const { drawPart(primitive_, first, count); }
+
+void Mesh::drawAs(GLenum mode) const { drawPart(mode, 0, static_cast<std::size_t>(count_)); }
+
+void Mesh::drawPart(GLenum mode, std::size_t first, std::size_t count) const {
     if (!vertexArray_) throw Error("Mesh", "must be made in init() before it is drawn");
     if (first + count > static_cast<std::size_t>(count_)) {
         throw Error("Mesh", "has only " + std::to_string(count_) + " vertices to draw", std::to_string(first + count));
@@ -99,9 +103,9 @@ void Mesh::draw(std::size_t first, std::size_t count) const {
         // An offset in bytes into the bound index buffer, which GL takes as a pointer
         const auto* offset =
             reinterpret_cast<const void*>(first * sizeof(std::uint32_t));  // NOLINT(performance-no-int-to-ptr)
-        glDrawElements(primitive_, static_cast<GLsizei>(count), GL_UNSIGNED_INT, offset);
+        glDrawElements(mode, static_cast<GLsizei>(count), GL_UNSIGNED_INT, offset);
     } else {
-        glDrawArrays(primitive_, static_cast<GLint>(first), static_cast<GLsizei>(count));
+        glDrawArrays(mode, static_cast<GLint>(first), static_cast<GLsizei>(count));
     }
 }
 

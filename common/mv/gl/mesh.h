@@ -23,10 +23,13 @@ class Mesh {
     // A part of it: `count` of its vertices, or of its indices where there are any, from the one numbered `first`. Refused:
     // a part beyond the mesh.
     void draw(std::size_t first, std::size_t count) const;
+    // The same vertices as other primitives than the mesh's own: drawAs(GL_PATCHES) after glPatchParameteri, GL_LINE_LOOP.
+    void drawAs(GLenum mode) const;
     GLenum primitive() const { return primitive_; }
     GLsizei count() const { return count_; }  // vertices, or indices where there are any
 
   private:
+    void drawPart(GLenum mode, std::size_t first, std::size_t count) const;
     void bindNew(const std::string& label);
     void uploadIndices(const std::vector<std::uint32_t>& indices, const std::string& label);
 

@@ -5,9 +5,11 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "mv/error.h"
+#include "mv/gl/beyond_es.h"
 #include "mv/gl/object.h"
 #include "mv/gl/shader_source.h"
 #include "mv/gl/tangent_buffer.h"
@@ -19,13 +21,39 @@ namespace {
 struct Stage {
     const char* extension;
     GLenum kind;
-    bool always;
+    int since;            // the version of OpenGL that brought it
+    const char* feature;  // what it is called in mv/gl/beyond_es.h, where ES 3.0 lacks it
 };
-constexpr Stage stages[] = {{"vert", GL_VERTEX_SHADER, true},
-                            {"frag", GL_FRAGMENT_SHADER, true},
-                            {"geom", GL_GEOMETRY_SHADER, false},
-                            {"tesc", GL_TESS_CONTROL_SHADER, false},
-                            {"tese", GL_TESS_EVALUATION_SHADER, false}};
+constexpr Stage stages[] = {{"vert", GL_VERTEX_SHADER, 33, nullptr},
+                            {"frag", GL_FRAGMENT_SHADER, 33, nullptr},
+                            {"geom", GL_GEOMETRY_SHADER, 33, beyond_es::geometryShaders},
+                            {"tesc", GL_TESS_CONTROL_SHADER, 40, beyond_es::tessellation},
+                            {"tese", GL_TESS_EVALUATION_SHADER, 40, beyond_es::tessellation},
+                            {"comp", GL_COMPUTE_SHADER, 43, beyond_es::computeShaders}};
+
+const Stage& stageOf(const std::string& file) {
+    for (const Stage& stage : stages) {
+        if (file.ends_with(std::string(".") + stage.extension)) return stage;
+    }
+    throw Error("shaders/" + file, "must end in .vert, .tesc, .tese, .geom, .frag or .comp");
+}
+
+// The version that all stages of a program are compiled for: as new as the newest of them needs.
+int versionFor(const std::string& program, const std::vector<std::string>& files) {
+    int version = 33;
+    for (const std::string& file : files) {
+        const Stage& stage = stageOf(file);
+        version = std::max(version, stage.since);
+        if (!stage.feature) continue;
+        const std::optional<Newer> newer = newerThan33(stage.feature);
+        if (isEs() || (newer && !isAllowed(*newer))) {
+            throw Error("program " + program,
+                        std::string("needs ") + stage.feature +
+                            "; declare them in .needs = {.beyondEs = ...}, and ask has() before it is made");
+        }
+    }
+    return version;
+}
 
 struct Uniform {
     GLint location;
@@ -38,6 +66,7 @@ using Sources = std::vector<std::pair<GLenum, ShaderSource>>;
 
 struct Linked {
     ProgramObject program;
+    std::optional<GLenum> lastPrimitive;  // what the geometry stage gives, or else the tessellation
     std::map<std::string, Uniform, std::less<>> uniforms;
     bool measuring = false;  // as the program was told last
 };
@@ -87,6 +116,35 @@ std::map<std::string, Uniform, std::less<>> activeUniforms(GLuint program) {
     return uniforms;
 }
 
+// As transform feedback takes it.
+GLenum separatePrimitive(GLenum mode) {
+    switch (mode) {
+        case GL_POINTS:
+            return GL_POINTS;
+        case GL_LINES:
+        case GL_LINE_STRIP:
+        case GL_LINE_LOOP:
+        case GL_ISOLINES:
+            return GL_LINES;
+        default:
+            return GL_TRIANGLES;
+    }
+}
+
+std::optional<GLenum> lastPrimitive(GLuint program, const Sources& sources) {
+    const auto has = [&](GLenum kind) {
+        return std::any_of(sources.begin(), sources.end(), [&](const auto& source) { return source.first == kind; });
+    };
+    const auto ask = [&](GLenum what) {
+        GLint answer = 0;
+        glGetProgramiv(program, what, &answer);
+        return static_cast<GLenum>(answer);
+    };
+    if (has(GL_GEOMETRY_SHADER)) return separatePrimitive(ask(GL_GEOMETRY_OUTPUT_TYPE));
+    if (!has(GL_TESS_EVALUATION_SHADER)) return {};
+    return ask(GL_TESS_GEN_POINT_MODE) == GL_TRUE ? GLenum(GL_POINTS) : separatePrimitive(ask(GL_TESS_GEN_MODE));
+}
+
 Linked link(const std::string& name, const Sources& sources) {
     Linked linked;
     linked.program = ProgramObject(glCreateProgram());
@@ -102,8 +160,10 @@ Linked link(const std::string& name, const Sources& sources) {
     glBindAttribLocation(program, static_cast<GLuint>(Attribute::texCoord), "texCoord");
     glBindAttribLocation(program, tangentLocation, "tangent");
     // So that countTriangles() can read back where each vertex went; costs nothing while no capture is active.
-    const char* captured = "gl_Position";
-    glTransformFeedbackVaryings(program, 1, &captured, GL_INTERLEAVED_ATTRIBS);
+    if (sources.front().first != GL_COMPUTE_SHADER) {
+        const char* captured = "gl_Position";
+        glTransformFeedbackVaryings(program, 1, &captured, GL_INTERLEAVED_ATTRIBS);
+    }
     glLinkProgram(program);
     for (const ShaderObject& shader : shaders) glDetachShader(program, shader.id());
 
@@ -119,6 +179,7 @@ Linked link(const std::string& name, const Sources& sources) {
     }
     labelObject(GL_PROGRAM, program, name);
     linked.uniforms = activeUniforms(program);
+    linked.lastPrimitive = lastPrimitive(program, sources);
     return linked;
 }
 
@@ -202,27 +263,46 @@ Program::Program(std::unique_ptr<State> state) : state_(std::move(state)) {
 }
 
 Program::Program(const std::string& stem, const std::string& variant) {
-    auto state = std::make_unique<State>();
-    state->name = variant.empty() ? stem : stem + "." + variant;
-    state->sources = [name = state->name] {
-        Sources sources;
-        for (const Stage& stage : stages) {
-            const std::string file = name + "." + stage.extension;
-            if (stage.always || hasShaderFile(file)) sources.emplace_back(stage.kind, assembleShader(file));
+    const std::string name = variant.empty() ? stem : stem + "." + variant;
+    std::vector<std::string> files{name + ".comp"};
+    if (!hasShaderFile(files.front())) {
+        files = {name + ".vert", name + ".frag"};
+        for (const char* more : {".geom", ".tesc", ".tese"}) {
+            if (hasShaderFile(name + more)) files.push_back(name + more);
         }
+    }
+    *this = fromFiles(name, files);
+}
+
+Program Program::fromFiles(const std::string& name, const std::vector<std::string>& files) {
+    auto state = std::make_unique<State>();
+    state->name = name;
+    state->sources = [name, files] {
+        Sources sources;
+        const int version = versionFor(name, files);
+        for (const std::string& file : files) sources.emplace_back(stageOf(file).kind, assembleShader(file, version));
         return sources;
     };
-    *this = Program(std::move(state));
+    return Program(std::move(state));
+}
+
+Program Program::fromTexts(const std::string& name, const std::vector<std::pair<std::string, std::string>>& texts) {
+    auto state = std::make_unique<State>();
+    state->name = name;
+    state->sources = [name, texts] {
+        std::vector<std::string> files;
+        for (const auto& [ending, text] : texts) files.push_back(name + "." + ending);
+        Sources sources;
+        const int version = versionFor(name, files);
+        for (std::size_t i = 0; i < files.size(); ++i)
+            sources.emplace_back(stageOf(files[i]).kind, assembleShaderText(files[i], texts[i].second, version));
+        return sources;
+    };
+    return Program(std::move(state));
 }
 
 Program Program::fromText(const std::string& name, const std::string& vertex, const std::string& fragment) {
-    auto state = std::make_unique<State>();
-    state->name = name;
-    state->sources = [name, vertex, fragment] {
-        return Sources{{GL_VERTEX_SHADER, assembleShaderText(name + ".vert", vertex)},
-                       {GL_FRAGMENT_SHADER, assembleShaderText(name + ".frag", fragment)}};
-    };
-    return Program(std::move(state));
+    return fromTexts(name, {{"vert", vertex}, {"frag", fragment}});
 }
 
 Program::Program(Program&&) noexcept = default;
@@ -239,6 +319,11 @@ Program::~Program() {
 }
 
 GLuint Program::id() const { return state_ ? state_->linked.program.id() : 0; }
+
+GLenum Program::primitiveOut(GLenum mode) const {
+    if (!state_) throw Error("Program", "must be made in init() before it is asked");
+    return state_->linked.lastPrimitive.value_or(separatePrimitive(mode));
+}
 
 void Program::use() const {
     if (!state_) throw Error("Program", "must be made in init() before it is used");

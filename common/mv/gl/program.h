@@ -3,6 +3,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "mv/gl/functions.h"
@@ -16,11 +17,18 @@ enum class Attribute : GLuint { position = 0, normal = 1, color = 2, texCoord = 
 class Program {
   public:
     Program();
-    // Compiles shaders/<stem>[.<variant>].vert and .frag (and .geom, .tesc, .tese where they exist) and links them.
-    // Error: "shaders/<stem>.frag:7: message" for each mistake.
+    // Compiles shaders/<stem>[.<variant>].vert and .frag (and .geom, .tesc, .tese where they exist) and links them; or .comp
+    // alone, where there is such a file. With stages of tessellation all of it is GLSL 4.00, a compute shader is 4.30.
+    // Error: "shaders/<stem>.frag:7: message" for each mistake; a stage that the context lacks, or that the demo did not
+    // declare: has() in mv/gl/beyond_es.h is to be asked before.
     explicit Program(const std::string& stem, const std::string& variant = "");
+    // The same of these files, one a stage, known by their endings: programs may share files, and leave a stage out.
+    //     Program::fromFiles("patch", {"hill.vert", "hill.tesc", "hill.tese", "lines.geom", "hill.frag"})
+    static Program fromFiles(const std::string& name, const std::vector<std::string>& files);
     // From texts of the framework itself; `name` stands for the file name in messages.
     static Program fromText(const std::string& name, const std::string& vertex, const std::string& fragment);
+    // The same of any stages, each by its ending: {{"vert", ...}, {"geom", ...}, {"frag", ...}}.
+    static Program fromTexts(const std::string& name, const std::vector<std::pair<std::string, std::string>>& texts);
     Program(Program&&) noexcept;
     Program& operator=(Program&&) noexcept;
     ~Program();
@@ -43,6 +51,9 @@ class Program {
     void set(const char* name, const mat4& value) const;
 
     GLuint id() const;
+    // What the last stage before the rasterizer gives it of a draw with this mode, as transform feedback takes it: GL_POINTS,
+    // GL_LINES or GL_TRIANGLES; strips, fans and patches are those they stand for.
+    GLenum primitiveOut(GLenum mode) const;
 
   private:
     friend struct ProgramList;

@@ -1,5 +1,6 @@
 #include "mv/gl/shader_source.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdio>
 #include <map>
@@ -27,8 +28,8 @@ std::map<std::string, ShaderFile>& shaderFiles() {
 
 // What GLSL calls the version, and what ES wants said once: the precision of numbers, and of what is looked up. A sampler2D
 // is of low precision there where nobody says otherwise, most others of none at all, which is a mistake.
-std::string versionLines() {
-    if (!isEs()) return "#version " + std::to_string(allowedVersion()) + "0 core\n";
+std::string versionLines(int least) {
+    if (!isEs()) return "#version " + std::to_string(std::max(least, allowedVersion())) + "0 core\n";
     std::string lines = "#version 300 es\n";
     for (const char* type :
          {"float", "int", "sampler2D", "sampler3D", "samplerCube", "sampler2DArray", "sampler2DShadow",
@@ -134,22 +135,22 @@ std::string builtInShader(const std::string& name) {
     return found->second.text;
 }
 
-ShaderSource assembleShader(const std::string& name) {
+ShaderSource assembleShader(const std::string& name, int least) {
     const auto found = shaderFiles().find(name);
     if (found == shaderFiles().end()) {
         throw Error("shaders/" + name, "is not built into this program; add the file and configure again");
     }
     ShaderSource source;
-    source.text = versionLines();
+    source.text = versionLines(least);
     append(source, "shaders/" + name, currentText(found->second, source), 0);
     // Mesa links a fragment shader without one, and draws black: an empty file, say.
     if (source.text.find("main") == std::string::npos) throw Error("shaders/" + name, "must define main()");
     return source;
 }
 
-ShaderSource assembleShaderText(const std::string& shownName, std::string_view text) {
+ShaderSource assembleShaderText(const std::string& shownName, std::string_view text, int least) {
     ShaderSource source;
-    source.text = versionLines();
+    source.text = versionLines(least);
     append(source, shownName, text, 0);
     return source;
 }

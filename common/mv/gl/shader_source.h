@@ -32,12 +32,13 @@ std::vector<std::string> shaderFileNames();
 // The text of one as it was built in. Error: there is none of that name.
 std::string builtInShader(const std::string& name);
 
-// The shader file, for the current context's dialect: "#version 330 core" on OpenGL, "#version 300 es" on OpenGL ES, where
-// all numbers and samplers are said to be of high precision.
+// The shader file, for the current context's dialect: "#version 330 core" on OpenGL (or what the demo declares, and of both
+// `least` where that is newer), "#version 300 es" on OpenGL ES, where all numbers and samplers are said to be of high
+// precision.
 // `#include "x.glsl"` stands for shaders/include/x.glsl. Error: no such file, a file that includes itself, one
 // that is on disk and cannot be read, or no main in it.
-ShaderSource assembleShader(const std::string& name);
-ShaderSource assembleShaderText(const std::string& shownName, std::string_view text);
+ShaderSource assembleShader(const std::string& name, int least = 33);
+ShaderSource assembleShaderText(const std::string& shownName, std::string_view text, int least = 33);
 
 // A driver's log with its source numbers turned into file names: "shaders/cube-cull.frag:7: message", a line each.
 std::string readableLog(std::string_view log, const ShaderSource& source);

@@ -157,6 +157,12 @@ void Target::bindColor(int unit) const {
     glBindTexture(GL_TEXTURE_2D, colorTexture_.id());
 }
 
+void Target::bindImage(int unit) const {
+    if (!colorTexture_ || buffers_.color != GL_RGBA8)
+        throw Error("target", "must be made with Buffers::texture, of GL_RGBA8, to be written as an image");
+    glBindImageTexture(static_cast<GLuint>(unit), colorTexture_.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA8);
+}
+
 void Target::bindDepth(int unit) const {
     if (!depthTexture_) throw Error("target", "must be made with Buffers::depthTexture to be read by a draw");
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));

@@ -49,6 +49,10 @@ class Target {
     void bindColor(int unit) const;
     // The same for the depths, 0..1 in red, for a target made with Buffers::depthTexture.
     void bindDepth(int unit) const;
+    // Binds the colours to an image unit, for a compute shader that writes them as rgba8; of a target made with
+    // Buffers::texture and GL_RGBA8. Equals glBindImageTexture. Error: made otherwise. Trap: what is written is read by a
+    // later draw only after glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT).
+    void bindImage(int unit) const;
     // The colours as a picture, samples resolved. Leaves the target bound.
     Picture read() const;
     // Red as numbers, those of 8 bits from 0 to 1, the upper row first, for a target without samples. Leaves the target

@@ -1,5 +1,6 @@
 #include "mv/run/stage.h"
 
+#include <optional>
 #include <utility>
 
 #include "mv/gl/audit.h"
@@ -102,7 +103,8 @@ void Stage::open(const DemoInfo& info, int width, int height) {
     info_ = &info;
     allowVersion(info.needs.gl);
     for (const BeyondEs& lacking : info.needs.beyondEs) {
-        if (lacking.feature == beyond_es::clipControl && !isWithheld(lacking.feature)) allowClipControl();
+        const std::optional<Newer> newer = newerThan33(lacking.feature);
+        if (newer && !isWithheld(lacking.feature)) allow(*newer);
     }
     takeErrors();
     makeTargets(width, height);

@@ -1,0 +1,4 @@
+flat in vec4 own;
+out vec4 fragColor;
+
+void main() { fragColor = own; }

@@ -1,0 +1,187 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "mv/geometry/shapes.h"
+#include "mv/geometry/tessellation.h"
+#include "mv/gl/beyond_es.h"
+#include "mv/gl/gl.h"
+#include "shared/primitive_types.h"
+#include "shared/regular_meshes.h"
+#include "support/demo_run.h"
+
+using namespace mv;
+using namespace mv::test;
+
+namespace {
+
+const std::vector<std::string> stages{"off", "shapes", "normals", "explode", "wireframe"};
+
+// What the four ways of counting say of the picture as it is set.
+struct Counts {
+    double into, out, written, found;
+};
+Counts countsOf(DemoRun& run) {
+    (void)run.picture();
+    return {run.readout("into-geometry"), run.readout("out-of-geometry"), run.readout("written"), run.readout("found")};
+}
+
+}  // namespace
+
+TEST(GpuStages, counts_agree) {
+    DemoRun run("gpu-stages", 96, 56);
+    for (const char* tessellation : {"on", "off"}) {
+        for (const std::string& geometry : stages) {
+            for (const auto& [inner, outer] : {std::pair{1, 1}, {3, 7}, {16, 16}}) {
+                run.set("tessellation", tessellation).set("geometry", geometry).set("inner", inner).set("outer", outer);
+                const Counts counts = countsOf(run);
+                EXPECT_GT(counts.out, 0);
+                EXPECT_EQ(counts.out, counts.written) << geometry;
+                EXPECT_EQ(counts.out, counts.found) << geometry;
+            }
+        }
+    }
+}
+
+TEST(GpuStages, counts_follow_the_rule) {
+    DemoRun run("gpu-stages", 96, 56);
+    for (const auto& [inner, outer] : {std::pair{1, 1}, {1, 6}, {2, 1}, {5, 9}, {9, 5}, {64, 64}}) {
+        run.set("inner", inner).set("outer", outer);
+        const auto triangles = double(trianglesOfSquare(inner, outer));
+        for (const char* geometry : {"off", "normals", "explode", "wireframe"}) {
+            const Counts counts = countsOf(run.set("geometry", geometry));
+            EXPECT_EQ(counts.into, triangles) << inner << " " << outer;
+            EXPECT_EQ(counts.out, triangles) << geometry;
+        }
+        const Counts hexagons = countsOf(run.set("geometry", "shapes"));
+        EXPECT_EQ(hexagons.out, 4 * hexagons.into);
+        // A square cut n times has (n + 1)^2 points.
+        if (inner == outer) {
+            EXPECT_EQ(hexagons.into, (inner + 1) * (inner + 1));
+        }
+    }
+    run.set("tessellation", "off");
+    EXPECT_EQ(countsOf(run.set("geometry", "off")).out, 18) << "3 x 3 cells between 16 points";
+    EXPECT_EQ(countsOf(run.set("geometry", "shapes")).into, 16);
+}
+
+TEST(GpuStages, stages_pass_on) {
+    DemoRun run("gpu-stages", 960, 560);
+    const auto left = [&](const Picture& picture) {  // without the table
+        std::vector<Pixel> pixels;
+        for (int y = 0; y < picture.height; ++y) {
+            for (int x = 0; x < 0.47 * picture.width; ++x) pixels.push_back(picture.at(x, y));
+        }
+        return pixels;
+    };
+    // The wireframe's stage passes triangles on where they are: as many fragments as without it.
+    (void)run.set("geometry", "off").picture();
+    const double covered = run.readout("fragments-passed");
+    const auto without = left(run.picture());
+    (void)run.set("geometry", "wireframe").picture();
+    EXPECT_EQ(run.readout("fragments-passed"), covered);
+    // The vertex shader alone moves it.
+    EXPECT_NE(left(run.set("geometry", "off").set("bend", 0.0).picture()), without);
+
+    run.set("bend", 0.1).set("fragments", "off");
+    const Pixel background = run.picture().at(0, 0);
+    for (const Pixel& pixel : left(run.picture())) ASSERT_EQ(pixel, background);
+    const Counts counts = countsOf(run);
+    EXPECT_EQ(counts.out, trianglesOfSquare(8, 8));
+    EXPECT_EQ(counts.found, counts.out);
+    EXPECT_EQ(run.readout("fragments-passed"), 0);
+}
+
+TEST(GpuStages, ten_primitive_types) {
+    DemoRun run("gpu-stages");
+    run.preset("primitives");
+    for (int vertices = 4; vertices <= 8; ++vertices) {
+        (void)run.set("vertices", vertices).picture();
+        long sum = 0;
+        for (const PrimitiveType& type : primitiveTypes) sum += type.inCore ? primitivesOf(type, vertices) : 0;
+        EXPECT_EQ(run.readout("primitives"), double(sum)) << vertices;
+    }
+    // The core refuses the last three, and takes the others.
+    takeErrors();
+    Program::fromText("any", "in vec3 position;\nvoid main() { gl_Position = vec4(position, 1.0); }\n",
+                      "out vec4 fragColor;\nvoid main() { fragColor = vec4(1.0); }\n")
+        .use();
+    const Mesh square(mv::square());
+    int refused = 0;
+    for (const PrimitiveType& type : primitiveTypes) {
+        square.drawAs(type.mode);
+        const std::vector<std::string> errors = takeErrors();
+        EXPECT_EQ(errors.empty(), type.inCore) << type.name;
+        refused += errors.empty() ? 0 : 1;
+    }
+    EXPECT_EQ(refused, 3);
+}
+
+TEST(GpuStages, regular_only_with_euler_0) {
+    for (const int cells : {3, 8, 12, 32}) {
+        for (const RegularMesh& body : regularMeshes(cells)) {
+            const Topology& counts = body.topology;
+            EXPECT_EQ(counts.missing(), 6 * counts.euler()) << body.name;
+            EXPECT_EQ(long(body.irregular.positions.size()), counts.irregular()) << body.name;
+            const bool isClosed = counts.boundaryEdges == 0;
+            EXPECT_EQ(isClosed, body.name == "torus" || body.name == "sphere");
+            EXPECT_EQ(counts.euler(), body.name == "plane" ? 1 : body.name == "sphere" ? 2 : 0) << body.name;
+            // Two poles with as many edges as there are cells around, and beside each a ring of vertices with 5.
+            const long odd = body.name != "sphere" ? 0 : 2 + 2 * cells;
+            EXPECT_EQ(counts.irregular(), odd) << body.name << " " << cells;
+        }
+    }
+    DemoRun run("gpu-stages");
+    run.preset("meshes");
+    const Picture whole = run.picture();
+    EXPECT_EQ(run.readout("irregular"), 2 + 2 * 12);
+}
+
+TEST(GpuStages, compute_is_the_same_picture) {
+    DemoRun run("gpu-stages");
+    run.preset("compute");
+    for (const auto& [width, height] : {std::pair{960, 560}, {301, 77}, {64, 64}}) {
+        stage().resize(width, height);
+        const Picture picture = run.picture();
+        EXPECT_EQ(run.readout("differing"), 0) << width << "x" << height;
+        EXPECT_GT(countColors(picture, 50), 40) << "it is a picture";
+    }
+}
+
+TEST(GpuStages, says_what_is_lacking) {
+    const auto says = [](DemoRun& run, const std::string& words) {
+        for (const std::string& message : run.messages()) {
+            if (message == words) return true;
+        }
+        return false;
+    };
+    stage().close();
+    withhold({beyond_es::tessellation});
+    {
+        DemoRun run("gpu-stages");
+        EXPECT_EQ(countsOf(run).out, 18);
+        EXPECT_TRUE(says(run, "This driver has no tessellation: the net of the control points is drawn."));
+        (void)run.set("tessellation", "off").picture();
+        EXPECT_TRUE(run.messages().empty()) << "what is not asked for is not missed";
+    }
+    stage().close();
+    withhold({beyond_es::geometryShaders});
+    {
+        DemoRun run("gpu-stages");
+        const Picture picture = run.picture();
+        EXPECT_TRUE(says(run, "This driver has no geometry shaders: that stage is off."));
+        EXPECT_EQ(run.set("geometry", "off").picture(), picture);
+    }
+    stage().close();
+    withhold({beyond_es::computeShaders});
+    {
+        DemoRun run("gpu-stages");
+        (void)run.preset("compute").picture();
+        EXPECT_FALSE(run.measured("differing"));
+        EXPECT_TRUE(says(run, "This driver has no compute shaders: only the fragment shader draws."));
+    }
+    stage().close();
+    withhold({});
+}
