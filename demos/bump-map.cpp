@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -282,7 +281,9 @@ struct BumpMap final : Demo {
 
     void annotate(const Frame& frame) override {
         drawing.begin(frame);
-        const int words = std::clamp(frame.height() / 36, 8, 16);
+        // No words where they have no room
+        const int size = std::clamp(std::min(frame.height() / 36, frame.width() / 50), 8, 16);
+        const int words = textWidth("height map", {size}) < 2.4 * reach(frame) ? size : 0;
         mapProgram->use();
         drawMap(frame, 0, "height map", words);
         if (usesNormals()) drawMap(frame, 1, "normal map", words);
@@ -292,14 +293,13 @@ struct BumpMap final : Demo {
 
         constexpr std::array<const char*, 6> titles{"no bumps", "bumps by the height map", "bumps by the normal map",
                                                     "parallax", "parallax occlusion",      "really displaced"};
-        const Pane left = leftPane(frame), right = rightPane(frame);
-        drawing.in(left);
-        if (body == ReliefBody::orange) drawRing(left);
-        drawWords(drawing, frame, left, 0, {{titles.at(static_cast<std::size_t>(Method(method))), ink}});
-        if (showsBoth()) {
-            drawing.in(right);
-            drawWords(drawing, frame, right, 0, {{titles.back(), ink}});
-        }
+        const auto name = [&](const Pane& pane, Method shown) {
+            drawing.in(pane);
+            if (words > 0) drawWords(drawing, frame, pane, 0, {{titles.at(static_cast<std::size_t>(shown)), ink}});
+        };
+        name(leftPane(frame), method);
+        if (body == ReliefBody::orange) drawRing(leftPane(frame));
+        if (showsBoth()) name(rightPane(frame), Method::displaced);
         drawing.draw(frame);
     }
     void drawMap(const Frame& frame, int unit, const char* name, int words) {
@@ -310,15 +310,15 @@ struct BumpMap final : Demo {
         mapProgram->set("image", unit);
         mapProgram->set("isAlpha", unit == 0);
         sheet->draw();
-        drawing.text(corner + vec2(0, high + 1.5 * words), name, {words, ink, vec4(0)});
+        if (words > 0) drawing.text(corner + vec2(0, high + 1.5 * words), name, {words, ink, vec4(0)});
     }
     // Where the orange is seen at that angle.
     void drawRing(const Pane& left) {
-        const double r = 0.5 * std::min(left.width, left.height) / 1.1 * std::sin(radians(angle));
+        const vec2 size(left.width, left.height);
+        const double r = 0.5 * std::min(size.x, size.y) / 1.1 * std::sin(radians(angle));
         std::vector<vec2> ring;
         for (int i = 0; i <= 96; ++i)
-            ring.push_back(0.5 * vec2(left.width, left.height) +
-                           r * vec2(std::cos(pi * i / 48), std::sin(pi * i / 48)));
+            ring.push_back(0.5 * size + r * vec2(std::cos(pi * i / 48), std::sin(pi * i / 48)));
         drawing.line(ring, {blue, 1});
     }
 };

@@ -24,8 +24,9 @@ void SightFigure::draw(Drawing& drawing, double degrees, int wordHeight) const {
     std::vector<vec2> arc;
     for (int i = 0; i <= 20; ++i) arc.push_back(foot + 0.35 * size * way(degrees * i / 20));
     drawing.line(arc, {blue, 1});
-    drawing.text(foot + vec2(-0.2 * size, size + 1.5 * wordHeight), rounded("eye at %.0f°", degrees),
-                 {wordHeight, blue, vec4(0)});
+    if (wordHeight > 0)
+        drawing.text(foot + vec2(-0.2 * size, size + 1.5 * wordHeight), rounded("eye at %.0f°", degrees),
+                     {wordHeight, blue, vec4(0)});
 }
 
 void LampDial::draw(Drawing& drawing, const vec3& towardsLamp, int wordHeight) const {
@@ -34,7 +35,8 @@ void LampDial::draw(Drawing& drawing, const vec3& towardsLamp, int wordHeight) c
     drawing.line(ring, {grey, 1.5});
     drawing.line(middle, at(towardsLamp), {gold, 1.5});
     drawing.point(at(towardsLamp), 12, gold);
-    drawing.text(middle + vec2(1.2 * radius, 0.6 * wordHeight), "lamp", {wordHeight, goldInk, vec4(0)});
+    if (wordHeight > 0)
+        drawing.text(middle + vec2(1.2 * radius, 0.6 * wordHeight), "lamp", {wordHeight, goldInk, vec4(0)});
 }
 
 }  // namespace mv

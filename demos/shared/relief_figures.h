@@ -1,4 +1,5 @@
-// Figures of surfaces that are lit and looked at from a side: the angle of sight, and the lamp's direction.
+// Figures of surfaces that are lit and looked at from a side: the angle of sight, and the lamp's direction. With words of that height, or with
+// none where it is 0.
 #pragma once
 #include "mv/gl/drawing.h"
 
