@@ -60,7 +60,14 @@ TEST(Mirror, as_by_rays) {
             run.set("mirror-turn", 0).set("eye-x", 0.9).set("eye-height", 1.7).set("bounces", 8);
         }
     }
-    // Both mirrors beside each other in a wide picture, so that both chains have their own marks
+    // At right angles the second mirror's image in the first is where the second one itself is: their marks must differ.
+    run.set("mirrors", "two").set("mirror-turn", 90).set("eye-x", 2.9).set("eye-z", -5).set("eye-height", 1.7);
+    for (const char* method : methods) {
+        run.set("method", method).picture();
+        EXPECT_GE(run.readout("passes"), 2);
+        EXPECT_EQ(compareWithRays().awayFromEdges.fraction, 0) << method;
+    }
+    // Both mirrors beside each other in a wide picture
     DemoRun wide("mirror", 1500, 300);
     for (const char* method : methods) {
         wide.set("method", method)
