@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <string>
 
 #include "mv/error.h"
 #include "mv/math/require.h"
+#include "mv/math/robust.h"
 
 namespace mv {
 namespace {
@@ -64,11 +66,21 @@ glm::vec<3, T> colorOfHue(const char* subject, T hue, T most, T least) {
     }
 }
 
-// By columns, as mat3: light to what the eye's three kinds of cones are given, and its cube roots to L, a and b.
-const mat3 conesFromLinear(0.4122214708, 0.2119034982, 0.0883024619, 0.5363325363, 0.6806995451, 0.2817188376,
-                           0.0514459929, 0.1073969566, 0.6299787005);
-const mat3 oklabFromRoots(0.2104542553, 1.9779984951, 0.0259040371, 0.7936177850, -2.4285922050, 0.7827717662,
-                          -0.0040720468, 0.4505937099, -0.8086757660);
+// By columns, as mat3: light to what the eye's three kinds of cones are given, and its cube roots to L, a and b. They are
+// published with ten digits: times 10^10 they are whole numbers, which a double holds exactly.
+const double decimals = 1e10;
+const mat3 wholeCones(4122214708, 2119034982, 883024619, 5363325363, 6806995451, 2817188376, 514459929, 1073969566,
+                      6299787005);
+const mat3 wholeOklab(2104542553, 19779984951, 259040371, 7936177850, -24285922050, 7827717662, -40720468, 4505937099,
+                      -8086757660);
+
+// The inverse of whole / decimals. Where two products nearly cancel, what a rounded entry lacks would grow: one entry of
+// the cones' inverse would be off by 1.5e-14 of itself.
+mat3 inverseOfDecimals(const mat3& whole) {
+    const vec3 first = accurateCross(whole[1], whole[2]);
+    const mat3 rows(first, accurateCross(whole[2], whole[0]), accurateCross(whole[0], whole[1]));
+    return transpose(rows) * (decimals / dot(whole[0], first));
+}
 
 // The primaries' X, Y, Z in such amounts that they make up white.
 mat3 matrixOfPrimaries() {
@@ -146,13 +158,14 @@ template vec3 rgbFromHsv(const HsvOf<double>&);
 
 vec3 oklabFromLinear(const vec3& linear) {
     requireFinite("oklabFromLinear", "linear", linear);
+    static const mat3 conesFromLinear = wholeCones / decimals, oklabFromRoots = wholeOklab / decimals;
     const vec3 cones = conesFromLinear * linear;
     return oklabFromRoots * vec3(std::cbrt(cones.x), std::cbrt(cones.y), std::cbrt(cones.z));
 }
 
 vec3 linearFromOklab(const vec3& oklab) {
     requireFinite("linearFromOklab", "oklab", oklab);
-    static const mat3 rootsFromOklab = inverse(oklabFromRoots), linearFromCones = inverse(conesFromLinear);
+    static const mat3 rootsFromOklab = inverseOfDecimals(wholeOklab), linearFromCones = inverseOfDecimals(wholeCones);
     const vec3 roots = rootsFromOklab * oklab;
     return linearFromCones * (roots * roots * roots);
 }
