@@ -6,7 +6,6 @@
 #include <string>
 
 #include "mv/error.h"
-#include "mv/motion/ode_adaptive.h"
 #include "mv/motion/ode_fixed.h"
 
 namespace mv {
@@ -77,7 +76,7 @@ Classic classic(std::size_t which) {
     }
 }
 
-ClassicSolution solveClassic(const Classic& classic, OdeMethod method, double tolerance, int steps) {
+ClassicSolution solveClassic(const Classic& classic, OdeMethod method, double tolerance, int steps, bool isConfirmed) {
     requireMethod(classic, method, tolerance);
     const OdeCase& ode = classic.ode;
     ClassicSolution solution;
@@ -92,8 +91,12 @@ ClassicSolution solveClassic(const Classic& classic, OdeMethod method, double to
                 keep(solution, t, y);
             }
         };
-        solution.result = integrateAdaptive(ode.problem, method, ode.start, ode.end, ode.initial,
-                                            {.relative = tolerance, .absolute = ode.absolute, .observe = sample});
+        const AdaptiveOptions options{.relative = tolerance, .absolute = ode.absolute, .observe = sample};
+        solution.result = integrateAdaptive(ode.problem, method, ode.start, ode.end, ode.initial, options);
+        if (isConfirmed && solution.result.reachedEnd()) {
+            solution.confirmation =
+                confirmAdaptive(ode.problem, method, ode.start, ode.end, ode.initial, options, solution.result);
+        }
     } else {
         FixedStepper stepper(ode.problem, method, ode.start, (ode.end - ode.start) / steps, ode.initial);
         while (stepper.index() < steps && stepper.step()) keep(solution, stepper.time(), stepper.state());

@@ -7,6 +7,7 @@
 
 #include "mv/geometry/plot.h"
 #include "mv/gl/drawing.h"
+#include "mv/motion/ode_adaptive.h"
 #include "mv/motion/ode_method.h"
 #include "mv/motion/ode_problems.h"
 
@@ -32,10 +33,13 @@ struct ClassicSolution {
     OdeResult result;
     std::optional<double>
         error;  // the largest of a component at the end, relative to it; none without an end or a reference
+    std::optional<Confirmation> confirmation;  // where it was asked for and the end was reached
 };
-// With a tolerance the method chooses its steps, without one (0) there are so many equal ones. Refused: a tolerance for a
-// method that has no estimate of its error, symplectic Euler or Verlet on what is not mechanical.
-ClassicSolution solveClassic(const Classic& classic, OdeMethod method, double tolerance, int steps);
+// With a tolerance the method chooses its steps, without one (0) there are so many equal ones. `isConfirmed`: what a tenth of
+// the tolerance makes is compared, too. Refused: a tolerance for a method that has no estimate of its error, symplectic Euler
+// or Verlet on what is not mechanical.
+ClassicSolution solveClassic(const Classic& classic, OdeMethod method, double tolerance, int steps,
+                             bool isConfirmed = false);
 
 // Axes, curves with their names, and the reference's end as rings at the right, in that box of the pane.
 void drawClassic(Drawing& drawing, const Box& box, const Classic& classic, const ClassicSolution& solution);

@@ -329,6 +329,28 @@ TEST(Springs, classics) {
     EXPECT_NE(run.set("method", "energy-momentum").refusal(), "");
 }
 
+TEST(Springs, confirmed) {
+    DemoRun run("springs", 240, 140);
+    run.set("confirm", "on").set("method", "dormand-prince").set("problem", "pleiades").set("tolerance", "0.01");
+    EXPECT_GT(after(run, 1, "end-error"), 1);
+    ASSERT_EQ(run.messages().size(), 1U);
+    EXPECT_EQ(run.messages()[0].rfind("by a tenth of the tolerance, at t = 3, a component differs by ", 0), 0U)
+        << run.messages()[0];
+    run.set("tolerance", "1e-06");
+    for (const char* method : {"rodas", "radau"}) {
+        run.set("method", method);
+        for (const char* problem : {"undamped-spring", "damped-spring", "stiff-chain", "robertson", "van-der-pol",
+                                    "hires", "oregonator", "pleiades"}) {
+            (void)run.set("problem", problem).picture();
+            EXPECT_TRUE(run.messages().empty()) << problem << " by " << method << ": " << run.messages()[0];
+        }
+    }
+    // What gives up is not tried again
+    (void)run.set("method", "dormand-prince").set("problem", "van-der-pol").picture();
+    ASSERT_EQ(run.messages().size(), 1U);
+    EXPECT_EQ(run.messages()[0].rfind("gave up at t = ", 0), 0U) << run.messages()[0];
+}
+
 TEST(Springs, same_frame) {
     DemoRun run("springs", 240, 140);
     const Picture late = run.picture(200), early = run.picture(40);

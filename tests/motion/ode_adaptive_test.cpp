@@ -280,6 +280,55 @@ TEST(OdeAdaptive, StepsEndAtStops) {
     EXPECT_EQ(why({notANumber}), "RODAS 4(3): stops must ascend from after the start to the end, nan");
 }
 
+TEST(OdeAdaptive, AResultIsConfirmedOrDoubted) {
+    const auto confirmed = [](const OdeCase& ode, OdeMethod method, const AdaptiveOptions& options) {
+        const OdeResult result = integrateAdaptive(ode.problem, method, ode.start, ode.end, ode.initial, options);
+        EXPECT_EQ(result.failure, "");
+        return confirmAdaptive(ode.problem, method, ode.start, ode.end, ode.initial, options, result);
+    };
+    for (const OdeMethod method : adaptiveMethods) {
+        const OdeCase ode = springCase(1, 0.1);
+        int observed = 0;
+        AdaptiveOptions options{.relative = 1e-6, .absolute = 1e-6, .stops = {1, 2, 10}};
+        options.observe = [&](const AcceptedStep&) { ++observed; };
+        const OdeResult result = integrateAdaptive(ode.problem, method, 0, ode.end, ode.initial, options);
+        const int steps = observed;
+        const Confirmation found = confirmAdaptive(ode.problem, method, 0, ode.end, ode.initial, options, result);
+        EXPECT_EQ(found.doubt, "");
+        EXPECT_EQ(observed, steps) << "the second run is nobody's to observe";
+        EXPECT_GT(found.counts.evaluations, result.counts.evaluations);
+        // The second run errs by about a tenth: what differs is the first one's error.
+        const double error = inTolerances(result.y, ode.reference, options) * options.relative;
+        EXPECT_GT(found.difference, error / 2);
+        EXPECT_LT(found.difference, 100 * options.relative);
+        // What was changed at a stop alone is seen there.
+        OdeResult wrong = result;
+        wrong.atStops[1][0] += 0.7;
+        EXPECT_NE(confirmAdaptive(ode.problem, method, 0, ode.end, ode.initial, options, wrong)
+                      .doubt.find("at t = 2, a component differs by "),
+                  std::string::npos);
+    }
+    const OdeCase stars = pleiadesCase();
+    EXPECT_NE(confirmed(stars, OdeMethod::dormandPrince, {.relative = 1e-2, .absolute = 1e-2}).doubt, "");
+    EXPECT_EQ(confirmed(stars, OdeMethod::dormandPrince, {.relative = 1e-6, .absolute = 1e-6}).doubt, "");
+    // The second run may fail where the first did not.
+    const Confirmation tooFew =
+        confirmed(stars, OdeMethod::dormandPrince, {.relative = 1e-6, .absolute = 1e-6, .mostSteps = 400});
+    EXPECT_EQ(tooFew.doubt.rfind("by a tenth of the tolerance it gave up at t = ", 0), 0U) << tooFew.doubt;
+
+    const OdeCase ode = springCase(1, 0);
+    const auto why = [&](const AdaptiveOptions& options, const OdeResult& result, double allowed) {
+        return refusal(
+            [&] { confirmAdaptive(ode.problem, OdeMethod::rodas, 0, 1, ode.initial, options, result, allowed); });
+    };
+    const OdeResult right = integrateAdaptive(ode.problem, OdeMethod::rodas, 0, 1, ode.initial);
+    EXPECT_EQ(why({}, right, 0), "confirmAdaptive: the allowed difference must be greater than 0 and finite, 0");
+    EXPECT_EQ(why({}, {.failure = "gave up"}, 1), "confirmAdaptive: the result must have reached the end, gave up");
+    EXPECT_EQ(why({.stops = {1}}, right, 1),
+              "confirmAdaptive: the result must be of this problem and these stops, 2 numbers at 0 stops");
+    EXPECT_EQ(why({.relative = 5e-13}, right, 1), "RODAS 4(3): the relative tolerance must be 1e-13 to 0.1, 5e-14");
+}
+
 TEST(OdeAdaptive, RestCostsNothing) {
     const OdeProblem still{.dimension = 1,
                            .slope = [](double, std::span<const double>, std::span<double> dydt) { dydt[0] = 0; }};

@@ -1,6 +1,7 @@
 // docs/work-precision.md: what it says holds of its rows, which are measured again, against references that are.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -164,6 +165,44 @@ TEST(WorkPrecision, NobodyIsOnAnotherBranchOfVanDerPol) {
             integrateFixed(ode.problem, OdeMethod::radau, 0, 2, static_cast<int>(steps), ode.initial);
         EXPECT_LT(std::abs(result.y[0]), 2.02) << steps;
     }
+}
+
+// Error estimates are of steps. Who has an answer confirmed is never wrong by a component's size without a word: of each
+// problem, by each method of ours that chooses its steps, at each tolerance.
+TEST(WorkPrecision, WhatIsConfirmedIsNotWrong) {
+    int confirmed = 0, wrong = 0;
+    const std::vector<Problem> all = problems();
+    for (const StudyRow& row : committed().rows) {
+        if (row.settings.front().name != "tolerance" || row.status.find("gave up") != std::string::npos) continue;
+        const double tolerance = std::strtod(row.parameter.c_str(), nullptr);
+        const auto method =
+            std::ranges::find_if(odeMethods, [&](OdeMethod candidate) { return methodName(candidate) == row.method; });
+        if (method == odeMethods.end() || (row.msMedian > 5 && !isLong())) continue;
+        SCOPED_TRACE(row.scene + ", " + row.method + " " + row.parameter);
+        const auto problem =
+            std::ranges::find_if(all, [&](const Problem& candidate) { return candidate.ode.name == row.scene; });
+        ASSERT_NE(problem, all.end());
+        const OdeCase& ode = problem->ode;
+        AdaptiveOptions options{
+            .relative = tolerance, .absolute = tolerance * problem->floor, .mostSteps = 10 * mostSteps};
+        options.stops = problem->stops;
+        const OdeResult result = integrateAdaptive(ode.problem, *method, ode.start, ode.end, ode.initial, options);
+        ASSERT_EQ(result.failure, "");
+        const Confirmation confirmation =
+            confirmAdaptive(ode.problem, *method, ode.start, ode.end, ode.initial, options, result);
+        const double error = deviationOf(*problem, result.atStops, committedReference(*problem)).largest;
+        ++confirmed;
+        wrong += error > 1 ? 1 : 0;
+        if (error > 1) {
+            EXPECT_NE(confirmation.doubt, "") << error;
+        }
+        // Nor does it cry wolf: the second run's error is at most a few tenths of the first one's.
+        if (error < 0.25) {
+            EXPECT_EQ(confirmation.doubt, "") << error;
+        }
+    }
+    EXPECT_GT(confirmed, 150);
+    EXPECT_GE(wrong, 2);
 }
 
 // What is not the problem has an error.

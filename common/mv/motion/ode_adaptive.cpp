@@ -254,4 +254,47 @@ OdeResult integrateAdaptive(const OdeProblem& problem, OdeMethod method, double 
     }
 }
 
+Confirmation confirmAdaptive(const OdeProblem& problem, OdeMethod method, double start, double end,
+                             std::vector<double> y, const AdaptiveOptions& options, const OdeResult& result,
+                             double allowed) {
+    constexpr const char* subject = "confirmAdaptive";
+    requirePositive(subject, "the allowed difference", allowed);
+    if (!result.reachedEnd()) throw Error(subject, "the result must have reached the end", result.failure);
+    if (result.y.size() != y.size() || result.atStops.size() != options.stops.size()) {
+        throw Error(
+            subject, "the result must be of this problem and these stops",
+            std::to_string(result.y.size()) + " numbers at " + std::to_string(result.atStops.size()) + " stops");
+    }
+    AdaptiveOptions finer = options;
+    finer.relative /= 10;
+    finer.absolute /= 10;
+    finer.observe = {};
+    const OdeResult second = integrateAdaptive(problem, method, start, end, std::move(y), finer);
+    Confirmation confirmation{.counts = second.counts};
+    if (!second.reachedEnd()) {
+        confirmation.doubt = "by a tenth of the tolerance it " + second.failure;
+        return confirmation;
+    }
+    double time = end;
+    const auto compare = [&](const Values& a, const Values& b, double t) {
+        for (std::size_t i = 0; i < a.size(); ++i) {
+            const double size = std::max(std::abs(b[i]), options.absolute / options.relative);
+            const double difference = std::abs(a[i] - b[i]) / size;
+            if (difference <= confirmation.difference) continue;
+            confirmation.difference = difference;
+            time = t;
+        }
+    };
+    for (std::size_t k = 0; k < options.stops.size(); ++k) {
+        compare(result.atStops[k], second.atStops[k], options.stops[k]);
+    }
+    compare(result.y, second.y, end);
+    if (confirmation.difference > allowed) {
+        confirmation.doubt = "by a tenth of the tolerance, at t = " + numberText(time) + ", a component differs by " +
+                             numberText(confirmation.difference) +
+                             " of its size: the problem spreads the errors of steps";
+    }
+    return confirmation;
+}
+
 }  // namespace mv

@@ -3,6 +3,7 @@
 #include <array>
 #include <functional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "mv/motion/ode.h"
@@ -49,12 +50,29 @@ struct AdaptiveOptions {
 };
 
 // From `start` to `end` by Dormand-Prince, RODAS or Radau, whose steps a controller chooses: a PI controller, and of
-// Radau a predictive one. Gives up in words where a
-// step would be shorter than 16 ulp of t (the solution ends, or the tolerance asks for more than doubles have), or
-// after mostSteps (mostly an explicit method on a stiff problem). Each reason names the step that failed last.
+// Radau a predictive one. Gives up in words where a step would be shorter than 16 ulp of t (the solution ends, or the
+// tolerance asks for more than doubles have), or after mostSteps (mostly an explicit method on a stiff problem). Each
+// reason names the step that failed last.
+// Trap: only errors of single steps are estimated. Where the problem itself spreads them a coarse answer may be wrong
+// altogether without a word: see confirmAdaptive.
 // Refused: what requireProblem refuses, other methods, end <= start, options outside their ranges.
 // Source of the control: Gustafsson; Hairer and Wanner II, IV.2. Of the first step: Hairer, Norsett and Wanner I, II.4.
 OdeResult integrateAdaptive(const OdeProblem& problem, OdeMethod method, double start, double end,
                             std::vector<double> y, const AdaptiveOptions& options = {});
+
+struct Confirmation {
+    double difference = 0;   // the largest of a component, as a part of its size
+    std::string doubt = {};  // why the result is not to be believed; "" where it is
+    OdeCounts counts = {};   // what it cost to know
+};
+// Whether what integrateAdaptive answered to the same arguments can be believed: it integrates once more, by a tenth of both
+// tolerances, and compares y at the stops and at the end. There is a doubt where a component differs by more than `allowed`
+// of its size, which is at least absolute / relative, or where the second run gives up.
+// Trap: two wrong answers that are alike raise none.
+// Refused: a result that did not reach the end, a relative tolerance below 1e-12, `allowed` not above 0.
+// Source of the rule: Shampine, "Tolerance proportionality in ODE codes" (1989).
+Confirmation confirmAdaptive(const OdeProblem& problem, OdeMethod method, double start, double end,
+                             std::vector<double> y, const AdaptiveOptions& options, const OdeResult& result,
+                             double allowed = 0.5);
 
 }  // namespace mv
