@@ -140,23 +140,23 @@ std::string readmePage(const std::string& page) {
 
 Picture pictureStrip() {
     HeadlessStage headless;
-    constexpr int side = 150, gap = 6, across = 9;
+    constexpr int width = 150, height = 100, gap = 6, across = 9;
     const int count = static_cast<int>(catalogue().size());
     // As few rows as there may be, and all about as long
     const int rows = (count + across - 1) / across, columns = (count + rows - 1) / rows;
-    Picture strip(columns * side + (columns - 1) * gap, rows * side + (rows - 1) * gap);
+    Picture strip(columns * width + (columns - 1) * gap, rows * height + (rows - 1) * gap);
     std::fill(strip.rgba.begin(), strip.rgba.end(), std::uint8_t{200});  // grey between the pictures: some are white
     for (std::size_t i = 3; i < strip.rgba.size(); i += 4) strip.rgba[i] = 255;
     int index = 0;
     for (const DemoInfo& info : catalogue()) {
         headless.stage.open(info, info.width, info.height);
         headless.stage.draw(1);
-        const int left = index % columns * (side + gap), top = index / columns * (side + gap);
+        const int left = index % columns * (width + gap), top = index / columns * (height + gap);
         ++index;
-        const Picture small = shrink(headless.stage.picture(), side, side);
+        const Picture small = shrink(headless.stage.picture(), width, height);
         for (int y = 0; y < small.height; ++y) {
             for (int x = 0; x < small.width; ++x) {
-                strip.set(left + (side - small.width) / 2 + x, top + (side - small.height) / 2 + y, small.at(x, y));
+                strip.set(left + (width - small.width) / 2 + x, top + (height - small.height) / 2 + y, small.at(x, y));
             }
         }
     }
