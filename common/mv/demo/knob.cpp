@@ -55,7 +55,7 @@ std::string Knob::rangeInFull() const {
 }
 
 std::string Knob::stepText(double amount, const std::string& unit) const {
-    return (amount > 0 ? "+" : "") + numberText(amount) + (unit.empty() ? "" : " " + unit);
+    return (amount > 0 ? "+" : "") + numberText(withDigits(amount, 4)) + (unit.empty() ? "" : " " + unit);
 }
 
 // ---- Real
