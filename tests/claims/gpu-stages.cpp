@@ -17,7 +17,16 @@ using namespace mv::test;
 
 namespace {
 
-const std::vector<std::string> stages{"off", "shapes", "normals", "explode", "wireframe"};
+const std::vector<std::string> stages{"off", "pass", "wireframe", "shapes", "normals", "explode"};
+
+// The left half of the picture, without the table.
+std::vector<Pixel> leftOf(const Picture& picture) {
+    std::vector<Pixel> pixels;
+    for (int y = 0; y < picture.height; ++y) {
+        for (int x = 0; x < 0.47 * picture.width; ++x) pixels.push_back(picture.at(x, y));
+    }
+    return pixels;
+}
 
 // What the four ways of counting say of the picture as it is set.
 struct Counts {
@@ -32,6 +41,7 @@ Counts countsOf(DemoRun& run) {
 
 TEST(GpuStages, counts_agree) {
     DemoRun run("gpu-stages", 96, 56);
+    run.set("own-edges", "on");
     for (const char* tessellation : {"on", "off"}) {
         for (const std::string& geometry : stages) {
             for (const auto& [inner, outer] : {std::pair{1, 1}, {3, 7}, {16, 16}}) {
@@ -47,10 +57,11 @@ TEST(GpuStages, counts_agree) {
 
 TEST(GpuStages, counts_follow_the_rule) {
     DemoRun run("gpu-stages", 96, 56);
+    run.set("own-edges", "on");
     for (const auto& [inner, outer] : {std::pair{1, 1}, {1, 6}, {2, 1}, {5, 9}, {9, 5}, {64, 64}}) {
         run.set("inner", inner).set("outer", outer);
         const auto triangles = double(trianglesOfSquare(inner, outer));
-        for (const char* geometry : {"off", "normals", "explode", "wireframe"}) {
+        for (const char* geometry : {"off", "pass", "wireframe", "normals", "explode"}) {
             const Counts counts = countsOf(run.set("geometry", geometry));
             EXPECT_EQ(counts.into, triangles) << inner << " " << outer;
             EXPECT_EQ(counts.out, triangles) << geometry;
@@ -62,36 +73,68 @@ TEST(GpuStages, counts_follow_the_rule) {
             EXPECT_EQ(hexagons.into, (inner + 1) * (inner + 1));
         }
     }
+    // Edges without a level of their own have that of the inside.
+    run.set("own-edges", "off").set("inner", 5).set("outer", 9).set("geometry", "off");
+    EXPECT_EQ(countsOf(run).out, trianglesOfSquare(5, 5));
     run.set("tessellation", "off");
     EXPECT_EQ(countsOf(run.set("geometry", "off")).out, 18) << "3 x 3 cells between 16 points";
     EXPECT_EQ(countsOf(run.set("geometry", "shapes")).into, 16);
 }
 
 TEST(GpuStages, stages_pass_on) {
-    DemoRun run("gpu-stages", 960, 560);
-    const auto left = [&](const Picture& picture) {  // without the table
-        std::vector<Pixel> pixels;
-        for (int y = 0; y < picture.height; ++y) {
-            for (int x = 0; x < 0.47 * picture.width; ++x) pixels.push_back(picture.at(x, y));
-        }
-        return pixels;
-    };
-    // The wireframe's stage passes triangles on where they are: as many fragments as without it.
-    (void)run.set("geometry", "off").picture();
-    const double covered = run.readout("fragments-passed");
-    const auto without = left(run.picture());
-    (void)run.set("geometry", "wireframe").picture();
-    EXPECT_EQ(run.readout("fragments-passed"), covered);
+    DemoRun run("gpu-stages");
+    for (const char* tessellation : {"on", "off"}) {
+        // Passed on as it came: every pixel is the same.
+        run.set("tessellation", tessellation).set("geometry", "off");
+        const auto without = leftOf(run.picture());
+        const double covered = run.readout("fragments-passed");
+        EXPECT_GT(covered, 10000);
+        EXPECT_EQ(leftOf(run.set("geometry", "pass").picture()), without) << tessellation;
+        // The wireframe's stage passes triangles on where they are: as many fragments as without it.
+        run.set("geometry", "wireframe").set("hidden", "off");
+        EXPECT_NE(leftOf(run.picture()), without);
+        EXPECT_EQ(run.readout("fragments-passed"), covered) << tessellation;
+    }
     // The vertex shader alone moves it.
-    EXPECT_NE(left(run.set("geometry", "off").set("bend", 0.0).picture()), without);
+    run.set("tessellation", "on").set("geometry", "off");
+    const auto bent = leftOf(run.picture());
+    EXPECT_NE(leftOf(run.set("bend", 0.0).picture()), bent);
 
-    run.set("bend", 0.1).set("fragments", "off");
+    run.set("bend", 0.1).set("geometry", "wireframe").set("fragments", "off");
     const Pixel background = run.picture().at(0, 0);
-    for (const Pixel& pixel : left(run.picture())) ASSERT_EQ(pixel, background);
+    for (const Pixel& pixel : leftOf(run.picture())) ASSERT_EQ(pixel, background);
     const Counts counts = countsOf(run);
     EXPECT_EQ(counts.out, trianglesOfSquare(8, 8));
     EXPECT_EQ(counts.found, counts.out);
     EXPECT_EQ(run.readout("fragments-passed"), 0);
+}
+
+TEST(GpuStages, hidden_lines) {
+    DemoRun run("gpu-stages");
+    const auto both = [&] {
+        const auto without = leftOf(run.set("hidden", "off").picture());
+        return std::pair(without, leftOf(run.set("hidden", "on").picture()));
+    };
+    // From above nothing hides anything.
+    run.set("spin-x", 90).set("spin-y", 0);
+    const auto [above, aboveToo] = both();
+    EXPECT_EQ(above, aboveToo);
+
+    run.set("spin-x", 40).set("spin-y", -25);
+    const auto [without, with] = both();
+    long changed = 0;
+    for (std::size_t i = 0; i < with.size(); ++i) {
+        if (with[i] == without[i]) continue;
+        ++changed;
+        EXPECT_LE(with[i].red, without[i].red);
+        EXPECT_LE(with[i].green, without[i].green);
+        EXPECT_LE(with[i].blue, without[i].blue);
+        // As pale as 0.35 of a line, of red 0.1, and 0.65 of a face, of red 0.88 at least: so no line before it is covered.
+        EXPECT_GE(with[i].red, 255 * (0.35 * 0.1 + 0.65 * 0.88) - 1);
+        EXPECT_NE(without[i], with.front()) << "beside the surface there is nothing to be seen through";
+    }
+    EXPECT_GT(changed, 100) << "the back of the hill";
+    EXPECT_LT(changed, 10000) << "lines, no faces";
 }
 
 TEST(GpuStages, ten_primitive_types) {
