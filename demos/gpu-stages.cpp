@@ -4,8 +4,8 @@
 // - [counts-agree] Two queries and what transform feedback leaves in its buffer count the same primitives.
 // - [counts-follow-the-rule] The tessellator makes as many triangles as its levels say; a geometry shader, of each triangle
 //   one or a line, of each point four triangles.
-// - [stages-pass-on] A stage that is on and changes nothing changes no pixel; without fragments there is no picture, and all
-//   is counted as before.
+// - [stages-pass-on] A stage that is on and changes nothing changes no pixel by more than its colours' last place; without
+//   fragments there is no picture, and all is counted as before.
 // - [hidden-lines] What shows them draws lines behind faces and nothing else, and covers no line before them.
 // - [ten-primitive-types] So many vertices make so many primitives, in each of the seven types of the core; it refuses the
 //   other three.
@@ -65,14 +65,14 @@ struct GpuStages final : Demo {
                                {"normals", "of each triangle a line, beside the patch"},
                                {"explode", "each triangle moved along its normal"}},
                               "what the geometry shader makes"};
-    Toggle hidden{this, "hidden", true, "lines of the wireframe are seen through faces, too, but faintly"};
+    Toggle hidden{this, "hidden", true, "lines of the wireframe that are behind faces are drawn, too, but paler"};
     Real amount{this, "amount", 0.25, {0.05, 1}, "how far it moves, how long the lines are, how large the hexagons"};
     Real bend{this, "bend", 0.1, {-0.3, 0.3}, "by how much the vertex shader bends the sheet; 0 leaves it as it is"};
     Toggle fragments{this, "fragments", true, "rasterization, and the stages after it"};
     NumberChoice direct3d{this, "direct3d", 11, {9, 10, 11}, "whose names stand beside those of OpenGL"};
     Whole vertices{this, "vertices", 8, {4, 8}, "vertices of each primitive type"};
     Whole cells{this, "cells", 12, {3, 32}, "cells along and around each body"};
-    Spin spin{this, 40, -25};
+    Spin spin{this, 20, -30};
 
     Readout into{this, "into-geometry", "primitives that reach the geometry stage's place, by a query"};
     Readout out{this, "out-of-geometry", "primitives that leave it, by a query"};
@@ -226,14 +226,15 @@ struct GpuStages final : Demo {
     // The eye, for the left half of the picture; the table is beside it.
     Scene scene(const FrameInfo& frame) const override {
         Scene scene;
-        scene.clipFromView = translate(-0.53, 0, 0) * scale(0.47, 1, 1) * perspective(35, 0.47 * frame.aspect(), 1, 20);
-        scene.viewFromWorld = lookAt(vec3(0, 0, 9), vec3(0), vec3(0, 1, 0)) * spin.turn() * translate(0, -0.4, 0);
+        scene.clipFromView = translate(-0.55, 0, 0) * scale(0.47, 1, 1) * perspective(35, 0.47 * frame.aspect(), 1, 20);
+        scene.viewFromWorld = lookAt(vec3(0, 0, 10.5), vec3(0), vec3(0, 1, 0)) * spin.turn() * translate(0, -0.4, 0);
         return scene;
     }
 
     void annotateStages(const Frame& frame) {
         if (fragments) {
-            for (const vec3& point : ExactPatch(bend).patch().points)
+            const ExactPatch exact(bend);
+            for (const vec3& point : exact.patch().points)
                 drawing.point(seen(frame).clipFromWorld(), point, 6, pointColor);
         }
         drawStageTable(drawing, frame, direct3d,
@@ -333,16 +334,15 @@ const bool added = addDemo<GpuStages>({
                            {"counting queries", "nothing is counted"},
                            {"indexed feedback", "nothing is counted"},
                            {"expanded feedback", "nothing is counted"}}},
-    .presets =
-        {{"wireframe",
-          "All stages: 16 control points go in, 128 triangles come out; faint lines are behind faces.",
-          {},
-          {{"out-of-geometry", 128, 128}}},
-         {"hexagons", "The tessellator gives points; of each one, a hexagon.", {{"geometry", "shapes"}}},
-         {"exploded", "Who moves a triangle must know all of it: geometry shaders do.", {{"geometry", "explode"}}},
-         {"primitives", "Ten ways to join vertices; the red three have left the core.", {{"show", "primitives"}}},
-         {"meshes", "A torus is regular everywhere; a sphere cannot be.", {{"show", "meshes"}}},
-         {"compute", "The same rings by a fragment and by a compute shader.", {{"show", "compute"}}}},
+    .presets = {{"wireframe",
+                 "All stages: 16 control points go in, 128 triangles come out; pale lines are behind faces.",
+                 {},
+                 {{"out-of-geometry", 128, 128}}},
+                {"hexagons", "Of each point of the tessellator a hexagon.", {{"geometry", "shapes"}, {"spin-x", "45"}}},
+                {"exploded", "Geometry shaders know a triangle's normal.", {{"geometry", "explode"}, {"spin-x", "45"}}},
+                {"primitives", "Ten ways to join vertices; the red three left the core.", {{"show", "primitives"}}},
+                {"meshes", "A torus is regular everywhere; a sphere cannot be.", {{"show", "meshes"}}},
+                {"compute", "The same rings by a fragment and by a compute shader.", {{"show", "compute"}}}},
 });
 
 }  // namespace

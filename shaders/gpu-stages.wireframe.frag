@@ -12,5 +12,5 @@ void main() {
     float face = clamp(nearest - 0.3, 0.0, 1.0);
     if (isHidden && face == 1.0) discard;
     vec3 paper = vec3(1.0) - 0.12 * abs(normalize(facing).zyx);
-    show(mix(isHidden ? mix(color, paper, 0.65) : color, paper, face), 1.0 / gl_FragCoord.w, true);
+    show(mix(isHidden ? mix(color, paper, 0.5) : color, paper, face), 1.0 / gl_FragCoord.w, true);
 }

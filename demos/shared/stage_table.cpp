@@ -18,7 +18,7 @@ std::size_t cornersOf(GLenum primitive) { return primitive == GL_POINTS ? 1 : pr
 
 std::array<Flow, 11> flowsOf(const PatchDraw& patch) {
     const auto number = [](const CountedPrimitives& counted) {
-        return counted.primitive != 0 ? primitivesText(counted.number.generated, counted.primitive) : "not counted";
+        return counted.isCounted ? primitivesText(counted.number.generated, counted.primitive) : "not counted";
     };
     const std::string before = number(patch.toGeometry), after = number(patch.sent);
     const std::string corners = std::to_string(patch.sent.number.positions.size()) + " corners";
@@ -30,7 +30,7 @@ std::array<Flow, 11> flowsOf(const PatchDraw& patch) {
         {cut, "levels " + std::to_string(patch.inner) + ", " + std::to_string(patch.outer), before},
         {cut, "each u, v", "a vertex"},
         {patch.hasGeometry, before, after},
-        {patch.sent.primitive != 0, after, corners},
+        {patch.sent.isCounted, after, corners},
         {drawn, after, "fragments"},
         {drawn, "each fragment", "a colour"},
         {drawn, "colour, depth", "pixels"},
@@ -46,7 +46,7 @@ double CountedPrimitives::found() const {
 
 CountedPrimitives counted(const Program& program, GLenum mode, const std::function<void()>& draw) {
     const GLenum primitive = program.primitiveOut(mode);
-    return {primitive, captured(primitive, draw)};
+    return {true, primitive, captured(primitive, draw)};
 }
 
 std::string primitivesText(long number, GLenum primitive) {
@@ -55,17 +55,18 @@ std::string primitivesText(long number, GLenum primitive) {
 }
 
 void drawStageTable(Drawing& drawing, const FrameInfo& frame, int direct3d, const PatchDraw& patch) {
-    const Box box{vec2(0.48 * frame.width(), 0.08 * frame.height()), vec2(0.99 * frame.width(), 0.94 * frame.height())};
+    const Box box{vec2(0.455 * frame.width(), 0.08 * frame.height()),
+                  vec2(0.99 * frame.width(), 0.94 * frame.height())};
     const std::array<Flow, 11> flows = flowsOf(patch);
     const double width = box.high.x - box.low.x, height = box.high.y - box.low.y;
     const double line = height / double(stageNames.size() + 1);
     // Four columns, or two of them where there is no room for their words
     const auto largestWords = [&](double across) { return static_cast<int>(std::min(0.5 * line, width / across)); };
-    const bool all = largestWords(36) >= 8;
-    const int words = largestWords(all ? 36 : 25);
+    const bool all = largestWords(38) >= 8;
+    const int words = largestWords(all ? 38 : 25);
     if (words < 8) return;
     const vec4 ink(0.1, 0.1, 0.1, 1), grey(0.62, 0.62, 0.64, 1), programmable(0.86, 0.91, 0.97, 1);
-    const std::array<double, 4> columns{0.01 * width, 0.36 * width, 0.6 * width, (all ? 0.8 : 0.62) * width};
+    const std::array<double, 4> columns{0.01 * width, 0.36 * width, 0.61 * width, (all ? 0.805 : 0.62) * width};
     double y = box.high.y;
     const auto cells = [&](const std::array<std::string, 4>& texts, const vec4& color) {
         for (std::size_t i = 0; i < texts.size(); ++i) {

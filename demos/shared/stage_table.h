@@ -34,7 +34,8 @@ inline constexpr std::array<StageName, 11> stageNames{{
 
 // What leaves a stage, counted three times over.
 struct CountedPrimitives {
-    GLenum primitive = 0;  // GL_POINTS, GL_LINES or GL_TRIANGLES; 0: nobody has counted
+    bool isCounted = false;  // or the rest says nothing
+    GLenum primitive = GL_TRIANGLES;
     Captured number = {};
     double found() const;  // primitives of which all corners were in the buffer of transform feedback
 };

@@ -46,7 +46,7 @@ TEST(StageTable, CountsInWords) {
     EXPECT_EQ(primitivesText(1, GL_TRIANGLES), "1 triangle");
     EXPECT_EQ(primitivesText(0, GL_LINES), "0 lines");
     EXPECT_EQ(primitivesText(16, GL_POINTS), "16 points");
-    const CountedPrimitives lines{GL_LINES, {.generated = 2, .written = 2, .positions = std::vector<fvec4>(3)}};
+    const CountedPrimitives lines{true, GL_LINES, {.generated = 2, .written = 2, .positions = std::vector<fvec4>(3)}};
     EXPECT_EQ(lines.found(), 1.5) << "a half one is none of the others' count";
 }
 
