@@ -54,7 +54,7 @@ struct GpuStages final : Demo {
     Toggle tessellation{this, "tessellation", true, "its two shaders, and the primitive generator between them"};
     Whole inner{this, "inner", 8, {1, 64}, "the level of the patch's inside"};
     Toggle ownEdges{this, "own-edges", false, "its four edges have a level of their own, and not that of the inside"};
-    Whole outer{this, "outer", 8, {1, 64}, "the edges' own level"};
+    Whole outer{this, "outer", 4, {1, 64}, "the edges' own level"};
     Choice<Geometry> geometry{this,
                               "geometry",
                               Geometry::wireframe,
@@ -83,8 +83,8 @@ struct GpuStages final : Demo {
     Readout irregular{this, "irregular", "inner vertices of the four bodies where not six edges meet"};
 
     std::map<std::vector<std::string>, Program> programs;  // by their files
-    OnDemand<Mesh> points{controlPoints(), "control points"}, net{controlNet(), "control net"};
-    OnDemand<Mesh> square{positionsOnly(mv::square()), "square"};  // all of a pane
+    OnDemand<Mesh> patch{positionsOnly(controlPoints()), "patch"}, points{controlPoints(), "control points"};
+    OnDemand<Mesh> net{controlNet(), "control net"}, square{positionsOnly(mv::square()), "square"};
     CountedPrimitives toGeometry, sent;
     MadeFor<bool, int, int, Geometry> countedFor;
     PrimitiveFigure types;
@@ -175,7 +175,7 @@ struct GpuStages final : Demo {
         }
         return used;
     }
-    void submit() { mode() == GL_TRIANGLES ? net->draw() : points->drawAs(mode()); }
+    void submit() { (isTessellated() ? patch : ofPoints() ? points : net)->drawAs(mode()); }
 
     void drawStages(const Frame& frame) {
         const Geometry stage = geometryStage();
@@ -333,7 +333,8 @@ const bool added = addDemo<GpuStages>({
                            {"compute shaders", "only the fragment shader draws"},
                            {"counting queries", "nothing is counted"},
                            {"indexed feedback", "nothing is counted"},
-                           {"expanded feedback", "nothing is counted"}}},
+                           {"expanded feedback", "nothing is counted"},
+                           {"float targets", "the error is not measured"}}},
     .presets = {{"wireframe",
                  "All stages: 16 control points go in, 128 triangles come out; pale lines are behind faces.",
                  {},
