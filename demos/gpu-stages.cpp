@@ -235,7 +235,7 @@ struct GpuStages final : Demo {
         if (fragments) {
             const ExactPatch exact(bend);
             for (const vec3& point : exact.patch().points)
-                drawing.point(seen(frame).clipFromWorld(), point, 6, pointColor);
+                drawing.point(seen(frame).clipFromWorld(), point, frame.height() / 90.0, pointColor);
         }
         drawStageTable(drawing, frame, direct3d,
                        {.mode = mode(),
@@ -342,7 +342,7 @@ const bool added = addDemo<GpuStages>({
                 {"hexagons", "Of each point of the tessellator a hexagon.", {{"geometry", "shapes"}, {"spin-x", "45"}}},
                 {"exploded", "Geometry shaders know a triangle's normal.", {{"geometry", "explode"}, {"spin-x", "45"}}},
                 {"primitives", "Ten ways to join vertices; the red three left the core.", {{"show", "primitives"}}},
-                {"meshes", "A torus is regular everywhere; a sphere cannot be.", {{"show", "meshes"}}},
+                {"meshes", "A torus is regular everywhere; no sphere is.", {{"show", "meshes"}, {"spin-x", "40"}}},
                 {"compute", "The same rings by a fragment and by a compute shader.", {{"show", "compute"}}}},
 });
 
