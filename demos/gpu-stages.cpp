@@ -4,15 +4,15 @@
 // - [counts-agree] Two queries and what transform feedback leaves in its buffer count the same primitives.
 // - [counts-follow-the-rule] The tessellator makes as many triangles as its levels say; a geometry shader, of each triangle
 //   one or a line, of each point four triangles.
-// - [stages-pass-on] A stage that is on and changes nothing changes no pixel; without fragments there is no picture, and all
-//   is counted as before.
+// - [stages-pass-on] A stage that is on and changes nothing changes no pixel by more than its colours' last place; without
+//   fragments there is no picture, and all is counted as before.
+// - [hidden-lines] What shows them draws lines behind faces and nothing else, and covers no line before them.
 // - [ten-primitive-types] So many vertices make so many primitives, in each of the seven types of the core; it refuses the
 //   other three.
 // - [regular-only-with-euler-0] Of the closed bodies the torus is regular and the sphere is not; what its vertices lack of
 //   six edges is 6 times Euler's number.
 // - [compute-is-the-same-picture] The compute shader stores the picture that the fragment shader draws.
 // - [says-what-is-lacking] Without a stage the demo draws what it can, and says what it lacks.
-#include <array>
 #include <map>
 #include <string>
 #include <vector>
@@ -26,6 +26,7 @@
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
 #include "shared/control_net.h"
+#include "shared/exact_patch.h"
 #include "shared/primitive_figure.h"
 #include "shared/regular_meshes.h"
 #include "shared/spin.h"
@@ -36,9 +37,10 @@ using namespace mv;
 namespace {
 
 enum class Show { stages, primitives, meshes, compute };
-enum class Geometry { off, shapes, normals, explode, wireframe };
+enum class Geometry { off, pass, wireframe, shapes, normals, explode };
 
-const vec3 sheetColor(0.85, 0.55, 0.25), lineColor(0.1, 0.3, 0.6), oddColor(0.8, 0.15, 0.1);
+const vec3 sheetColor(0.85, 0.55, 0.25), lineColor(0.1, 0.3, 0.6);
+const vec4 pointColor(0.45, 0.45, 0.5, 1);
 
 struct GpuStages final : Demo {
     Choice<Show> show{this,
@@ -51,22 +53,26 @@ struct GpuStages final : Demo {
                       "what is shown"};
     Toggle tessellation{this, "tessellation", true, "its two shaders, and the primitive generator between them"};
     Whole inner{this, "inner", 8, {1, 64}, "the level of the patch's inside"};
-    Whole outer{this, "outer", 8, {1, 64}, "the level of its four edges"};
+    Toggle ownEdges{this, "own-edges", false, "its four edges have a level of their own, and not that of the inside"};
+    Whole outer{this, "outer", 4, {1, 64}, "the edges' own level"};
     Choice<Geometry> geometry{this,
                               "geometry",
                               Geometry::wireframe,
                               {{"off", "there is no such stage"},
+                               {"pass", "each triangle as it came"},
+                               {"wireframe", "each triangle, with the distances from its edges"},
                                {"shapes", "of each point a hexagon"},
                                {"normals", "of each triangle a line, beside the patch"},
-                               {"explode", "each triangle moved along its normal"},
-                               {"wireframe", "each triangle, with the distances from its edges"}},
+                               {"explode", "each triangle moved along its normal"}},
                               "what the geometry shader makes"};
+    Toggle hidden{this, "hidden", true, "lines of the wireframe that are behind faces are drawn, too, but paler"};
     Real amount{this, "amount", 0.25, {0.05, 1}, "how far it moves, how long the lines are, how large the hexagons"};
     Real bend{this, "bend", 0.1, {-0.3, 0.3}, "by how much the vertex shader bends the sheet; 0 leaves it as it is"};
     Toggle fragments{this, "fragments", true, "rasterization, and the stages after it"};
+    NumberChoice direct3d{this, "direct3d", 11, {9, 10, 11}, "whose names stand beside those of OpenGL"};
     Whole vertices{this, "vertices", 8, {4, 8}, "vertices of each primitive type"};
     Whole cells{this, "cells", 12, {3, 32}, "cells along and around each body"};
-    Spin spin{this, 40, -25};
+    Spin spin{this, 20, -30};
 
     Readout into{this, "into-geometry", "primitives that reach the geometry stage's place, by a query"};
     Readout out{this, "out-of-geometry", "primitives that leave it, by a query"};
@@ -76,34 +82,35 @@ struct GpuStages final : Demo {
     Readout made{this, "primitives", "primitives of the seven types of the core, by queries"};
     Readout irregular{this, "irregular", "inner vertices of the four bodies where not six edges meet"};
 
-    std::map<std::string, Program> programs;
-    OnDemand<Mesh> points{controlPoints(), "control points"}, net{controlNet(), "control net"};
-    OnDemand<Mesh> square{mv::square(), "square"};  // all of a pane
-    Captured toGeometry, sent;
+    std::map<std::vector<std::string>, Program> programs;  // by their files
+    OnDemand<Mesh> patch{positionsOnly(controlPoints()), "patch"}, points{controlPoints(), "control points"};
+    OnDemand<Mesh> net{controlNet(), "control net"}, square{positionsOnly(mv::square()), "square"};
+    CountedPrimitives toGeometry, sent;
     MadeFor<bool, int, int, Geometry> countedFor;
-    PrimitiveFigure figure;
-    std::vector<RegularMesh> bodies;
-    std::vector<Mesh> wholeMeshes, oddMeshes;
-    MadeFor<int> bodiesFor;
+    PrimitiveFigure types;
+    RegularFigure bodies;
     Target image;
     Drawing drawing;
 
     GpuStages() {
         bindWheel(inner, 1);
-        bindKeys(Key::down, Key::up, outer, 1);
+        bindKeys(Key::down, Key::up, bend, 0.05);
+        const auto only = [](const auto& where, const char* reason, const std::vector<Knob*>& knobs) {
+            for (Knob* knob : knobs) knob->onlyWhen(where, reason);
+        };
         const auto shows = [this](Show what) { return [=, this] { return show == what; }; };
-        for (Knob* knob : std::vector<Knob*>{&tessellation, &inner, &outer, &geometry, &amount, &bend, &fragments})
-            knob->onlyWhen(shows(Show::stages), "no patch is shown");
-        for (Knob* knob : std::vector<Knob*>{&inner, &outer})
-            knob->onlyWhen([this] { return tessellation; }, "nothing is tessellated");
-        amount.onlyWhen([this] { return geometry != Geometry::off && geometry != Geometry::wireframe; },
-                        "the geometry stage moves nothing");
-        for (Knob* knob : std::vector<Knob*>{&amount, &bend, &spin.x, &spin.y})
-            knob->onlyWhen([this] { return show != Show::stages || fragments; }, "nothing is drawn");
-        vertices.onlyWhen(shows(Show::primitives), "no primitive types are shown");
-        cells.onlyWhen(shows(Show::meshes), "no bodies are shown");
-        for (Knob* knob : std::vector<Knob*>{&spin.x, &spin.y})
-            knob->onlyWhen([this] { return show == Show::stages || show == Show::meshes; }, "the picture is flat");
+        only(shows(Show::stages), "no patch is shown",
+             {&tessellation, &inner, &ownEdges, &outer, &geometry, &hidden, &amount, &bend, &fragments, &direct3d});
+        only([this] { return tessellation; }, "nothing is tessellated", {&inner, &ownEdges, &outer});
+        only([this] { return ownEdges; }, "the edges have the level of the inside", {&outer});
+        only([this] { return geometry == Geometry::wireframe; }, "no wireframe is shown", {&hidden});
+        only([this] { return hasAmount(geometry); }, "the geometry stage moves nothing", {&amount});
+        only([this] { return show != Show::stages || fragments; }, "nothing is drawn",
+             {&hidden, &amount, &bend, &spin.x, &spin.y});
+        only(shows(Show::primitives), "no primitive types are shown", {&vertices});
+        only(shows(Show::meshes), "no bodies are shown", {&cells});
+        only([this] { return show == Show::stages || show == Show::meshes; }, "the picture is flat",
+             {&spin.x, &spin.y});
     }
 
     void init() override {}
@@ -123,61 +130,59 @@ struct GpuStages final : Demo {
         return geometry != Geometry::off && has(beyond_es::geometryShaders) ? Geometry(geometry) : Geometry::off;
     }
     bool ofPoints() const { return geometryStage() == Geometry::shapes; }
+    static bool hasAmount(Geometry stage) { return stage > Geometry::wireframe; }
+    int outerLevel() const { return ownEdges ? outer : inner; }
     GLenum mode() const { return isTessellated() ? GL_PATCHES : ofPoints() ? GL_POINTS : GL_TRIANGLES; }
 
+    std::string wordOf(Geometry stage) const { return geometry.options().at(static_cast<std::size_t>(stage)).word; }
+
     // The program of just these stages: a file each.
-    const Program& program(bool tessellated, bool pointwise, Geometry stage) {
-        static constexpr std::array<const char*, 5> words{"", "shapes", "normals", "explode", "wireframe"};
-        const std::string word = words.at(static_cast<std::size_t>(stage));
+    const Program& program(bool tessellated, Geometry stage) {
         std::vector<std::string> files{"gpu-stages.vert"};
         if (tessellated) {
             files.emplace_back("gpu-stages.patch.tesc");
-            files.emplace_back(pointwise ? "gpu-stages.points.tese" : "gpu-stages.patch.tese");
+            files.emplace_back(ofPoints() ? "gpu-stages.points.tese" : "gpu-stages.patch.tese");
         }
-        if (stage != Geometry::off) files.push_back("gpu-stages." + word + ".geom");
+        if (stage != Geometry::off) files.push_back("gpu-stages." + wordOf(stage) + ".geom");
         files.emplace_back(stage == Geometry::wireframe ? "gpu-stages.wireframe.frag" : "gpu-stages.frag");
         return programOf(files);
     }
     const Program& programOf(const std::vector<std::string>& files) {
-        std::string name;
-        for (const std::string& file : files) name += (name.empty() ? "" : " ") + file;
-        const auto known = programs.find(name);
-        return known != programs.end() ? known->second
-                                       : programs.emplace(name, Program::fromFiles(name, files)).first->second;
+        auto known = programs.find(files);
+        if (known == programs.end()) {
+            std::string name;
+            for (const std::string& file : files) name += (name.empty() ? "" : " ") + file;
+            known = programs.emplace(files, Program::fromFiles(name, files)).first;
+        }
+        return known->second;
     }
 
     // Uses it, and tells it all that it asks for.
     const Program& prepare(const Frame& frame, Geometry stage) {
-        const Program& used = program(isTessellated(), ofPoints(), stage);
+        const Program& used = program(isTessellated(), stage);
         used.use();
-        used.set("clipFromWorld", clipFromWorld(frame));
+        used.set("clipFromWorld", seen(frame).clipFromWorld());
         used.set("bend", bend);
         used.set("color", stage == Geometry::normals || stage == Geometry::wireframe ? lineColor : sheetColor);
         if (isTessellated()) {
             used.set("inner", double(inner));
-            used.set("outer", double(outer));
+            used.set("outer", double(outerLevel()));
         }
+        if (hasAmount(stage)) used.set("amount", amount);
         if (stage == Geometry::wireframe) {
             used.set("halfPicture", 0.5 * vec2(frame.width(), frame.height()));
-        } else if (stage != Geometry::off) {
-            used.set("amount", amount);
+            used.set("isHidden", false);
         }
         return used;
     }
-    void submit() {
-        if (mode() == GL_TRIANGLES) {
-            net->draw();
-        } else {
-            points->drawAs(mode());
-        }
-    }
+    void submit() { (isTessellated() ? patch : ofPoints() ? points : net)->drawAs(mode()); }
 
     void drawStages(const Frame& frame) {
         const Geometry stage = geometryStage();
         const bool counts = has(beyond_es::countingQueries);
-        const bool anew = counts && countedFor.changed(isTessellated(), inner, outer, stage);
+        const bool anew = counts && countedFor.changed(isTessellated(), inner, outerLevel(), stage);
         if (isTessellated()) glPatchParameteri(GL_PATCH_VERTICES, 16);
-        frame.show("clipFromWorld", clipFromWorld(frame));
+        frame.show("clipFromWorld", seen(frame).clipFromWorld());
 
         long passed = 0;
         const auto drawCounted = [&] {
@@ -192,50 +197,55 @@ struct GpuStages final : Demo {
         // What would go to the rasterizer without a geometry stage; beside the normals it does.
         if (stage != Geometry::off && (anew || stage == Geometry::normals)) {
             const Program& without = prepare(frame, Geometry::off);
-            if (anew) toGeometry = captured(without.primitiveOut(mode()), [this] { submit(); });
+            if (anew) toGeometry = counted(without, mode(), [this] { submit(); });
             if (stage == Geometry::normals) drawCounted();
         }
         const Program& all = prepare(frame, stage);
-        if (anew) sent = captured(all.primitiveOut(mode()), [this] { submit(); });
+        if (anew) sent = counted(all, mode(), [this] { submit(); });
         if (anew && stage == Geometry::off) toGeometry = sent;
         drawCounted();
+        if (stage == Geometry::wireframe && hidden && fragments && !frame.measuring()) {
+            all.set("isHidden", true);  // once more, and only what lies behind what was drawn
+            glDepthFunc(GL_GREATER);
+            glDepthMask(GL_FALSE);
+            glEnable(GL_BLEND);
+            glBlendEquation(GL_MIN);  // the lines before it stay as dark as they are
+            drawCounted();
+        }
 
-        if (!counts || !frame.readouts()) return;
-        into = double(toGeometry.generated);
-        out = double(sent.generated);
-        written = double(sent.written);
-        found = double(sent.positions.size()) / cornersOf(all.primitiveOut(mode()));
+        if (!counts) return;
+        frame.count("primitives for the rasterizer", double(sent.number.generated));
+        if (!frame.readouts()) return;
+        into = double(toGeometry.number.generated);
+        out = double(sent.number.generated);
+        written = double(sent.number.written);
+        found = sent.found();
         covered = double(passed);
     }
-    static int cornersOf(GLenum primitive) { return primitive == GL_POINTS ? 1 : primitive == GL_LINES ? 2 : 3; }
 
-    mat4 clipFromWorld(const FrameInfo& frame) const {
-        const mat4 left = translate(-0.53, 0, 0) * scale(0.47, 1, 1);  // the table is beside it
-        return left * perspective(35, 0.47 * frame.aspect(), 1, 20) * lookAt(vec3(0, 0, 9), vec3(0), vec3(0, 1, 0)) *
-               spin.turn() * translate(0, -0.4, 0);
+    // The eye, for the left half of the picture; the table is beside it.
+    Scene scene(const FrameInfo& frame) const override {
+        Scene scene;
+        scene.clipFromView = translate(-0.55, 0, 0) * scale(0.47, 1, 1) * perspective(35, 0.47 * frame.aspect(), 1, 20);
+        scene.viewFromWorld = lookAt(vec3(0, 0, 10.5), vec3(0), vec3(0, 1, 0)) * spin.turn() * translate(0, -0.4, 0);
+        return scene;
     }
 
     void annotateStages(const Frame& frame) {
-        const Geometry stage = geometryStage();
-        const auto primitive = [&](Geometry of) {
-            return program(isTessellated(), ofPoints(), of).primitiveOut(mode());
-        };
-        const Box right{vec2(0.48 * frame.width(), 0.08 * frame.height()),
-                        vec2(0.99 * frame.width(), 0.94 * frame.height())};
-        drawStageTable(drawing, right,
-                       {.isTessellated = isTessellated(),
-                        .hasGeometry = stage != Geometry::off,
-                        .hasFragments = fragments,
-                        .mode = mode(),
+        if (fragments) {
+            const ExactPatch exact(bend);
+            for (const vec3& point : exact.patch().points)
+                drawing.point(seen(frame).clipFromWorld(), point, frame.height() / 90.0, pointColor);
+        }
+        drawStageTable(drawing, frame, direct3d,
+                       {.mode = mode(),
                         .inner = inner,
-                        .outer = outer,
+                        .outer = outerLevel(),
                         .isBent = bend != 0.0,
-                        .before = primitive(Geometry::off),
-                        .after = primitive(stage),
-                        .isCounted = has(beyond_es::countingQueries),
-                        .toGeometry = toGeometry.generated,
-                        .sent = sent.generated,
-                        .cornersFound = sent.positions.size()});
+                        .hasGeometry = geometryStage() != Geometry::off,
+                        .hasFragments = fragments,
+                        .toGeometry = toGeometry,
+                        .sent = sent});
     }
 
     // ---- the ten primitive types
@@ -245,57 +255,24 @@ struct GpuStages final : Demo {
         const Program& flat = programOf({"gpu-stages.flat.vert", "gpu-stages.flat.frag"});
         flat.use();
         if (!isEs()) glEnable(GL_PROGRAM_POINT_SIZE);  // which has it always on
-        figure.draw(frame, flat, vertices, counts);
-        if (counts && frame.readouts()) made = double(figure.counted());
+        types.draw(frame, flat, vertices, counts);
+        if (counts && frame.readouts()) made = double(types.counted());
     }
 
     // ---- regular meshes, and one that cannot be
 
     void drawMeshes(const Frame& frame) {
-        if (bodiesFor.changed(cells)) {
-            bodies = regularMeshes(cells);
-            wholeMeshes.clear();
-            oddMeshes.clear();
-            for (const RegularMesh& body : bodies) {
-                wholeMeshes.emplace_back(body.mesh, body.name);
-                oddMeshes.push_back(body.irregular.positions.empty() ? Mesh() : Mesh(body.irregular, "irregular"));
-            }
-        }
-        if (has(beyond_es::geometryShaders)) {
-            const Program& wires = program(false, false, Geometry::wireframe);
-            wires.use();
-            wires.set("halfPicture", 0.5 * vec2(frame.width(), frame.height()));
-            drawBodies(frame, wires, lineColor, wholeMeshes);
-            const Program& hexagons = program(false, true, Geometry::shapes);
-            hexagons.use();
-            hexagons.set("amount", 0.2);
-            drawBodies(frame, hexagons, oddColor, oddMeshes);
-        } else {
-            const Program& plain = program(false, false, Geometry::off);
-            plain.use();
-            drawBodies(frame, plain, sheetColor, wholeMeshes);
-        }
-        if (!frame.readouts()) return;
-        long sum = 0;
-        for (const RegularMesh& body : bodies) sum += body.topology.irregular();
-        irregular = double(sum);
-    }
-    void drawBodies(const Frame& frame, const Program& used, const vec3& color, const std::vector<Mesh>& meshes) const {
+        const bool wires = has(beyond_es::geometryShaders);
+        const Program& used = program(false, wires ? Geometry::wireframe : Geometry::off);
+        used.use();
         used.set("bend", 0.0);
-        used.set("color", color);
-        const std::vector<Pane> panes = frame.panes(4);
-        for (std::size_t i = 0; i < meshes.size(); ++i) {
-            if (meshes[i].count() == 0) continue;
-            used.set("clipFromWorld", clipFromBody(frame, panes[i]));
-            meshes[i].draw();
+        used.set("color", wires ? lineColor : sheetColor);
+        if (wires) {
+            used.set("halfPicture", vec2(frame.width(), frame.height()) / 2.0);
+            used.set("isHidden", false);
         }
-    }
-    mat4 clipFromBody(const FrameInfo& frame, const Pane& pane) const {
-        const vec2 size(frame.width(), frame.height());
-        const vec2 middle(pane.x + 0.36 * pane.width, pane.y + 0.5 * pane.height);
-        return translate(2 * middle.x / size.x - 1, 2 * middle.y / size.y - 1, 0) *
-               scale(pane.width / size.x, pane.height / size.y, 1) * perspective(40, pane.aspect(), 1, 20) *
-               lookAt(vec3(0, 0, 5), vec3(0), vec3(0, 1, 0)) * spin.turn();
+        bodies.draw(frame, spin.turn(), used, cells);
+        if (frame.readouts()) irregular = double(bodies.irregular());
     }
 
     // ---- the same picture by a fragment shader and by a compute shader
@@ -330,23 +307,13 @@ struct GpuStages final : Demo {
         glViewport(pane.x, pane.y, pane.width, pane.height);
         square->draw();
     }
-    void annotateCompute(const Frame& frame) {
-        const std::vector<Pane> panes = frame.panes(2);
-        if (panes[0].width < 200 || panes[0].height < 64) return;
-        const std::string right = has(beyond_es::computeShaders) ? "by a compute shader" : "no compute shader here";
-        drawing.text({8, frame.height() - 6.0}, "by a fragment shader", {.background = vec4(0)});
-        drawing.text({panes[1].x + 8.0, frame.height() - 6.0}, right, {.background = vec4(0)});
-    }
 
     void annotate(const Frame& frame) override {
         drawing.begin(frame);
         if (show == Show::stages) annotateStages(frame);
-        if (show == Show::primitives) figure.label(frame, drawing);
-        if (show == Show::meshes) {
-            const std::vector<Pane> panes = frame.panes(4);
-            for (std::size_t i = 0; i < bodies.size(); ++i) labelBody(drawing, panes[i], bodies[i]);
-        }
-        if (show == Show::compute) annotateCompute(frame);
+        if (show == Show::primitives) types.label(frame, drawing);
+        if (show == Show::meshes) bodies.label(frame, spin.turn(), drawing);
+        if (show == Show::compute) drawHeadings(drawing, frame);
         drawing.draw(frame);
     }
 };
@@ -366,23 +333,17 @@ const bool added = addDemo<GpuStages>({
                            {"compute shaders", "only the fragment shader draws"},
                            {"counting queries", "nothing is counted"},
                            {"indexed feedback", "nothing is counted"},
-                           {"expanded feedback", "nothing is counted"}}},
-    .presets =
-        {
-            {"wireframe",
-             "All stages: 16 control points go in, 128 triangles come out, with their edges.",
-             {},
-             {{"out-of-geometry", 128, 128}}},
-            {"hexagons",
-             "The tessellator gives points, and the geometry shader makes a hexagon of each.",
-             {{"geometry", "shapes"}}},
-            {"exploded", "A triangle is moved by who knows all of it: the geometry shader.", {{"geometry", "explode"}}},
-            {"primitives",
-             "Ten ways to join the same vertices; the red three have left the core.",
-             {{"show", "primitives"}}},
-            {"meshes", "A torus is regular everywhere; a sphere cannot be.", {{"show", "meshes"}}},
-            {"compute", "The same rings by a fragment shader and by a compute shader.", {{"show", "compute"}}},
-        },
+                           {"expanded feedback", "nothing is counted"},
+                           {"float targets", "the error is not measured"}}},
+    .presets = {{"wireframe",
+                 "All stages: 16 control points go in, 128 triangles come out; pale lines are behind faces.",
+                 {},
+                 {{"out-of-geometry", 128, 128}}},
+                {"hexagons", "Of each point of the tessellator a hexagon.", {{"geometry", "shapes"}, {"spin-x", "45"}}},
+                {"exploded", "Geometry shaders know a triangle's normal.", {{"geometry", "explode"}, {"spin-x", "45"}}},
+                {"primitives", "Ten ways to join vertices; the red three left the core.", {{"show", "primitives"}}},
+                {"meshes", "A torus is regular everywhere; no sphere is.", {{"show", "meshes"}, {"spin-x", "40"}}},
+                {"compute", "The same rings by a fragment and by a compute shader.", {{"show", "compute"}}}},
 });
 
 }  // namespace

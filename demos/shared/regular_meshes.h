@@ -1,12 +1,14 @@
 // Bodies cut into triangles as regularly as they allow, and where they do not.
 #pragma once
-#include <array>
 #include <string>
 #include <vector>
 
+#include "mv/demo/made_for.h"
 #include "mv/geometry/mesh_data.h"
 #include "mv/geometry/topology.h"
 #include "mv/gl/drawing.h"
+#include "mv/gl/mesh.h"
+#include "mv/gl/program.h"
 
 namespace mv {
 
@@ -21,7 +23,20 @@ struct RegularMesh {
 // origin. Refused: cells outside 3 .. 64.
 std::vector<RegularMesh> regularMeshes(int cells);
 
-// What is counted of a body, in words at the right side of its pane.
-void labelBody(Drawing& drawing, const Pane& pane, const RegularMesh& body);
+// A figure of them, a pane each.
+class RegularFigure {
+  public:
+    // Draws the bodies, turned; the program is in use, and has `clipFromWorld`, `position` and `normal`.
+    void draw(const Frame& frame, const mat4& turn, const Program& program, int cells);
+    // What is counted of each, and red dots where those of its irregular vertices are that face the eye.
+    void label(const FrameInfo& frame, const mat4& turn, Drawing& drawing) const;
+    // Irregular vertices, all together.
+    long irregular() const;
+
+  private:
+    std::vector<RegularMesh> bodies_;
+    std::vector<Mesh> meshes_;
+    MadeFor<int> madeFor_;
+};
 
 }  // namespace mv

@@ -1,10 +1,12 @@
-// The stages of the graphics pipeline by their names in OpenGL and in Direct3D.
+// The stages of the graphics pipeline: their names in OpenGL and in Direct3D, and what goes through them.
 #pragma once
 #include <array>
-#include <cstddef>
+#include <functional>
 #include <string>
 
 #include "mv/gl/drawing.h"
+#include "mv/gl/feedback.h"
+#include "mv/gl/program.h"
 
 namespace mv {
 
@@ -17,37 +19,46 @@ struct StageName {
 
 // In the order in which a primitive goes through them; the compute shader stands apart from that.
 inline constexpr std::array<StageName, 11> stageNames{{
-    {"vertex specification", {"Vertex and Primitive Data", "Input Assembler", "Input Assembler"}, false},
-    {"vertex shader", {"Vertex Shader", "Vertex Shader", "Vertex Shader"}, true},
+    {"vertex specification", {"Vertex, Primitive Data", "Input Assembler", "Input Assembler"}, false},
+    {"vertex shader", {"Vertex Processing", "Vertex Shader", "Vertex Shader"}, true},
     {"tessellation control shader", {"", "", "Hull Shader"}, true},
     {"primitive generator", {"Tessellation", "", "Tessellator"}, false},
     {"tessellation evaluation shader", {"", "", "Domain Shader"}, true},
     {"geometry shader", {"", "Geometry Shader", "Geometry Shader"}, true},
     {"transform feedback", {"", "Stream Output", "Stream Output"}, false},
     {"rasterization", {"Geometry Processing", "Rasterizer", "Rasterizer"}, false},
-    {"fragment shader", {"Pixel Shader", "Pixel Shader", "Pixel Shader"}, true},
+    {"fragment shader", {"Pixel Processing", "Pixel Shader", "Pixel Shader"}, true},
     {"per-fragment operations", {"Pixel Rendering", "Output Merger", "Output Merger"}, false},
     {"compute shader", {"", "", "Compute Shader"}, true},
 }};
 
+// What leaves a stage, counted three times over.
+struct CountedPrimitives {
+    bool isCounted = false;  // or the rest says nothing
+    GLenum primitive = GL_TRIANGLES;
+    Captured number = {};
+    double found() const;  // primitives of which all corners were in the buffer of transform feedback
+};
+// What these draws with that mode send on, by captured(). The program is in use.
+CountedPrimitives counted(const Program& program, GLenum mode, const std::function<void()>& draw);
+
 // What a draw of 16 control points goes through, and what was counted of it.
 struct PatchDraw {
-    bool isTessellated, hasGeometry, hasFragments;
     GLenum mode;       // GL_PATCHES, GL_POINTS, or GL_TRIANGLES of the net
     int inner, outer;  // levels
-    bool isBent;
-    GLenum before, after;      // the primitives that reach the geometry stage's place, and that leave it
-    bool isCounted;            // or the numbers below say nothing
-    long toGeometry, sent;     // so many of them
-    std::size_t cornersFound;  // in the buffer of transform feedback
+    bool isBent, hasGeometry, hasFragments;
+    CountedPrimitives toGeometry, sent;  // what reaches the geometry stage's place, and what leaves it
 };
 
 // "128 triangles", "1 line".
 std::string primitivesText(long number, GLenum primitive);
 
-// Draws the table of the stages into a box of the picture, with what goes in and what comes out; stages that are off in grey.
-// Nothing where there is no room for words of 8 pixels.
-void drawStageTable(Drawing& drawing, const Box& box, const PatchDraw& patch);
+// Draws the table of the stages into the right half of the picture, with their names in Direct3D 9, 10 or 11, and with what
+// goes in and what comes out; stages that are off in grey. Nothing where there is no room for words of 8 pixels.
+void drawStageTable(Drawing& drawing, const FrameInfo& frame, int direct3d, const PatchDraw& patch);
+
+// Which of two panes is drawn by which kind of shader, in words above them; nothing where there is no room.
+void drawHeadings(Drawing& drawing, const FrameInfo& frame);
 
 // The pane below a line of words at its upper edge, for which it gives up 32 pixels; all of it where it has not twice that.
 inline Pane belowHeading(const Pane& pane) {

@@ -17,7 +17,16 @@ using namespace mv::test;
 
 namespace {
 
-const std::vector<std::string> stages{"off", "shapes", "normals", "explode", "wireframe"};
+const std::vector<std::string> stages{"off", "pass", "wireframe", "shapes", "normals", "explode"};
+
+// The left half of the picture, without the table.
+std::vector<Pixel> leftOf(const Picture& picture) {
+    std::vector<Pixel> pixels;
+    for (int y = 0; y < picture.height; ++y) {
+        for (int x = 0; x < 0.45 * picture.width; ++x) pixels.push_back(picture.at(x, y));
+    }
+    return pixels;
+}
 
 // What the four ways of counting say of the picture as it is set.
 struct Counts {
@@ -32,6 +41,7 @@ Counts countsOf(DemoRun& run) {
 
 TEST(GpuStages, counts_agree) {
     DemoRun run("gpu-stages", 96, 56);
+    run.set("own-edges", "on");
     for (const char* tessellation : {"on", "off"}) {
         for (const std::string& geometry : stages) {
             for (const auto& [inner, outer] : {std::pair{1, 1}, {3, 7}, {16, 16}}) {
@@ -47,10 +57,11 @@ TEST(GpuStages, counts_agree) {
 
 TEST(GpuStages, counts_follow_the_rule) {
     DemoRun run("gpu-stages", 96, 56);
+    run.set("own-edges", "on");
     for (const auto& [inner, outer] : {std::pair{1, 1}, {1, 6}, {2, 1}, {5, 9}, {9, 5}, {64, 64}}) {
         run.set("inner", inner).set("outer", outer);
         const auto triangles = double(trianglesOfSquare(inner, outer));
-        for (const char* geometry : {"off", "normals", "explode", "wireframe"}) {
+        for (const char* geometry : {"off", "pass", "wireframe", "normals", "explode"}) {
             const Counts counts = countsOf(run.set("geometry", geometry));
             EXPECT_EQ(counts.into, triangles) << inner << " " << outer;
             EXPECT_EQ(counts.out, triangles) << geometry;
@@ -62,36 +73,83 @@ TEST(GpuStages, counts_follow_the_rule) {
             EXPECT_EQ(hexagons.into, (inner + 1) * (inner + 1));
         }
     }
+    // Edges without a level of their own have that of the inside.
+    run.set("own-edges", "off").set("inner", 5).set("outer", 9).set("geometry", "off");
+    EXPECT_EQ(countsOf(run).out, trianglesOfSquare(5, 5));
     run.set("tessellation", "off");
     EXPECT_EQ(countsOf(run.set("geometry", "off")).out, 18) << "3 x 3 cells between 16 points";
     EXPECT_EQ(countsOf(run.set("geometry", "shapes")).into, 16);
 }
 
 TEST(GpuStages, stages_pass_on) {
-    DemoRun run("gpu-stages", 960, 560);
-    const auto left = [&](const Picture& picture) {  // without the table
-        std::vector<Pixel> pixels;
-        for (int y = 0; y < picture.height; ++y) {
-            for (int x = 0; x < 0.47 * picture.width; ++x) pixels.push_back(picture.at(x, y));
+    DemoRun run("gpu-stages");
+    for (const char* tessellation : {"on", "off"}) {
+        // Passed on as it came: the same pixels, and the same light on them but for its rounding.
+        run.set("tessellation", tessellation).set("geometry", "off");
+        const auto without = leftOf(run.picture());
+        const double covered = run.readout("fragments-passed");
+        EXPECT_GT(covered, 10000);
+        const auto passed = leftOf(run.set("geometry", "pass").picture());
+        EXPECT_EQ(run.readout("fragments-passed"), covered) << tessellation;
+        for (std::size_t i = 0; i < passed.size(); ++i) {
+            ASSERT_NEAR(passed[i].red, without[i].red, 1);
+            ASSERT_NEAR(passed[i].green, without[i].green, 1);
+            ASSERT_NEAR(passed[i].blue, without[i].blue, 1);
         }
-        return pixels;
-    };
-    // The wireframe's stage passes triangles on where they are: as many fragments as without it.
-    (void)run.set("geometry", "off").picture();
-    const double covered = run.readout("fragments-passed");
-    const auto without = left(run.picture());
-    (void)run.set("geometry", "wireframe").picture();
-    EXPECT_EQ(run.readout("fragments-passed"), covered);
+        // The wireframe's stage passes triangles on where they are: as many fragments as without it.
+        run.set("geometry", "wireframe").set("hidden", "off");
+        EXPECT_NE(leftOf(run.picture()), without);
+        EXPECT_EQ(run.readout("fragments-passed"), covered) << tessellation;
+    }
     // The vertex shader alone moves it.
-    EXPECT_NE(left(run.set("geometry", "off").set("bend", 0.0).picture()), without);
+    run.set("tessellation", "on").set("geometry", "off");
+    const auto bent = leftOf(run.picture());
+    EXPECT_NE(leftOf(run.set("bend", 0.0).picture()), bent);
 
-    run.set("bend", 0.1).set("fragments", "off");
+    run.set("bend", 0.1).set("geometry", "wireframe").set("fragments", "off");
     const Pixel background = run.picture().at(0, 0);
-    for (const Pixel& pixel : left(run.picture())) ASSERT_EQ(pixel, background);
+    for (const Pixel& pixel : leftOf(run.picture())) ASSERT_EQ(pixel, background);
     const Counts counts = countsOf(run);
     EXPECT_EQ(counts.out, trianglesOfSquare(8, 8));
     EXPECT_EQ(counts.found, counts.out);
     EXPECT_EQ(run.readout("fragments-passed"), 0);
+}
+
+TEST(GpuStages, hidden_lines) {
+    DemoRun run("gpu-stages");
+    const auto both = [&] {
+        const auto without = leftOf(run.set("hidden", "off").picture());
+        return std::pair(without, leftOf(run.set("hidden", "on").picture()));
+    };
+    // From above nothing hides anything.
+    run.set("spin-x", 90).set("spin-y", 0);
+    const auto [above, aboveToo] = both();
+    EXPECT_EQ(above, aboveToo);
+
+    run.set("spin-x", 20).set("spin-y", -30);
+    const auto [without, with] = both();
+    long changed = 0;
+    for (std::size_t i = 0; i < with.size(); ++i) {
+        if (with[i] == without[i]) continue;
+        ++changed;
+        EXPECT_LE(with[i].red, without[i].red);
+        EXPECT_LE(with[i].green, without[i].green);
+        EXPECT_LE(with[i].blue, without[i].blue);
+        // Half of a line and half of a face, of red 0.1 and 0.88 at least, or the edge of a control point, of red 0.45, before
+        // it: so no line is covered, which are darker.
+        EXPECT_GE(with[i].red, 255 * 0.45 - 1);
+        EXPECT_NE(without[i], with.front()) << "beside the surface there is nothing to be seen through";
+    }
+    EXPECT_GT(changed, 100) << "the back of the hill";
+    // Finer triangles have more lines, and hide as much: faces would be as many fragments, whatever they are cut into.
+    const auto fragmentsOfHidden = [&](int level) {
+        const auto passed = [&](const char* hidden) {
+            (void)run.set("inner", level).set("hidden", hidden).picture();
+            return run.readout("fragments-passed");
+        };
+        return passed("on") - passed("off");
+    };
+    EXPECT_GT(fragmentsOfHidden(16), 2 * fragmentsOfHidden(4));
 }
 
 TEST(GpuStages, ten_primitive_types) {

@@ -115,6 +115,21 @@ TEST_F(State, what_is_deleted_is_bound_no_more) {
     EXPECT_EQ(restoreInitialState(), 0);
 }
 
+// Words over a picture that was blended otherwise, by the smaller value say.
+TEST_F(State, what_lies_over_a_picture_is_added_by_alpha) {
+    glBlendEquation(GL_MIN);
+    glDepthFunc(GL_GREATER);
+    glDepthMask(GL_FALSE);
+    {
+        const StateScope scope;
+        setOverlayState(Overlay::hiddenByWhatIsNearer);
+        EXPECT_EQ(integer(GL_BLEND_EQUATION_RGB), GL_FUNC_ADD);
+        EXPECT_EQ(integer(GL_BLEND_SRC_RGB), GL_SRC_ALPHA);
+        EXPECT_EQ(integer(GL_DEPTH_FUNC), GL_LEQUAL);
+    }
+    EXPECT_EQ(integer(GL_BLEND_EQUATION_RGB), GL_MIN);
+}
+
 TEST_F(State, switching_off_sets_only_what_is_on) {
     switchOff(GL_BLEND);
     EXPECT_TRUE(changedState().empty());

@@ -203,6 +203,7 @@ void setOverlayState(Overlay overlay) {
         wanted.switches.erase(static_cast<GLenum>(capability));
     }
     wanted.switches[GL_BLEND] = true;
+    wanted.BlendEquation = {GL_FUNC_ADD};
     wanted.BlendFuncSeparate = {GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA};
     if (overlay == Overlay::hiddenByWhatIsNearer) {
         wanted.switches[GL_DEPTH_TEST] = true;

@@ -1,0 +1,8 @@
+// Geometry shader: it gives each triangle as it was given it. That is all a stage needs to be there.
+layout(triangles) in;
+layout(triangle_strip, max_vertices = 3) out;
+#include "primitive.glsl"
+
+void main() {
+    for (int i = 0; i < 3; ++i) emit(from[i].place, from[i].facing);
+}
