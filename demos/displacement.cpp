@@ -66,7 +66,7 @@ struct Displacement final : Demo {
     Whole level{this, "level", 16, {1, 64}, "into so many pieces each edge is cut, where that is fixed"};
     Real fineness{this,
                   "fineness",
-                  64,
+                  100,
                   {2, 512, Scale::logarithmic},
                   "into so many pieces by distance, where an edge is as long as it is far away"};
     Toggle agree{this, "agree", true, "an edge's level comes from the edge, so that both its patches have the same"};
@@ -93,8 +93,8 @@ struct Displacement final : Demo {
 
     std::map<std::pair<bool, bool>, Program> programs;  // with tessellation, with lines
     std::vector<ReliefPatch> cut;
-    Mesh corners, prepared;
-    MadeFor<ReliefBody> cutFor, cornersFor;
+    std::vector<Mesh> corners, prepared;  // of some patches each; of all of them
+    MadeFor<ReliefBody> cutFor;
     MadeFor<ReliefBody, double, int, bool> preparedFor;
     Texture painted;
     MadeFor<ReliefBody, int> paintedFor;
@@ -137,7 +137,6 @@ struct Displacement final : Demo {
         if (paint == Paint::levels) used.set("levelColors", levelColors());
         if (isTessellated()) {
             count(frame);
-            if (cornersFor.changed(body)) corners = Mesh(patchCorners(cut), "patches");
             tellTessellator(used, frame);
             glPatchParameteri(GL_PATCH_VERTICES, 4);
             drawCounted(frame, corners, GL_PATCHES);
@@ -161,9 +160,12 @@ struct Displacement final : Demo {
         used.set("texel", unitsOfRepeat(body).y / mapSize);
         used.set("isRound", body == ReliefBody::orange);
     }
-    void drawCounted(const Frame& frame, const Mesh& mesh, GLenum mode) {
-        if (!frame.readouts() || !has(beyond_es::countingQueries)) return mesh.drawAs(mode);
-        triangles = double(countedBy(GL_PRIMITIVES_GENERATED, [&] { mesh.drawAs(mode); }));
+    void drawCounted(const Frame& frame, const std::vector<Mesh>& meshes, GLenum mode) {
+        const auto draw = [&] {
+            for (const Mesh& mesh : meshes) mesh.drawAs(mode);
+        };
+        if (!frame.readouts() || !has(beyond_es::countingQueries)) return draw();
+        triangles = double(countedBy(GL_PRIMITIVES_GENERATED, draw));
     }
 
     // ---- what is drawn
@@ -187,7 +189,11 @@ struct Displacement final : Demo {
 
     // By the rule that the control shader follows, too: what it does is not told to anybody.
     void count(const Frame& frame) {
-        if (cutFor.changed(body)) cut = reliefPatches(body);
+        if (cutFor.changed(body)) {
+            cut = reliefPatches(body);
+            corners.clear();
+            for (const MeshData& part : patchCorners(cut)) corners.emplace_back(part, "patches");
+        }
         const LevelRule rule{.fixedLevel = byDistance() ? 0.0 : double(level),
                              .fineness = fineness,
                              .agrees = agree,
@@ -207,9 +213,10 @@ struct Displacement final : Demo {
             const MeshData smooth = cutPatches(body, level);
             MeshData made = displaced(relief(), smooth);
             if (!isMoved) made.positions = smooth.positions;
-            prepared = Mesh(made, "prepared mesh");
+            prepared.clear();
+            prepared.emplace_back(made, "prepared mesh");
         }
-        frame.count("triangles made", prepared.count() / 3.0);
+        frame.count("triangles made", prepared.front().count() / 3.0);
     }
 
     void makeMap() {
@@ -248,9 +255,9 @@ struct Displacement final : Demo {
     void annotate(const Frame& frame) override {
         drawing.begin(frame);
         const int size = std::clamp(std::min(frame.height() / 36, frame.width() / 50), 8, 16);
-        const double r = reach(frame);
-        const bool hasRoom = r > 12;
-        drawing.fill({vec2(0.25 * r), vec2(hasRoom ? 2.9 * r + textWidth("lamp", {size}) : 2.75 * r, 2.75 * r)}, paper);
+        const bool hasRoom = reach(frame) > 12;
+        const vec2 box(2.75 * reach(frame) + (hasRoom ? 4 * size : 0), 2.75 * reach(frame));
+        drawing.fill({vec2(0.25 * reach(frame)), box}, paper);
         dial(frame).draw(drawing, lamp(), hasRoom ? size : 0);
         if (hasRoom)
             drawing.text(vec2(0.5, -0.5) * double(size) + vec2(0, frame.height()), title(), {size, ink, paper});
@@ -293,8 +300,8 @@ const bool added = addDemo<Displacement>({
              "The same light on vertices that were not moved: the outline is a circle.",
              {{"body", "orange"}, {"method", "bumped"}}},
             {"cracks",
-             "Each patch has a level of its own: the background is seen between them.",
-             {{"body", "orange"}, {"agree", "off"}, {"fineness", "8"}, {"depth", "0.2"}, {"distance", "0.5"}}},
+             "Each patch has a level of its own, and the background is seen between them.",
+             {{"agree", "off"}, {"angle", "50"}, {"distance", "0.6"}, {"fineness", "16"}, {"depth", "0.15"}}},
         },
 });
 

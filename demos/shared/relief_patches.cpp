@@ -76,13 +76,15 @@ std::vector<ReliefPatch> reliefPatches(ReliefBody body) {
     return patches;
 }
 
-MeshData patchCorners(const std::vector<ReliefPatch>& patches) {
-    MeshData mesh{.primitive = Primitive::points};
-    mesh.positions.reserve(4 * patches.size());
-    for (const ReliefPatch& patch : patches) {
-        for (const vec3& corner : patch) mesh.positions.emplace_back(corner);
+std::vector<MeshData> patchCorners(const std::vector<ReliefPatch>& patches) {
+    constexpr std::size_t most = 12;
+    std::vector<MeshData> parts;
+    parts.reserve(patches.size() / most + 1);
+    for (std::size_t i = 0; i < patches.size(); ++i) {
+        if (i % most == 0) parts.push_back({.primitive = Primitive::points});
+        for (const vec3& corner : patches[i]) parts.back().positions.emplace_back(corner);
     }
-    return mesh;
+    return parts;
 }
 
 MeshData cutPatches(ReliefBody body, int cells) {

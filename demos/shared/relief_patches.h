@@ -19,8 +19,10 @@ using ReliefPatch = std::array<vec3, 4>;
 inline constexpr double wallStart = -3, wallEnd = 33, wallTop = 0.75;
 std::vector<ReliefPatch> reliefPatches(ReliefBody body);
 
-// For GL_PATCHES with 4 vertices each: positions alone.
-MeshData patchCorners(const std::vector<ReliefPatch>& patches);
+// For GL_PATCHES with 4 vertices each: positions alone, of 12 patches at most for a draw. Mesa's software renderers number the
+// vertices that the tessellator makes in one draw with 16 bits, and 12 patches have 12 x 65 x 65 of them at most: all 96 in one
+// draw lose triangles from level 26 on.
+std::vector<MeshData> patchCorners(const std::vector<ReliefPatch>& patches);
 
 // All patches cut into cells x cells squares, as triangles: positions on the smooth surface, its normals and texture
 // coordinates, which go on beyond 0..1 where the orange's seam is. Refused: cells outside 1 .. 64.

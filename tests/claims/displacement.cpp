@@ -19,10 +19,7 @@ namespace {
 constexpr int width = 320, height = 240;
 
 // Which pixels the surface covers, as 0 and 1, the upper row first.
-std::vector<float> covered(DemoRun& run) {
-    (void)run.picture();
-    return stage().measure(1);
-}
+std::vector<float> covered(const DemoRun&) { return stage().measure(1); }
 long sum(const std::vector<float>& values) { return std::count(values.begin(), values.end(), 1.0F); }
 long different(const std::vector<float>& a, const std::vector<float>& b) {
     long count = 0;
@@ -50,15 +47,15 @@ void take(DemoRun& run, const View& view) {
 TEST(Displacement, outline_is_real) {
     DemoRun run("displacement", width, height);
     for (const char* body : {"wall", "orange"}) {
-        run.set("body", body).set("depth", 0);
+        run.set("body", body).set("depth", 0).set("levels", "fixed").set("level", 32);
         const auto smooth = covered(run.set("method", "tessellated"));
         run.set("depth", 0.08);
         EXPECT_EQ(covered(run.set("method", "bumped")), smooth) << body;
         const auto moved = covered(run.set("method", "tessellated"));
         // All lies below the smooth surface, and its outline is many pixels long.
-        EXPECT_LT(sum(moved), sum(smooth) - 200) << body;
+        EXPECT_LT(sum(moved), sum(smooth) - 100) << body;
         // The processor's mesh knows the relief as a function. Where the outlines of two meshes are, rounding decides.
-        const auto prepared = covered(run.set("method", "prepared").set("level", 64));
+        const auto prepared = covered(run.set("method", "prepared"));
         EXPECT_LT(different(moved, prepared), different(smooth, prepared) / 5) << body;
     }
 }
@@ -67,7 +64,7 @@ TEST(Displacement, prepared_is_the_same) {
     DemoRun run("displacement", width, height);
     for (const char* body : {"wall", "orange"}) {
         run.set("body", body).set("levels", "fixed").set("map-size", 512);
-        for (const int level : {4, 16, 64}) {
+        for (const int level : {4, 16, 32}) {
             run.set("level", level);
             const auto tessellated = covered(run.set("method", "tessellated"));
             const auto prepared = covered(run.set("method", "prepared"));
@@ -79,7 +76,7 @@ TEST(Displacement, prepared_is_the_same) {
 }
 
 TEST(Displacement, no_cracks) {
-    DemoRun run("displacement", 640, 480);
+    DemoRun run("displacement", 480, 360);
     for (const View& view : views) {
         take(run, view);
         const Picture picture = run.picture();
@@ -89,7 +86,7 @@ TEST(Displacement, no_cracks) {
 }
 
 TEST(Displacement, cracks_without_agreement) {
-    DemoRun run("displacement", 640, 480);
+    DemoRun run("displacement", 480, 360);
     run.set("agree", "off");
     long seenThrough = 0;
     for (const View& view : views) {
@@ -145,23 +142,29 @@ TEST(Displacement, left_out_changes_nothing) {
 
 TEST(Displacement, far_needs_less) {
     DemoRun run("displacement", 640, 480);
-    const auto reference = covered(run.set("method", "prepared").set("level", 64));
-    run.set("method", "tessellated").set("map-size", 512);
-    const auto wrong = [&] { return different(covered(run), reference); };
-    run.set("levels", "fixed").set("level", 16);
-    const long fixedWrong = wrong();
-    const double fixedTriangles = run.readout("triangles");
-    run.set("levels", "distance").set("fineness", 32);
-    EXPECT_LT(wrong(), fixedWrong);
-    EXPECT_LT(run.readout("triangles"), fixedTriangles);
+    run.set("map-size", 512);
+    for (const double angle : {55.0, 65.0, 75.0}) {
+        const auto reference = covered(run.set("angle", angle).set("method", "prepared").set("level", 64));
+        run.set("method", "tessellated").set("levels", "fixed").set("level", 16);
+        const auto wrong = [&] {
+            (void)run.picture();
+            return different(covered(run), reference);
+        };
+        const long fixedWrong = wrong();
+        const double fixedTriangles = run.readout("triangles");
+        run.set("levels", "distance").set("fineness", 100);
+        EXPECT_LT(wrong(), fixedWrong) << angle;
+        EXPECT_LT(run.readout("triangles"), fixedTriangles) << angle;
+    }
 }
 
 TEST(Displacement, levels_in_range) {
     DemoRun run("displacement", width, height);
+    run.set("distance", 0.3).set("angle", 0);
     (void)run.set("levels", "fixed").set("level", 64).picture();
     EXPECT_EQ(run.readout("triangles"), run.readout("patches") * double(trianglesOfSquare(64, 64)));
     // So near, levels of hundreds are wanted.
-    (void)run.set("levels", "distance").set("distance", 0.3).set("fineness", 512).set("angle", 0).picture();
+    (void)run.set("levels", "distance").set("fineness", 512).picture();
     EXPECT_GT(edgeLevel(vec3(0), vec3(0, 0.75, 0), vec3(0, 0, 0.3), 60), largestLevel - 1);
     EXPECT_EQ(run.readout("triangles"), run.readout("patches") * double(trianglesOfSquare(64, 64)));
     EXPECT_EQ(run.readout("holes"), 0);
