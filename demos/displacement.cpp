@@ -63,22 +63,13 @@ struct Displacement final : Demo {
                           Levels::distance,
                           {{"fixed", "one for all"}, {"distance", "each edge its own, by its distance from the eye"}},
                           "how finely patches are cut"};
-    Whole level{this, "level", 16, {1, 64}, "into so many pieces each edge is cut, where that is fixed"};
-    Real fineness{this,
-                  "fineness",
-                  100,
-                  {2, 512, Scale::logarithmic},
-                  "into so many pieces by distance, where an edge is as long as it is far away"};
+    Whole level{this, "level", 16, {1, 64}, "pieces of each edge, where that is fixed"};
+    Real fineness{this, "fineness", 100, {2, 512, Scale::logarithmic}, "pieces of an edge as long as it is far away"};
     Toggle agree{this, "agree", true, "an edge's level comes from the edge, so that both its patches have the same"};
     Toggle cull{this, "cull", true, "patches out of view get level 0, which leaves them out"};
     Real depth{this, "depth", 0.08, {0, 0.25}, "of the relief; a brick is 1 long, the orange's radius is 1", "units"};
     NumberChoice mapSize{this, "map-size", 256, {32, 64, 128, 256, 512}, "rows of texels of the height map"};
-    Real distance{this,
-                  "distance",
-                  1.5,
-                  {0.3, 10, Scale::logarithmic},
-                  "of the eye from the wall's plane, and from the nearest point of the orange's sphere",
-                  "units"};
+    Real distance{this, "distance", 1.5, {0.3, 10, Scale::logarithmic}, "of the eye from the smooth surface", "units"};
     Real angle{this, "angle", 65, {0, 85}, "between the line of sight and the wall's normal", "deg"};
     Toggle wireframe{this, "wireframe", false, "edges of the triangles"};
     Choice<Paint> paint{this, "paint", Paint::surface, {{"surface"}, {"levels", "of patches"}}, "what colours show"};
@@ -93,8 +84,9 @@ struct Displacement final : Demo {
 
     std::map<std::pair<bool, bool>, Program> programs;  // with tessellation, with lines
     std::vector<ReliefPatch> cut;
-    std::vector<Mesh> corners, prepared;  // of some patches each; of all of them
+    std::vector<Mesh> corners, prepared;  // some patches each; one with all of them
     MadeFor<ReliefBody> cutFor;
+    MadeFor<ReliefBody, int> cornersFor;
     MadeFor<ReliefBody, double, int, bool> preparedFor;
     Texture painted;
     MadeFor<ReliefBody, int> paintedFor;
@@ -189,17 +181,17 @@ struct Displacement final : Demo {
 
     // By the rule that the control shader follows, too: what it does is not told to anybody.
     void count(const Frame& frame) {
-        if (cutFor.changed(body)) {
-            cut = reliefPatches(body);
-            corners.clear();
-            for (const MeshData& part : patchCorners(cut)) corners.emplace_back(part, "patches");
-        }
+        if (cutFor.changed(body)) cut = reliefPatches(body);
         const LevelRule rule{.fixedLevel = byDistance() ? 0.0 : double(level),
                              .fineness = fineness,
                              .agrees = agree,
                              .eye = eye(frame),
                              .leavesOut = cull};
         const PatchCount counted = countPatches(cut, relief(), rule, scene(frame).clipFromWorld());
+        if (const int parts = counted.partsToDraw(); cornersFor.changed(body, parts)) {
+            corners.clear();
+            for (const MeshData& part : patchCorners(cut, parts)) corners.emplace_back(part, "patches");
+        }
         patches = double(counted.patches - counted.leftOut);
         leftOut = double(counted.leftOut);
         frame.count("triangles made", double(counted.triangles));
@@ -289,15 +281,13 @@ const bool added = addDemo<Displacement>({
     .presets =
         {
             {"street", "Bricks hide mortar, and the upper edge is notched: the vertices are really moved."},
-            {"by-distance",
-             "Small triangles where the wall is near, large ones where it is far.",
-             {{"wireframe", "on"}, {"fineness", "24"}}},
+            {"by-distance", "Near triangles are small, far ones large.", {{"wireframe", "on"}, {"fineness", "24"}}},
             {"level-colours",
              "An edge between two patches has one level, and each patch that of its finest edge.",
              {{"paint", "levels"}, {"wireframe", "on"}, {"fineness", "24"}}},
             {"orange", "The outline has pores, which no normal map can give it.", {{"body", "orange"}}},
             {"pretends",
-             "The same light on vertices that were not moved: the outline is a circle.",
+             "Lit as before, but not moved: the outline is a circle.",
              {{"body", "orange"}, {"method", "bumped"}}},
             {"cracks",
              "Each patch has a level of its own, and the background is seen between them.",

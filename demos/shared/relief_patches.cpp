@@ -76,15 +76,13 @@ std::vector<ReliefPatch> reliefPatches(ReliefBody body) {
     return patches;
 }
 
-std::vector<MeshData> patchCorners(const std::vector<ReliefPatch>& patches) {
-    constexpr std::size_t most = 12;
-    std::vector<MeshData> parts;
-    parts.reserve(patches.size() / most + 1);
+std::vector<MeshData> patchCorners(const std::vector<ReliefPatch>& patches, int parts) {
+    if (parts < 1) throw Error("patchCorners", "must be in one part at least", std::to_string(parts));
+    std::vector<MeshData> made(static_cast<std::size_t>(parts), {.primitive = Primitive::points});
     for (std::size_t i = 0; i < patches.size(); ++i) {
-        if (i % most == 0) parts.push_back({.primitive = Primitive::points});
-        for (const vec3& corner : patches[i]) parts.back().positions.emplace_back(corner);
+        for (const vec3& corner : patches[i]) made[i % made.size()].positions.emplace_back(corner);
     }
-    return parts;
+    return made;
 }
 
 MeshData cutPatches(ReliefBody body, int cells) {
@@ -114,6 +112,14 @@ MeshData cutPatches(ReliefBody body, int cells) {
 }
 
 long PatchLevels::triangles() const { return isLeftOut() ? 0 : trianglesOfSquare(inner, outer); }
+
+long PatchLevels::vertices() const {
+    if (isLeftOut()) return 0;
+    const double within = std::ceil(inner) - 1;
+    double around = 0;
+    for (const double level : outer) around += std::ceil(level);
+    return static_cast<long>(around + within * within);
+}
 
 PatchLevels patchLevels(const Relief& relief, const ReliefPatch& patch, const LevelRule& rule,
                         const mat4& clipFromBody) {
@@ -162,6 +168,7 @@ PatchCount countPatches(const std::vector<ReliefPatch>& patches, const Relief& r
         count.leftOut += levels.isLeftOut() ? 1 : 0;
         count.outside += isOutsideView(relief, patch, clipFromBody) ? 1 : 0;
         count.triangles += levels.triangles();
+        count.vertices += levels.vertices();
     }
     return count;
 }

@@ -19,10 +19,8 @@ using ReliefPatch = std::array<vec3, 4>;
 inline constexpr double wallStart = -3, wallEnd = 33, wallTop = 0.75;
 std::vector<ReliefPatch> reliefPatches(ReliefBody body);
 
-// For GL_PATCHES with 4 vertices each: positions alone, of 12 patches at most for a draw. Mesa's software renderers number the
-// vertices that the tessellator makes in one draw with 16 bits, and 12 patches have 12 x 65 x 65 of them at most: all 96 in one
-// draw lose triangles from level 26 on.
-std::vector<MeshData> patchCorners(const std::vector<ReliefPatch>& patches);
+// For GL_PATCHES with 4 vertices each: positions alone, in so many parts, each with patches from everywhere. Refused: no part.
+std::vector<MeshData> patchCorners(const std::vector<ReliefPatch>& patches, int parts);
 
 // All patches cut into cells x cells squares, as triangles: positions on the smooth surface, its normals and texture
 // coordinates, which go on beyond 0..1 where the orange's seam is. Refused: cells outside 1 .. 64.
@@ -33,8 +31,9 @@ struct PatchLevels {
     std::array<double, 4> outer{};
     double inner = 0;
     bool isLeftOut() const { return inner == 0; }
-    // That the tessellator makes; 0 of one that is left out.
+    // What the tessellator makes; 0 of one that is left out.
     long triangles() const;
+    long vertices() const;
 };
 struct LevelRule {
     double fixedLevel = 0;  // of all edges; 0: by distance
@@ -53,8 +52,12 @@ bool isOutsideView(const Relief& relief, const ReliefPatch& patch, const mat4& c
 
 struct PatchCount {
     long patches = 0, leftOut = 0;
-    long outside = 0;    // of the view, left out or not
-    long triangles = 0;  // of those that are not left out
+    long outside = 0;                  // of the view, left out or not
+    long triangles = 0, vertices = 0;  // that are made
+
+    // Mesa's software renderers number the vertices that the tessellator makes in one draw with 16 bits, and lose triangles
+    // where there are more. A part of eight has 12 patches of the 96, and 12 x 65 x 65 vertices at most.
+    int partsToDraw() const { return vertices > 65536 ? 8 : 1; }
 };
 PatchCount countPatches(const std::vector<ReliefPatch>& patches, const Relief& relief, const LevelRule& rule,
                         const mat4& clipFromBody);

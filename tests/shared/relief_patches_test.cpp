@@ -87,6 +87,25 @@ TEST(ReliefPatches, are_cut_on_the_smooth_surface) {
 }
 
 // No point that is seen belongs to a patch that is left out, by cameras anywhere; and some patches are left out.
+TEST(ReliefPatches, are_drawn_in_parts_where_there_are_too_many_vertices) {
+    const std::vector<ReliefPatch> patches = reliefPatches(ReliefBody::orange);
+    for (const int parts : {1, 8}) {
+        std::size_t corners = 0;
+        for (const MeshData& part : patchCorners(patches, parts)) {
+            EXPECT_EQ(part.positions.size(), 4 * patches.size() / std::size_t(parts));
+            corners += part.positions.size();
+        }
+        EXPECT_EQ(corners, 4 * patches.size());
+    }
+    EXPECT_EQ(refusal([&] { (void)patchCorners(patches, 0); }), "patchCorners: must be in one part at least, 0");
+    for (const double level : {1.0, 2.0, 7.0, 25.0, 26.0, 64.0}) {
+        const PatchCount count = countPatches(patches, {ReliefBody::orange}, {.fixedLevel = level}, scale(0.01));
+        EXPECT_EQ(count.vertices, 96 * (level + 1) * (level + 1));
+        EXPECT_EQ(count.partsToDraw(), level < 26 ? 1 : 8);
+        EXPECT_LE(12 * (level + 1) * (level + 1), 65536);
+    }
+}
+
 TEST(ReliefPatches, what_is_left_out_is_not_seen) {
     Random random(24);
     long left = 0, seen = 0;
