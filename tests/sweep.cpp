@@ -155,6 +155,7 @@ const std::set<std::string> unseen{
     "environment keep",     // the same
     "mirror keep",          // the same
     "mirror leave-out",     // what is left out is not seen
+    "displacement cull",    // the same
     "lights ask",           // lights that are off, or reach nothing, give nothing
     "path pieces",          // a digit of the length, in words for which pictures as small as these have no room
     "springs confirm",      // a line of words, likewise

@@ -1,9 +1,12 @@
 #include "shared/relief_figures.h"
 
 #include <cmath>
+#include <cstddef>
+#include <string>
 #include <vector>
 
 #include "mv/gl/text.h"
+#include "mv/math/color.h"
 
 namespace mv {
 namespace {
@@ -37,6 +40,24 @@ void LampDial::draw(Drawing& drawing, const vec3& towardsLamp, int wordHeight) c
     drawing.point(at(towardsLamp), 12, gold);
     if (wordHeight > 0)
         drawing.text(middle + vec2(1.2 * radius, 0.6 * wordHeight), "lamp", {wordHeight, goldInk, vec4(0)});
+}
+
+const std::vector<vec3>& levelColors() {
+    static const std::vector<vec3> colors{{0.03, 0.05, 0.32}, {0.03, 0.17, 0.52}, {0.03, 0.38, 0.38},
+                                          {0.13, 0.45, 0.10}, {0.70, 0.52, 0.05}, {0.79, 0.21, 0.03},
+                                          {0.60, 0.03, 0.03}};
+    return colors;
+}
+
+void drawLevelColors(Drawing& drawing, const FrameInfo& frame, int wordHeight) {
+    const double side = 1.6 * wordHeight;
+    for (std::size_t i = 0; i < levelColors().size(); ++i) {
+        const vec2 low(frame.width() - 3.6 * wordHeight, 0.5 * wordHeight + side * double(i));
+        drawing.fill({low, low + vec2(3.2 * wordHeight, side)}, vec4(1, 1, 1, 0.8));
+        const vec4 color(srgbFromLinear(levelColors()[i]), 1);
+        drawing.fill({low + side * vec2(0.2, 0.15), low + side * vec2(0.9, 0.85)}, color);
+        drawing.text(low + vec2(side, 1.3 * wordHeight), std::to_string(1U << i), {wordHeight, ink, vec4(0)});
+    }
 }
 
 }  // namespace mv

@@ -1,6 +1,8 @@
 // Figures of surfaces that are lit and looked at from a side: the angle of sight, and the lamp's direction. With words of that height, or with
 // none where it is 0.
 #pragma once
+#include <vector>
+
 #include "mv/gl/drawing.h"
 
 namespace mv {
@@ -22,5 +24,9 @@ struct LampDial {
     vec2 at(const vec3& towardsLamp) const { return middle + radius * vec2(towardsLamp); }
     void draw(Drawing& drawing, const vec3& towardsLamp, int wordHeight) const;
 };
+
+// The colours of the levels of tessellation 1, 2, 4, ... 64, linear; and what they mean, along the right edge of the picture.
+const std::vector<vec3>& levelColors();
+void drawLevelColors(Drawing& drawing, const FrameInfo& frame, int wordHeight);
 
 }  // namespace mv

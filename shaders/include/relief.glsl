@@ -8,11 +8,16 @@ in vec3 point;
 in vec3 facing;            // the smooth surface's normal
 in vec2 place;
 
-void showLit(vec3 color, vec3 normal) {
+// What is sent to the eye, as linear light.
+vec3 litRelief(vec3 color, vec3 normal) {
     float cosine = max(dot(normal, light), 0.0);
     vec3 both = light + view;
     float towards = cosine > 0.0 && dot(both, both) > 0.0 ? max(dot(normal, normalize(both)), 0.0) : 0.0;
-    vec3 lit = (0.2 + 0.8 * cosine) * color + (towards > 0.0 ? 0.15 * pow(towards, 40.0) : 0.0);
+    return (0.2 + 0.8 * cosine) * color + (towards > 0.0 ? 0.15 * pow(towards, 40.0) : 0.0);
+}
+
+void showLit(vec3 color, vec3 normal) {
+    vec3 lit = litRelief(color, normal);
     float away = length(cross(view, point));
     show(srgbFromLinear(lit), dot(lit, vec3(0.2126, 0.7152, 0.0722)), away >= band.x && away <= band.y);
 }

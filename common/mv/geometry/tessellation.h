@@ -1,6 +1,8 @@
 // Levels of tessellation: into how many pieces the edges and the inside of a patch are cut. shaders/include/tessellation.glsl
 // has the same rule for shaders.
 #pragma once
+#include <array>
+
 #include "mv/math/types.h"
 
 namespace mv {
@@ -21,5 +23,7 @@ double edgeLevel(const vec3& a, const vec3& b, const vec3& eye, double fineness)
 // and whose two inner ones are `inner`: each is rounded up to a whole number, and an inner 1 beside a larger outer one is 2.
 // Refused: levels outside 1 .. 64, NaN.
 long trianglesOfSquare(double inner, double outer);
+// The same of four outer levels of their own.
+long trianglesOfSquare(double inner, const std::array<double, 4>& outer);
 
 }  // namespace mv
