@@ -41,7 +41,9 @@ TEST(Tessellation, TrianglesOfASquare) {
     EXPECT_EQ(trianglesOfSquare(1, 4), 16) << "an inner 1 is a 2";
     EXPECT_EQ(trianglesOfSquare(9, {4, 5, 6, 9}), 2 * 7 * 7 + 24 + 4 * 7) << "cells within, and four sides round them";
     EXPECT_EQ(trianglesOfSquare(1, {1, 1, 1, 2}), 5) << "the last of them in two";
-    EXPECT_EQ(refusal([] { trianglesOfSquare(4, {4, 4, 65, 4}); }),
+    EXPECT_EQ(refusal([] {
+                  trianglesOfSquare(4, {4, 4, 65, 4});
+              }),
               "trianglesOfSquare: must have levels in 1 .. 64, 65");
     EXPECT_EQ(refusal([] { trianglesOfSquare(0, 4); }), "trianglesOfSquare: must have levels in 1 .. 64, 0");
     EXPECT_EQ(refusal([] { trianglesOfSquare(4, 65); }), "trianglesOfSquare: must have levels in 1 .. 64, 65");
