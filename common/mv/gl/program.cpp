@@ -290,8 +290,8 @@ Program Program::fromTexts(const std::string& name, const std::vector<std::pair<
     auto state = std::make_unique<State>();
     state->name = name;
     state->sources = [name, texts] {
-        std::vector<std::string> files;
-        for (const auto& [ending, text] : texts) files.push_back(name + "." + ending);
+        std::vector<std::string> files(texts.size(), name + ".");
+        for (std::size_t i = 0; i < texts.size(); ++i) files[i] += texts[i].first;
         Sources sources;
         const int version = versionFor(name, files);
         for (std::size_t i = 0; i < files.size(); ++i)

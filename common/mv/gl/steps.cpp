@@ -116,21 +116,21 @@ class StepWatch::Listener {
 
     DrawStep described(GLenum mode, GLsizei count, bool indexed) const {
         const GLuint target = bound(GL_DRAW_FRAMEBUFFER_BINDING);
-        const auto [width, height] = sizeOf(target);
+        const Side size = sizeOf(target);
         DrawStep step{labelOf(GL_VERTEX_ARRAY, boundVertexArray()),
                       labelOf(GL_PROGRAM, bound(GL_CURRENT_PROGRAM)),
                       primitiveName(mode),
                       count,
                       indexed,
                       labelOf(GL_FRAMEBUFFER, target),
-                      width,
-                      height,
+                      size.first,
+                      size.second,
                       target == picture_,
                       stateOfDraw()};
         const auto addBox = [&](GLenum what, const char* call) {
             std::array<GLint, 4> box{};
             below().GetIntegerv(what, box.data());
-            if (box == std::array<GLint, 4>{0, 0, width, height}) return;
+            if (box == std::array<GLint, 4>{0, 0, size.first, size.second}) return;
             step.state.push_back(call + ("(" + std::to_string(box[0])) + ", " + std::to_string(box[1]) + ", " +
                                  std::to_string(box[2]) + ", " + std::to_string(box[3]) + ")");
         };
