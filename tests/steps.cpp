@@ -113,7 +113,8 @@ TEST(StepRules, the_state_of_a_draw_is_what_its_demo_sets) {
     EXPECT_EQ(steps.draws[0].program, "'cube-cull'");
     EXPECT_EQ(steps.draws[0].count, 36);
     (void)run.set("cull", "none").set("depth", "off").picture();
-    for (const std::string& call : stopped(1).draws[0].state) {
+    const FrameSteps without = stopped(1);
+    for (const std::string& call : without.draws[0].state) {
         EXPECT_EQ(call.find("glCullFace"), std::string::npos) << call;
         EXPECT_EQ(call.find("GL_DEPTH_TEST"), std::string::npos) << call;
     }
