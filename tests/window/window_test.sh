@@ -659,7 +659,9 @@ motionOf() {
     press s
     cmp "$demo-$frame-2.png" last.png || fail "$demo: frame $frame is another after going back"
     quit
-    # Two side by side, while it plays, and as they stand
+    # Two side by side, while it plays, and as they stand. Pictures are named by their frames, and this may stop at one of
+    # those above.
+    rm "$demo"-*.png
     start "mvgl: $demo" "$(dirname "$cubeCull")/$demo" --frame 30 --size 720x560 "${comparing[@]}" --compare "$compared"
     awaitReport compare "${compared%%=*}"
     press space
