@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <string>
+#include <vector>
 
+#include "mv/gl/gl.h"
 #include "support/demo_run.h"
 
 using namespace mv;
@@ -25,7 +28,69 @@ Picture drawn(const std::string& demo, const std::vector<KnobSetting>& knobs, in
     return run.picture(frame);
 }
 
+// Four passes, each of which makes the picture whiter by a quarter of `level`; and what it was asked for.
+struct Refining final : Demo {
+    Real level{this, "level", 1, {0, 1}, "how white"};
+    std::vector<int> asked;
+    double sum = 0;
+    void init() override {}
+    int passes(const FrameInfo&) const override { return 4; }
+    void refine(const FrameInfo&, int pass) override {
+        asked.push_back(pass);
+        sum = (pass == 0 ? 0 : sum) + double(level) / 4;
+    }
+    void draw(const Frame&) override {
+        const auto grey = static_cast<float>(sum);
+        glClearColor(grey, grey, grey, 1);
+        glClear(GL_COLOR_BUFFER_BIT);
+    }
+};
+
+DemoInfo refining() {
+    DemoInfo info;
+    info.name = "refining";
+    info.make = [] { return std::make_unique<Refining>(); };
+    return info;
+}
+
 }  // namespace
+
+TEST(Session, a_picture_of_passes_gets_one_a_draw_and_begins_anew_with_a_setting) {
+    const DemoInfo info = refining();
+    Session session(stage(), info, {.width = 4, .height = 4});
+    auto& demo = dynamic_cast<Refining&>(session.demo());
+    using Asked = std::vector<int>;
+    session.draw(4, 4, false);
+    EXPECT_EQ(session.passesDone(), 1);
+    EXPECT_EQ(session.passes(), 4);
+    EXPECT_TRUE(session.stale());
+    EXPECT_EQ(stage().picture().rgba[0], 64);
+    session.draw(4, 4, false);
+    EXPECT_EQ(demo.asked, (Asked{0, 1}));
+
+    EXPECT_EQ(session.set("level", "0.5"), "");
+    session.draw(4, 4, false);
+    EXPECT_EQ(demo.asked, (Asked{0, 1, 0})) << "what another setting began is not gone on with";
+    session.finish(4, 4, false);
+    EXPECT_EQ(demo.asked, (Asked{0, 1, 0, 1, 2, 3}));
+    EXPECT_FALSE(session.stale());
+    EXPECT_EQ(stage().picture().rgba[0], 128);
+
+    session.touch();  // a shader, say: the passes are still good
+    session.draw(4, 4, false);
+    EXPECT_EQ(demo.asked.size(), 6U);
+    EXPECT_FALSE(session.stale());
+
+    session.draw(5, 4, false);
+    EXPECT_EQ(demo.asked.back(), 0) << "another size is another picture";
+    EXPECT_TRUE(session.stale());
+    demo.asked.clear();
+    stage().draw(1);
+    EXPECT_EQ(demo.asked, (Asked{0, 1, 2, 3})) << "without a window all of them, from the first";
+    stage().draw(1);
+    EXPECT_EQ(demo.asked.size(), 8U) << "and again, since whoever asks twice may take the time";
+    stage().close();
+}
 
 // What a page needs: a demo by its name, its knobs as data and set by name, a picture, and what is known of it.
 TEST(Session, knobs_are_data_and_set_by_name) {

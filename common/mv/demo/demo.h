@@ -49,6 +49,14 @@ class Demo {
     virtual void reset() {}
     virtual void step(int /*index*/) {}
 
+    // For a demo whose picture the processor makes, better with each of so many passes: rays, say, first for blocks of pixels
+    // and then many for each. draw() shows what the passes so far have left; without a window it comes once, after the last
+    // one, and in a window after each, so that a pass should take no longer than a frame may. 0: the picture has no passes.
+    virtual int passes(const FrameInfo&) const { return 0; }
+    // Makes pass `pass`, from 0, of that picture by the present knobs: 0 begins it anew, another one follows the one before.
+    // What is left after the last is a function of knobs, frame number and size. Asks nothing of OpenGL.
+    virtual void refine(const FrameInfo& /*frame*/, int /*pass*/) {}
+
     // For a demo that draws a Scene: what it is at the present settings, in the picture that `frame` describes. The one
     // answer for draw(), check(), references and probes.
     virtual Scene scene(const FrameInfo& frame) const;

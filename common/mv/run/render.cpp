@@ -61,6 +61,7 @@ void render(const Command& command) {
     stage.timeline().progress = [](int reached, int wanted) {
         std::fprintf(stderr, "step %d of %d\n", reached, wanted);
     };
+    stage.passesProgress = [](int done, int passes) { std::fprintf(stderr, "pass %d of %d\n", done, passes); };
 
     double firstMs = 0;
     auto shown = start;

@@ -91,9 +91,19 @@ void Session::draw(int width, int height, bool readouts, OtherPicture* instead) 
     }
 }
 
+void Session::finish(int width, int height, bool readouts, OtherPicture* instead) {
+    do {
+        draw(width, height, readouts, instead);
+    } while (stale_);
+}
+
 OtherPicture::Cost Session::drawDemo(bool readouts) {
     const auto start = std::chrono::steady_clock::now();
-    stage_.draw(playback_.frame(), readouts);
+    if (until_) {
+        stage_.draw(playback_.frame(), readouts);
+    } else {
+        stale_ = !stage_.drawNext(playback_.frame(), readouts);
+    }
     glFinish();
     const double milliseconds =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();

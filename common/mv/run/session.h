@@ -91,6 +91,12 @@ class Session {
     // out. Settings that make no picture leave the last one and an error().
     void draw(int width, int height, bool readouts, OtherPicture* instead = nullptr);
 
+    // A picture made in passes gets one more with each draw(), and is stale until the last. How far it is: passesDone() of passes(),
+    // both 0 where it has none. finish() makes those that are left, for who wants the very picture.
+    int passes() const { return stage_.passes(); }
+    int passesDone() const { return stage_.passesDone(); }
+    void finish(int width, int height, bool readouts, OtherPicture* instead = nullptr);
+
     // Why the present settings make no picture, in a sentence; "" where they do.
     const std::string& error() const { return error_; }
     // Whether the stage's front() has a picture of its present size, and which frame that is.

@@ -1,6 +1,9 @@
 #include "mv/run/stage.h"
 
+#include <algorithm>
+#include <chrono>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "mv/gl/audit.h"
@@ -123,6 +126,7 @@ void Stage::close() {
     steps_.reset();
     timeline_.reset();
     demo_.reset();
+    refined_ = {};
     notes_ = {};
     targets_[0] = Target();
     targets_[1] = Target();
@@ -139,10 +143,35 @@ void Stage::resize(int width, int height) {
     if (width != front().width() || height != front().height()) makeTargets(width, height);
 }
 
-Stage::Drawn Stage::drawInto(const Target& target, int index, FrameMode mode) {
+// Makes the passes of that picture: all of them, or only the next of the one that was begun.
+void Stage::refine(const FrameInfo& frame, bool onlyNext) {
+    Refined wanted{{}, frame.index(), frame.width(), frame.height(), demo_->passes(frame), 0};
+    if (wanted.passes > 0) {
+        for (const Knob* knob : demo_->knobs()) wanted.knobs.push_back(knob->text());
+    }
+    const auto isOf = [](const Refined& a, const Refined& b) {
+        return std::tie(a.knobs, a.index, a.width, a.height, a.passes) ==
+               std::tie(b.knobs, b.index, b.width, b.height, b.passes);
+    };
+    if (onlyNext && isOf(wanted, refined_)) wanted.done = refined_.done;
+    refined_ = {};  // a pass that throws leaves nothing to go on from
+    const int until = onlyNext ? std::min(wanted.done + 1, wanted.passes) : wanted.passes;
+    auto told = std::chrono::steady_clock::now();
+    while (wanted.done < until) {
+        demo_->refine(frame, wanted.done++);
+        const auto now = std::chrono::steady_clock::now();
+        if (!passesProgress || wanted.done == until || now - told < std::chrono::seconds(2)) continue;
+        told = now;
+        passesProgress(wanted.done, wanted.passes);
+    }
+    refined_ = std::move(wanted);
+}
+
+Stage::Drawn Stage::drawInto(const Target& target, int index, FrameMode mode, bool onlyNextPass) {
     takeMissing();
     timeline_->bring(index);
     demo_->check();
+    refine({index, target.width(), target.height()}, onlyNextPass);
     return paint(*demo_, target, index, std::move(mode), {});
 }
 
@@ -210,13 +239,20 @@ void Stage::askProbes(const Target& drawn, int index) {
     }
 }
 
-void Stage::draw(int index, bool readouts) {
+void Stage::draw(int index, bool readouts) { drawFront(index, readouts, false); }
+
+bool Stage::drawNext(int index, bool readouts) { return drawFront(index, readouts, true); }
+
+bool Stage::drawFront(int index, bool readouts, bool onlyNextPass) {
     const int next = keepLast_ ? 1 - shown_ : shown_;
-    Drawn drawn = drawInto(targets_[next], index, {.readouts = readouts});
-    if (readouts) askProbes(targets_[next], index);
+    Drawn drawn = drawInto(targets_[next], index, {.readouts = readouts}, onlyNextPass);
+    const bool whole = refined_.done == refined_.passes;
+    if (readouts && whole)
+        askProbes(targets_[next], index);  // a probe may draw other pictures: not amid the passes of one
     keep(std::move(drawn));
     shown_ = next;
     steps_.reset();
+    return whole;
 }
 
 FrameSteps Stage::stepsOf(const Target& target, int index, std::optional<int> stopAfter) {
@@ -228,6 +264,8 @@ FrameSteps Stage::stepsOf(const Target& target, int index, std::optional<int> st
         demo->reset();
         demo->memory()->restore(demo_->memory()->copy());
     }
+    const FrameInfo frame(index, target.width(), target.height());
+    for (int pass = 0; pass < demo->passes(frame); ++pass) demo->refine(frame, pass);
     target.bind();
     clearTarget(vec4(0), info_->needs);  // OpenGL says nothing of what a demo without a background would find
     paint(*demo, target, index, {}, [&] { watch.begin(stopAfter); });

@@ -49,6 +49,15 @@ class Stage {
     // Draws frame `index`; with `readouts`, also measures what the demo reads out. Error: the settings make no picture
     // (check()), or GL reports an error.
     void draw(int index, bool readouts = false);
+    // For a picture made in passes: the same after one pass more than the last drawNext() of these settings, this frame and
+    // this size, and after the first where there was none. Whether it was the last, so that the picture is that of draw();
+    // one without passes has it in one. Error: as draw().
+    bool drawNext(int index, bool readouts = false);
+    // Of what was drawn last: how many passes it has, and how many of them were made; 0 where it has none.
+    int passes() const { return refined_.passes; }
+    int passesDone() const { return refined_.done; }
+    // Called every two seconds while one draw() makes passes, with the number that are done and that there are.
+    std::function<void(int done, int passes)> passesProgress = {};
     // Draws frame `index` once more into the same picture, stopped after so many of its draws (see mv/gl/steps.h), by a demo of
     // its own with the settings and the memory that this one has for frame `index`: the frame is one that has nothing kept
     // from frames before, so a shadow map that is made once is among its draws, and what a stopped frame leaves half made is
@@ -85,8 +94,16 @@ class Stage {
         Counters counters;
         std::vector<std::string> undone;
     };
+    // Which picture the demo has refined, and how far.
+    struct Refined {
+        std::vector<std::string> knobs;
+        int index = 0, width = 0, height = 0;
+        int passes = 0, done = 0;
+    };
     void makeTargets(int width, int height);
-    Drawn drawInto(const Target& target, int index, FrameMode mode);
+    void refine(const FrameInfo& frame, bool onlyNext);
+    bool drawFront(int index, bool readouts, bool onlyNextPass);
+    Drawn drawInto(const Target& target, int index, FrameMode mode, bool onlyNextPass = false);
     Drawn paint(Demo& demo, const Target& target, int index, FrameMode mode, const std::function<void()>& begins) const;
     FrameSteps stepsOf(const Target& target, int index, std::optional<int> stopAfter);
     void keep(Drawn drawn);
@@ -104,6 +121,7 @@ class Stage {
     Counters counters_;
     std::vector<std::string> undone_;
     std::optional<FrameSteps> steps_;
+    Refined refined_;
 };
 
 }  // namespace mv

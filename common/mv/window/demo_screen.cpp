@@ -202,11 +202,12 @@ void DemoScreen::reloadShaders() {
 
 // ---- The picture
 
-void DemoScreen::redraw() {
+void DemoScreen::redraw(bool whole) {
     // What another part of the window did wrong is not the demo's.
     for (const std::string& problem : takeErrors()) std::cerr << "window: OpenGL: " << problem << "\n";
-    session_.draw(pictureWidth(), window_.size().pixelHeight(), panelShown_ || report_ != ReportForm::none,
-                  comparison_.on() ? &comparison_ : nullptr);
+    const auto draw = whole ? &Session::finish : &Session::draw;
+    (session_.*draw)(pictureWidth(), window_.size().pixelHeight(), panelShown_ || report_ != ReportForm::none,
+                     comparison_.on() ? &comparison_ : nullptr);
 }
 
 const Target* DemoScreen::shownTarget() {
@@ -310,6 +311,8 @@ void DemoScreen::showPanelContent() {
     wrapped(info_.sentence);
     if (!info_.lookFor.empty()) wrapped(color::dim, "Look for: " + info_.lookFor);
 
+    if (session_.passes() > 0 && !comparison_.on()) showPasses(session_.passesDone(), session_.passes());
+
     Demo& demo = session_.demo();
     bool moved = false;
     if (!info_.presets.empty() && section("Presets") && showPresets(info_, demo)) {
@@ -377,7 +380,7 @@ void DemoScreen::showFile() {
 
 void DemoScreen::save() {
     try {
-        if (session_.stale()) redraw();  // of the settings as they are now, not as they were in the last frame
+        if (session_.stale()) redraw(true);  // of the settings as they are now, not as they were in the last frame
         const Target* shown = shownTarget();
         if (!session_.error().empty() || !shown)
             throw Error("picture", "must be one of the present settings", session_.error());

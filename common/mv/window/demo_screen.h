@@ -44,7 +44,7 @@ class DemoScreen final : public Screen {
     PictureInWindow pictureInWindow() const;
     void onKey(const Event& event);
     void reloadShaders();
-    void redraw();
+    void redraw(bool whole = false);  // with all passes of the picture, or one more
     const Target* shownTarget();  // none: no setting has made a picture yet
     void showPicture();
     void showDividerHandle();

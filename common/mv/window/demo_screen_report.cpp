@@ -27,6 +27,10 @@ void DemoScreen::report(const WindowState& state) {
     if (!problem.empty()) json["error"] = problem;
     auto& window = json["window"] = windowJson(state);
     window["demo_frames"] = session_.picturesDrawn();
+    if (session_.passes() > 0) {
+        window["passes"] = session_.passes();
+        window["passes_done"] = session_.passesDone();
+    }
     window["playing"] = session_.playback().playing();
     window["hovered"] = hand_.hovered();
     if (study_.any()) {

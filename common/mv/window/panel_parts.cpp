@@ -259,6 +259,13 @@ void showMatrices(const FrameNotes& notes) {
     }
 }
 
+void showPasses(int done, int passes) {
+    char text[48];
+    std::snprintf(text, sizeof text, "pass %d of %d", done, passes);
+    ImGui::ProgressBar(float(done) / float(passes), {-1, 0}, text);
+    tooltip("the picture gets better with each pass; a setting that moves begins it anew");
+}
+
 bool showTime(Session& session, float scale) {
     Playback& playback = session.playback();
     bool moved = false;

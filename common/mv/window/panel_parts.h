@@ -26,6 +26,8 @@ void showMatrices(const FrameNotes& notes);
 
 // Play, pause, step, speed, and which frame. True when another frame is to be shown.
 bool showTime(Session& session, float scale);
+// How far a picture made in passes is.
+void showPasses(int done, int passes);
 
 // What keys, drag and wheel do: the demo's own, then the window's.
 void showControls(const Demo& demo, bool animated, bool menu, bool comparing);
