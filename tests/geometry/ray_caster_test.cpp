@@ -48,40 +48,135 @@ std::vector<vec3> worldCorners(const SceneObject& object) {
 
 // ---- the tree of boxes
 
+// What a loop over all triangles finds first.
+SceneHit loopOver(const std::vector<std::vector<vec3>>& objects, const Ray& ray) {
+    SceneHit best{.t = HUGE_VAL};
+    for (std::size_t object = 0; object < objects.size(); ++object) {
+        const auto& corners = objects[object];
+        for (std::size_t k = 0; k < corners.size(); k += 3) {
+            const auto hit = intersectTriangle(ray, corners[k], corners[k + 1], corners[k + 2]);
+            if (!hit || hit->t >= best.t) continue;
+            best.t = hit->t;
+            best.object = static_cast<int>(object);
+            best.triangle = static_cast<int>(k / 3);
+        }
+    }
+    return best;
+}
+
+std::vector<std::vector<vec3>> worldCorners(const Scene& scene) {
+    std::vector<std::vector<vec3>> all;
+    for (const SceneObject& object : scene.objects) all.push_back(worldCorners(object));
+    return all;
+}
+
+// 1 where the caster and the loop met something, and the same.
+int expectAsLoop(const RayCaster& caster, const std::vector<std::vector<vec3>>& objects, const Ray& ray) {
+    const SceneHit best = loopOver(objects, ray);
+    const auto hit = caster.nearest(ray);
+    EXPECT_EQ(hit.has_value(), best.object >= 0);
+    if (!hit || best.object < 0) return 0;
+    EXPECT_EQ(hit->t, best.t);
+    EXPECT_EQ(hit->object, best.object);
+    EXPECT_EQ(hit->triangle, best.triangle);
+    return 1;
+}
+
 TEST(RayCaster, FindsWhatALoopOverAllTrianglesFinds) {
     int hits = 0;
     for (const std::uint64_t seed : {1U, 2U, 3U}) {
         const Scene scene = randomScene(seed);
         const RayCaster caster(scene);
+        const auto objects = worldCorners(scene);
         Random random(seed + 100);
         for (int i = 0; i < 3000; ++i) {
             // Some along an axis and some in the planes of the boxes' sides: there a slab test has 0/0.
             Ray ray{random.point(4), random.point(1)};
             if (i % 4 == 0) ray.direction = vec3(0), ray.direction[i % 3] = i % 8 == 0 ? 1 : -1;
-            if (i % 16 == 0)
-                ray.origin =
-                    worldCorners(scene.objects[static_cast<std::size_t>(i / 16 % 12)])[1] - 3.0 * ray.direction;
-            SceneHit best{.t = HUGE_VAL};
-            for (std::size_t object = 0; object < scene.objects.size(); ++object) {
-                const auto corners = worldCorners(scene.objects[object]);
-                for (std::size_t k = 0; k < corners.size(); k += 3) {
-                    const auto hit = intersectTriangle(ray, corners[k], corners[k + 1], corners[k + 2]);
-                    if (!hit || hit->t >= best.t) continue;
-                    best.t = hit->t;
-                    best.object = static_cast<int>(object);
-                    best.triangle = static_cast<int>(k / 3);
-                }
-            }
-            const auto hit = caster.nearest(ray);
-            ASSERT_EQ(hit.has_value(), best.object >= 0);
-            if (!hit) continue;
-            ++hits;
-            EXPECT_EQ(hit->t, best.t);
-            EXPECT_EQ(hit->object, best.object);
-            EXPECT_EQ(hit->triangle, best.triangle);
+            if (i % 16 == 0) ray.origin = objects[static_cast<std::size_t>(i / 16 % 12)][1] - 3.0 * ray.direction;
+            hits += expectAsLoop(caster, objects, ray);
+            ASSERT_FALSE(HasFailure()) << "seed " << seed << ", ray " << i;
         }
     }
     EXPECT_GT(hits, 1000);
+}
+
+// The boxes are in float: so scenes far larger, smaller and farther away than float can say, directions of any length,
+// origins from which the scene is a point, and rays that graze what they are aimed at.
+TEST(RayCaster, FindsItAtAnySizeAndDistance) {
+    struct Extreme {
+        double size, offset, away, length;  // of the scene; of its middle from 0; of origins from that; of directions
+    };
+    for (const Extreme& e : {Extreme{1e-60, 0, 1, 1},
+                             {1e60, 0, 1, 1},
+                             {1, 1e6, 1, 1},
+                             {1, 1e12, 1, 1},
+                             {1, 0, 1e7, 1},
+                             {1, 0, 1e30, 1},
+                             {1, 0, 1e60, 1},
+                             {1, 0, 1, 1e-200},
+                             {1, 0, 1, 1e200},
+                             {1e-60, 0, 1e80, 1e-60},
+                             {1e30, 1e60, 1, 1e60},
+                             {1e-20, 1, 1, 1}}) {
+        SCOPED_TRACE(numberText(e.size) + " " + numberText(e.offset) + " " + numberText(e.away) + " " +
+                     numberText(e.length));
+        Scene scene = randomScene(7);
+        for (SceneObject& object : scene.objects) {
+            object.worldFromObject =
+                translate(e.offset, -e.offset, e.offset) * scale(vec3(e.size)) * object.worldFromObject;
+        }
+        const RayCaster caster(scene);
+        const auto objects = worldCorners(scene);
+        const vec3 middle(e.offset, -e.offset, e.offset);
+        Random random(8);
+        int hits = 0;
+        for (int i = 0; i < 400; ++i) {
+            const auto& corners = objects[static_cast<std::size_t>(i % 12)];
+            const auto k = static_cast<std::size_t>(random.number(0, static_cast<double>(corners.size())));
+            const vec3 aim = i % 4 == 0 ? corners[k] : middle + 2.5 * e.size * random.point(1);
+            const vec3 origin = middle + 4 * e.size * e.away * random.point(1);
+            vec3 direction = aim - origin;
+            if (direction == vec3(0)) continue;
+            direction *= e.length / std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
+            if (i % 8 == 1) direction[i / 8 % 3] = 0;
+            if (direction == vec3(0)) continue;
+            hits += expectAsLoop(caster, objects, {origin, direction});
+            ASSERT_FALSE(HasFailure()) << "ray " << i;
+        }
+        const bool canBeSeen = e.away <= 1 && e.offset <= 1e6 * e.size;
+        EXPECT_GT(hits, canBeSeen ? 50 : -1);
+    }
+}
+
+// Whether something stands in the way is the same question, asked of another walk through the tree.
+TEST(RayCaster, ShadesWhatALoopOverAllTrianglesShades) {
+    const Scene scene = randomScene(4);
+    const RayCaster caster(scene);
+    auto casters = worldCorners(scene);
+    for (std::size_t i = 0; i < casters.size(); ++i) {
+        if (!scene.objects[i].casts) casters[i].clear();
+    }
+    Random random(5);
+    int shaded = 0, free = 0;
+    for (int i = 0; i < 10000; ++i) {
+        const auto hit = caster.nearest({random.point(4), random.point(1)});
+        if (!hit) continue;
+        // From a light that the triangle faces: what is met before the point, but for the triangle itself
+        const vec3 light = hit->point + 6.0 * hit->normal + random.point(4);
+        const SceneHit first = loopOver(casters, {light, hit->point - light});
+        if (first.object == hit->object || std::abs(first.t - 1) < 1e-9) {
+            if (first.object == hit->object && first.triangle != hit->triangle)
+                continue;  // which of both is not certain
+            EXPECT_FALSE(caster.inShadow(*hit, vec4(light, 1)));
+            ++free;
+        } else {
+            EXPECT_EQ(caster.inShadow(*hit, vec4(light, 1)), first.t < 1) << i;
+            shaded += first.t < 1 ? 1 : 0;
+        }
+    }
+    EXPECT_GT(shaded, 100);
+    EXPECT_GT(free, 100);
 }
 
 TEST(RayCaster, MissesNoCornerAndNoEdgeOfAClosedMesh) {

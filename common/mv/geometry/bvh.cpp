@@ -2,31 +2,22 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
+#include <cfloat>
+#include <cmath>
 #include <utility>
 
 #include "mv/geometry/bounds.h"
+#include "mv/geometry/bvh_build.h"
 
 namespace mv {
 namespace {
 
-constexpr std::uint32_t largestLeaf = 4;
-constexpr int bins = 16;
-// From this depth on the triangles are halved, which ends within 32 more: so the tree is never deeper than the stack.
-constexpr int deepestGuess = 32;
-constexpr std::size_t stackSize = 64;
+constexpr std::size_t stackSize = 3 * 64 + 1;  // a level leaves three of its four behind
 
-double halfArea(const Bounds& box) {
-    const vec3 size = box.high - box.low;
-    return size.x * size.y + size.y * size.z + size.z * size.x;
-}
-
-Bounds boundsOf(const SceneTriangle& triangle) {
-    Bounds bounds;
-    bounds.add(triangle.a);
-    bounds.add(triangle.b);
-    bounds.add(triangle.c);
-    return bounds;
+// The largest float that is not above x.
+float below(double x) {
+    const auto nearest = static_cast<float>(x);
+    return static_cast<double>(nearest) > x ? std::nextafter(nearest, -HUGE_VALF) : nearest;
 }
 
 bool comesBefore(const SceneTriangle& one, const SceneTriangle& other) {
@@ -35,155 +26,118 @@ bool comesBefore(const SceneTriangle& one, const SceneTriangle& other) {
 
 }  // namespace
 
-// Sorts triangle numbers, with their bounds beside them, into a tree.
-class Bvh::Build {
-  public:
-    Build(const std::vector<SceneTriangle>& triangles, std::vector<Node>& nodes)
-        : nodes_(nodes), order(triangles.size()) {
-        std::iota(order.begin(), order.end(), 0U);
-        bounds_.reserve(triangles.size());
-        middles_.reserve(triangles.size());
-        for (const SceneTriangle& triangle : triangles) {
-            bounds_.push_back(boundsOf(triangle));
-            middles_.push_back(bounds_.back().middle());
-        }
-        if (order.empty()) return;
-        nodes_.emplace_back();
-        fill(0, 0, static_cast<std::uint32_t>(order.size()), 0);
-    }
-
-  private:
-    using Iterator = std::vector<std::uint32_t>::iterator;
-
-    // Makes `self` the node of the triangles order[first] to order[last - 1].
-    void fill(std::size_t self, std::uint32_t first, std::uint32_t last, int depth) {
-        Bounds all, middles;
-        for (std::uint32_t i = first; i < last; ++i) {
-            all.add(bounds_[order[i]]);
-            middles.add(middles_[order[i]]);
-        }
-        nodes_[self] = {{all.low.x, all.low.y, all.low.z, all.high.x, all.high.y, all.high.z}, first, last - first};
-        if (last - first <= largestLeaf) return;
-        const auto begin = order.begin() + first, end = order.begin() + last;
-        Iterator split = depth < deepestGuess ? cheapestSplit(begin, end, middles) : begin;
-        if (split == begin || split == end) split = medianSplit(begin, end, middles);
-
-        const std::size_t children = nodes_.size();
-        const auto second = static_cast<std::uint32_t>(split - order.begin());
-        nodes_[self].first = static_cast<std::uint32_t>(children);
-        nodes_[self].count = 0;
-        nodes_.resize(children + 2);
-        fill(children, first, second, depth + 1);
-        fill(children + 1, second, last, depth + 1);
-    }
-
-    // Where count times area, summed over both sides, is least: about how many triangles a ray has to be tested with.
-    Iterator cheapestSplit(Iterator begin, Iterator end, const Bounds& middles) const {
-        double least = HUGE_VAL;
-        int leastAxis = -1, leastBin = 0;
-        for (int axis = 0; axis < 3; ++axis) {
-            if (!(middles.high[axis] > middles.low[axis])) continue;
-            std::array<Bounds, bins> bounds;
-            std::array<int, bins> counts{};
-            for (auto i = begin; i != end; ++i) {
-                const auto bin = static_cast<std::size_t>(binOf(*i, axis, middles));
-                bounds[bin].add(bounds_[*i]);
-                ++counts[bin];
-            }
-            std::array<double, bins> upTo{};
-            Bounds side;
-            int count = 0;
-            for (std::size_t bin = 0; bin < bins; ++bin) {
-                side.add(bounds[bin]);
-                count += counts[bin];
-                upTo[bin] = count == 0 ? 0 : count * halfArea(side);
-            }
-            side = Bounds();
-            count = 0;
-            for (std::size_t bin = bins - 1; bin > 0; --bin) {
-                side.add(bounds[bin]);
-                count += counts[bin];
-                const double cost = upTo[bin - 1] + (count == 0 ? 0 : count * halfArea(side));
-                if (cost >= least) continue;
-                least = cost;
-                leastAxis = axis;
-                leastBin = static_cast<int>(bin);
-            }
-        }
-        if (leastAxis < 0) return begin;
-        return std::partition(begin, end,
-                              [&](std::uint32_t triangle) { return binOf(triangle, leastAxis, middles) < leastBin; });
-    }
-
-    Iterator medianSplit(Iterator begin, Iterator end, const Bounds& middles) const {
-        const vec3 size = middles.high - middles.low;
-        const int axis = size.x >= size.y ? (size.x >= size.z ? 0 : 2) : (size.y >= size.z ? 1 : 2);
-        const auto half = begin + (end - begin) / 2;
-        std::nth_element(begin, half, end, [&](std::uint32_t one, std::uint32_t other) {
-            return std::pair(middles_[one][axis], one) < std::pair(middles_[other][axis], other);
-        });
-        return half;
-    }
-
-    int binOf(std::uint32_t triangle, int axis, const Bounds& middles) const {
-        const double low = middles.low[axis], part = (middles_[triangle][axis] - low) / (middles.high[axis] - low);
-        return std::min(bins - 1, static_cast<int>(bins * part));
-    }
-
-    std::vector<Node>& nodes_;
-    std::vector<Bounds> bounds_;
-    std::vector<vec3> middles_;
-
-  public:
-    std::vector<std::uint32_t> order;
-};
-
 Bvh::Bvh(std::vector<SceneTriangle> triangles) {
     // What has no area is met by no ray; left in, rounding could make a hit of it
     std::erase_if(triangles, [](const SceneTriangle& t) { return areOnOneLine(t.a, t.b, t.c); });
-    const Build build(triangles, nodes_);
+    const BvhBuild build(triangles);
     triangles_.reserve(triangles.size());
     for (const std::uint32_t i : build.order) triangles_.push_back(triangles[i]);
-    if (nodes_.empty()) return;
-    for (const double bound : nodes_.front().bounds) extent_ = std::max(extent_, std::abs(bound));
+    if (build.nodes.empty()) return;
+    const Bounds& all = build.nodes.front().bounds;
+    middle_ = all.middle();
+    double half = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        extent_ = std::max({extent_, std::abs(all.low[axis]), std::abs(all.high[axis])});
+        half = std::max({half, all.high[axis] - middle_[axis], middle_[axis] - all.low[axis]});
+    }
+    scale_ = std::ldexp(1, -std::clamp(std::ilogb(half) + 1, -1000, 1000));
+    gather(build, 0);
 }
 
-namespace {
+// Makes a node of the children of a node of the binary tree, and of theirs, the largest first, as long as there is room.
+std::uint32_t Bvh::gather(const BvhBuild& build, std::uint32_t from) {
+    std::array<std::uint32_t, lanes> chosen{from};
+    std::size_t count = 1;
+    while (count < lanes) {
+        std::size_t largest = lanes;
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto& node = build.nodes[chosen[i]];
+            if (node.count > 0) continue;
+            if (largest == lanes || halfArea(node.bounds) > halfArea(build.nodes[chosen[largest]].bounds)) largest = i;
+        }
+        if (largest == lanes) break;
+        const std::uint32_t first = build.nodes[chosen[largest]].first;
+        chosen[largest] = first;
+        chosen[count++] = first + 1;
+    }
+    const auto self = static_cast<std::uint32_t>(nodes_.size());
+    nodes_.emplace_back();
+    for (std::size_t i = 0; i < lanes; ++i) {
+        const Bounds bounds = i < count ? build.nodes[chosen[i]].bounds : Bounds();
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const auto a = static_cast<int>(axis);
+            nodes_[self].bounds[axis][i] = below((bounds.low[a] - middle_[a]) * scale_);
+            nodes_[self].bounds[axis + 3][i] = -below((middle_[a] - bounds.high[a]) * scale_);
+        }
+        if (i >= count) continue;
+        const BvhBuild::Node& node = build.nodes[chosen[i]];
+        nodes_[self].count[i] = node.count;
+        const std::uint32_t first = node.count > 0 ? node.first : gather(build, chosen[i]);
+        nodes_[self].first[i] = first;
+    }
+    return self;
+}
 
-// A ray made ready for boxes: each slab is entered at (near side - entry) * inverse and left at (far side - exit) *
-// inverse. Entry and exit are the origin, moved apart by what rounding can shift the corners of a triangle seen along
-// the ray; so no box is passed by of which a triangle would be hit.
-struct BoxTest {
-    std::array<double, 3> entry, exit, inverse;
-    std::array<std::size_t, 3> nearSide, farSide;  // where a node's bounds have them
+// A ray against boxes, four at once: the loops over them are what compilers make vector instructions of. Each box counts as
+// larger by `room`, which is more than the triangle test can shift a corner by, and every rounding to float goes the way that
+// makes the box larger: where a triangle is hit, so are the boxes around it. With o the origin and d the direction, t runs
+// from (lo - o) / d to (hi - o) / d; each of the two has an o and a 1/d of its own, off by more than what rounds.
+struct Bvh::RayBoxes {
+    std::array<float, 3> entry{}, exit{}, toEntry{}, toExit{};
+    std::array<std::size_t, 3> nearSide{}, farSide{};  // where a node's bounds have them
+    double unit = 1;                                   // of the ray's t, in the boxes' t
 
-    BoxTest(const Ray& ray, double room) {
+    RayBoxes(const Ray& ray, const vec3& middle, double scale, double room) {
+        const vec3 size = glm::abs(ray.direction), origin = (ray.origin - middle) * scale;
+        const double largest = std::max({size.x, size.y, size.z});
+        const auto aside = static_cast<float>(std::min(room * scale, 1e37));
+        // Where float has no room for it, no box is left out but those that are not there.
+        const bool isFar =
+            !(std::max({std::abs(origin.x), std::abs(origin.y), std::abs(origin.z), double(aside)}) < 1e30);
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const auto i = static_cast<int>(axis);
             const bool backwards = std::signbit(ray.direction[i]);
-            inverse[axis] = 1 / ray.direction[i];
-            entry[axis] = ray.origin[i] + (backwards ? -room : room);
-            exit[axis] = ray.origin[i] - (backwards ? -room : room);
+            const float at = isFar ? 0 : static_cast<float>(origin[i]);
+            const float off = isFar ? 1e37F : aside + slack * (std::abs(at) + aside) + FLT_MIN;
+            // Where it would be more, the ray is as good as parallel: t up to 1e38 times the room is beyond all boxes.
+            const auto inverse = static_cast<float>(std::clamp(largest / ray.direction[i], -1e38, 1e38));
+            entry[axis] = backwards ? at - off : at + off;
+            exit[axis] = backwards ? at + off : at - off;
+            toEntry[axis] = inverse * (1 - slack);
+            toExit[axis] = inverse * (1 + slack);
             nearSide[axis] = backwards ? axis + 3 : axis;
             farSide[axis] = backwards ? axis : axis + 3;
         }
+        unit = largest * scale;
     }
 
-    // Where the box is entered, at least 0; infinity where it is missed or lies beyond `end`. 0 * infinity, a ray in
-    // the plane of a side, is NaN, which no comparison takes: that slab then bounds nothing.
-    double operator()(const std::array<double, 6>& bounds, double end) const {
-        double near = 0, far = end;
+    // A t of the ray in the boxes' units, or somewhat more
+    float endOf(double t) const {
+        const double end = t * unit;
+        return end < 1e30 ? static_cast<float>(end) * (1 + slack) + FLT_MIN : HUGE_VALF;
+    }
+
+    // Where the boxes are entered, at least 0; infinity where they are missed or lie beyond `end`.
+    std::array<float, lanes> operator()(const Children& node, float end) const {
+        std::array<float, lanes> near{}, far{end, end, end, end};
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            const double first = (bounds[nearSide[axis]] - entry[axis]) * inverse[axis];
-            const double last = (bounds[farSide[axis]] - exit[axis]) * inverse[axis];
-            near = first > near ? first : near;
-            far = last < far ? last : far;
+            const auto &nearest = node.bounds[nearSide[axis]], &farthest = node.bounds[farSide[axis]];
+            for (std::size_t i = 0; i < lanes; ++i) {
+                const float first = (nearest[i] - entry[axis]) * toEntry[axis];
+                near[i] = first > near[i] ? first : near[i];
+            }
+            for (std::size_t i = 0; i < lanes; ++i) {
+                const float last = (farthest[i] - exit[axis]) * toExit[axis];
+                far[i] = last < far[i] ? last : far[i];
+            }
         }
-        return near <= far ? near : HUGE_VAL;
+        for (std::size_t i = 0; i < lanes; ++i) near[i] = near[i] <= far[i] ? near[i] : HUGE_VALF;
+        return near;
     }
-};
 
-}  // namespace
+  private:
+    static constexpr float slack = 5e-7F;  // more than eight roundings
+};
 
 // How far rounding can shift the corners of a triangle seen from `origin`, with some to spare.
 double Bvh::room(const vec3& origin) const {
@@ -197,29 +151,34 @@ template <typename Visit>
 void Bvh::visit(const Ray& ray, double& end, const Visit& visitTriangle) const {
     if (nodes_.empty()) return;
     struct Entry {
-        std::uint32_t node;
-        double near;
+        std::uint32_t first, count;
+        float near;
     };
-    const BoxTest boxTest(ray, room(ray.origin));
+    const RayBoxes boxes(ray, middle_, scale_, room(ray.origin));
+    float nearEnd = boxes.endOf(end);
     std::array<Entry, stackSize> stack;
     std::size_t height = 0;
-    const double near = boxTest(nodes_[0].bounds, end);
-    if (near < HUGE_VAL) stack[height++] = {0, near};
+    stack[height++] = {0, 0, 0};
     while (height > 0) {
         const Entry entry = stack[--height];
-        if (entry.near > end) continue;
-        const Node& node = nodes_[entry.node];
-        if (node.count > 0) {
-            for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+        if (entry.near > nearEnd) continue;
+        if (entry.count > 0) {
+            const double before = end;
+            for (std::uint32_t i = entry.first; i < entry.first + entry.count; ++i) {
                 if (visitTriangle(triangles_[i])) return;
             }
+            if (end != before) nearEnd = boxes.endOf(end);
             continue;
         }
-        Entry closer{node.first, boxTest(nodes_[node.first].bounds, end)};
-        Entry farther{node.first + 1, boxTest(nodes_[node.first + 1].bounds, end)};
-        if (farther.near < closer.near) std::swap(closer, farther);
-        if (farther.near < HUGE_VAL) stack[height++] = farther;
-        if (closer.near < HUGE_VAL) stack[height++] = closer;
+        const Children& node = nodes_[entry.first];
+        const std::array<float, lanes> near = boxes(node, nearEnd);
+        const std::size_t bottom = height;
+        for (std::size_t i = 0; i < lanes; ++i) {
+            if (!(near[i] < HUGE_VALF)) continue;
+            std::size_t place = height++;
+            for (; place > bottom && stack[place - 1].near < near[i]; --place) stack[place] = stack[place - 1];
+            stack[place] = {node.first[i], node.count[i], near[i]};
+        }
     }
 }
 
@@ -281,23 +240,25 @@ bool mayPass(const vec3& lo, const vec3& hi, const vec3& boxLo, const vec3& boxH
 bool Bvh::mayMeet(const vec3& origin, const vec3& lo, const vec3& hi, std::size_t most,
                   std::vector<const SceneTriangle*>& found) const {
     found.clear();
-    const double aside = room(origin);
-    const auto passes = [&](const Node& node) {
-        const auto& [loX, loY, loZ, hiX, hiY, hiZ] = node.bounds;
-        return mayPass(lo, hi, vec3(loX, loY, loZ) - origin - aside, vec3(hiX, hiY, hiZ) - origin + aside);
-    };
+    if (nodes_.empty()) return true;
+    const double aside = room(origin) * scale_;
+    const vec3 from = (origin - middle_) * scale_, near = lo * scale_, far = hi * scale_;
     std::array<std::uint32_t, stackSize> stack;
     std::size_t height = 0;
-    if (!nodes_.empty() && passes(nodes_[0])) stack[height++] = 0;
+    stack[height++] = 0;
     while (height > 0) {
-        const Node& node = nodes_[stack[--height]];
-        for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-            if (found.size() == most) return false;
-            found.push_back(&triangles_[i]);
-        }
-        if (node.count > 0) continue;
-        for (const std::uint32_t child : {node.first, node.first + 1}) {
-            if (passes(nodes_[child])) stack[height++] = child;
+        const Children& node = nodes_[stack[--height]];
+        for (std::size_t i = 0; i < lanes; ++i) {
+            const auto& [loX, loY, loZ, hiX, hiY, hiZ] = node.bounds;
+            if (!(loX[i] <= hiX[i]) || !mayPass(near, far, vec3(loX[i], loY[i], loZ[i]) - from - aside,
+                                                vec3(hiX[i], hiY[i], hiZ[i]) - from + aside)) {
+                continue;
+            }
+            if (node.count[i] == 0) stack[height++] = node.first[i];
+            for (std::uint32_t k = node.first[i]; k < node.first[i] + node.count[i]; ++k) {
+                if (found.size() == most) return false;
+                found.push_back(&triangles_[k]);
+            }
         }
     }
     return true;

@@ -21,8 +21,11 @@ struct BvhHit {
     const SceneTriangle* triangle = nullptr;
 };
 
-// A binary bounding volume hierarchy, split where the surface area heuristic finds it cheapest. What it finds is what a
-// loop over all triangles finds, to the last bit: its boxes are tested with room for every rounding.
+struct BvhBuild;
+
+// A bounding volume hierarchy of four boxes a node, split where the surface area heuristic finds it cheapest. What it finds
+// is what a loop over all triangles finds, to the last bit: the four boxes are tested at once in float, with room for every
+// rounding, and what lies in them in double.
 class Bvh {
   public:
     explicit Bvh(std::vector<SceneTriangle> triangles);
@@ -40,19 +43,24 @@ class Bvh {
                  std::vector<const SceneTriangle*>& found) const;
 
   private:
-    struct Node {
-        std::array<double, 6> bounds{};  // lo, then hi
-        std::uint32_t first = 0;         // of the triangles; of an inner node: of its two children, which lie together
-        std::uint32_t count = 0;         // of the triangles; 0: an inner node
+    static constexpr int lanes = 4;
+    struct Children {  // of an inner node; those that are not there have their bounds the wrong way round
+        alignas(16) std::array<std::array<float, lanes>, 6> bounds{};  // lo, then hi, outwards of the true ones
+        std::array<std::uint32_t, lanes> first{};  // of the triangles; of an inner node: its own number
+        std::array<std::uint32_t, lanes> count{};  // of the triangles; 0: an inner node
     };
-    class Build;
+    struct RayBoxes;
+    std::uint32_t gather(const BvhBuild& build, std::uint32_t from);
     double room(const vec3& origin) const;
     template <typename Visit>
     void visit(const Ray& ray, double& end, const Visit& visitTriangle) const;
 
     std::vector<SceneTriangle> triangles_;
-    std::vector<Node> nodes_;
-    double extent_ = 0;  // the largest size of a coordinate
+    std::vector<Children> nodes_;
+    // The boxes stand in units of their own, (p - middle_) * scale_, in which all lie within -1..1 whatever the scene's size.
+    vec3 middle_{0, 0, 0};
+    double scale_ = 1;   // a power of 2
+    double extent_ = 0;  // the largest size of a coordinate, in the scene's units
 };
 
 }  // namespace mv
