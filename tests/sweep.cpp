@@ -160,6 +160,8 @@ const std::set<std::string> unseen{
     "path pieces",          // a digit of the length, in words for which pictures as small as these have no room
     "springs confirm",      // a line of words, likewise
     "gpu-stages direct3d",  // names of stages, likewise
+    "clipping polygon",     // its ends, all corners in one place or on one line, are refused: they are no polygon
+    "clipping against",     // the same
 };
 
 // In a setting that a knob calls idle it changes no byte of the picture; and a knob that changes none in any of the

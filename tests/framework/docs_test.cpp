@@ -85,7 +85,7 @@ TEST(Docs, a_chapter_that_is_none_is_refused) {
             std::string(error.what()),
             "demo stray: must have no chapter or one of mv/demo/chapters.h ('Viewing and projection', "
             "'Stereo and hidden surfaces', 'Shadows', 'Motion', 'Light, colour and texture', 'Surfaces, mirrors and "
-            "stages'), 'Shadow'");
+            "stages', 'Rays, clipping and pixels'), 'Shadow'");
     }
     EXPECT_EQ(catalogue().size(), before);
     info.chapter = courseChapters.front();

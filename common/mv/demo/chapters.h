@@ -10,9 +10,9 @@
 namespace mv {
 
 // The course's chapters, in its order.
-inline constexpr std::array<std::string_view, 6> courseChapters{
-    "Viewing and projection",    "Stereo and hidden surfaces",   "Shadows", "Motion",
-    "Light, colour and texture", "Surfaces, mirrors and stages",
+inline constexpr std::array<std::string_view, 7> courseChapters{
+    "Viewing and projection",       "Stereo and hidden surfaces", "Shadows", "Motion", "Light, colour and texture",
+    "Surfaces, mirrors and stages", "Rays, clipping and pixels",
 };
 
 // The place of the demo's chapter among them, from 0; after the last for "", which a demo has that is none of the course's.
