@@ -92,6 +92,10 @@ TEST(Mirror, few_edges) {
         EXPECT_LE(double(row.all.n - row.awayFromEdges.n), 0.05 * 960 * 560) << mirrors;
         EXPECT_EQ(row.awayFromEdges.fraction, 0);
     }
+    // Each bounce has edges of its own: as many as there may be need a picture twice as wide.
+    const StudyRow most = (run.set("bounces", 16), compareWithRays(1920, 1120));
+    EXPECT_LE(double(most.all.n - most.awayFromEdges.n), 0.05 * 1920 * 1120);
+    EXPECT_EQ(most.awayFromEdges.fraction, 0);
 }
 
 TEST(Mirror, methods_agree) {

@@ -171,10 +171,15 @@ void Target::bindDepth(int unit) const {
 
 Picture Target::read() const {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved());
+    Picture picture = readBound();
+    bind();
+    return picture;
+}
+
+Picture Target::readBound() const {
     Picture picture(width_, height_);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, picture.rgba.data());
-    bind();
     flipRows(picture);
     return picture;
 }

@@ -55,6 +55,8 @@ class Target {
     void bindImage(int unit) const;
     // The colours as a picture, samples resolved. Leaves the target bound.
     Picture read() const;
+    // The same of a target without samples that is bound, as it is after draws into it.
+    Picture readBound() const;
     // Red as numbers, those of 8 bits from 0 to 1, the upper row first, for a target without samples. Leaves the target
     // bound.
     std::vector<float> readRed() const;
