@@ -164,7 +164,8 @@ TEST_P(Shaders, compile_as_es) {
     // One that draws lines and words alone has the library's programs.
     const std::string text = fileText(source / "demos" / (GetParam() + ".cpp"));
     const bool hasPrograms = text.find("Program") != std::string::npos;
-    EXPECT_EQ(compiled > 0, hasPrograms) << "shaders/" << GetParam() << ".vert and .frag must be there for a demo with programs";
+    EXPECT_EQ(compiled > 0, hasPrograms) << "shaders/" << GetParam()
+                                         << ".vert and .frag must be there for a demo with programs";
     EXPECT_EQ(liveObjects(), 0);
     EXPECT_TRUE(takeErrors().empty());
 

@@ -75,7 +75,6 @@ void showParameters(ClipFigure& figure, const Segment& whole, const Box& box, do
     figure.say(rounded("first exit, or 1:  %.3f", until), red);
 }
 
-
 // On which side of the segment's line the corners lie.
 void showCorners(ClipFigure& figure, const Segment& whole, const Box& box, double offset) {
     figure.say("the corners' sides of the line a b, exactly:");

@@ -45,7 +45,7 @@ class DemoScreen final : public Screen {
     void onKey(const Event& event);
     void reloadShaders();
     void redraw(bool whole = false);  // with all passes of the picture, or one more
-    const Target* shownTarget();  // none: no setting has made a picture yet
+    const Target* shownTarget();      // none: no setting has made a picture yet
     void showPicture();
     void showDividerHandle();
     void showPanel();
