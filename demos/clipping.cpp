@@ -121,7 +121,7 @@ struct Clipping final : Demo {
         inSpace.onlyWhen(is(Subject::space), "nothing is in space");
         bindKeys(Key::left, Key::right, round, 1);
         const auto handle = [this](const char* name, Points& points, auto shown) {
-            bindHandle(name, points, [this, shown](const FrameInfo& frame, const vec2& at) -> std::optional<vec2> {
+            bindHandle(name, points, [shown](const FrameInfo& frame, const vec2& at) -> std::optional<vec2> {
                 if (!shown()) return {};
                 return pictureFromPane(ClipFigure::leftPane(frame),
                                        ClipFigure::plotIn(ClipFigure::leftPane(frame)).pixel(at));
