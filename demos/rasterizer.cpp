@@ -40,7 +40,7 @@ enum class Subject { line, triangle, fill, star };
 enum class Shade { flat, picture, surface };
 enum class Flood { recursive, spans };
 
-const vec4 ink(0.1, 0.1, 0.1, 1), red(0.8, 0.15, 0.1, 1), blue(0.1, 0.35, 0.75, 1);
+const vec4 ink(0.1, 0.1, 0.1, 1), red(0.8, 0.15, 0.1, 1);
 const Pixel paper{255, 255, 255}, outlined{90, 95, 105}, first{70, 125, 205}, second{120, 180, 110}, both{205, 60, 45};
 const std::array<vec3, 4> cornerColors{vec3(0.9, 0.25, 0.15), vec3(0.2, 0.7, 0.25), vec3(0.15, 0.35, 0.85),
                                        vec3(0.95, 0.8, 0.2)};

@@ -88,9 +88,9 @@ TEST(ClipSegment, GivesTheSameBitsBothWaysAndStaysInside) {
 }
 
 TEST(ClipSegment, RefusalsSayWhatWouldHaveBeenRight) {
-    const double notANumber = std::nan("");
+    const double nan = std::nan("");
     EXPECT_EQ(refusal([&] {
-                  (void)clipSegment({{0, notANumber}, {1, 1}}, {{0, 0}, {1, 1}});
+                  (void)clipSegment({{0, nan}, {1, 1}}, {{0, 0}, {1, 1}});
               }),
               "clipSegment: each point must be finite, (0, nan)");
     EXPECT_EQ(refusal([] {
