@@ -19,8 +19,16 @@ class Recursion {
     Recursion(PixelMap& map, int from, int to, int neighbors, long deepest)
         : map_(map), from_(from), to_(to), neighbors_(static_cast<std::size_t>(neighbors)), most_(deepest) {}
     void fill(int x, int y, long depth) {
+        if (!take(x, y, depth)) return;
+        for (std::size_t i = 0; i < neighbors_; ++i) fill(x + around.at(i).first, y + around.at(i).second, depth + 1);
+    }
+    Flooded flooded;
+
+  private:
+    // Apart, so that what it needs does not lie on the stack a thousand times
+    bool take(int x, int y, long depth) {
         ++flooded.calls;
-        if (!map_.holds(x, y) || map_.at(x, y) != from_) return;
+        if (!map_.holds(x, y) || map_.at(x, y) != from_) return false;
         if (depth > most_) {
             throw Error("floodByRecursion", "must not go deeper than " + std::to_string(most_) +
                                                 " calls, or the stack ends: fill by spans");
@@ -28,11 +36,9 @@ class Recursion {
         flooded.deepest = std::max(flooded.deepest, depth);
         map_.at(x, y) = to_;
         flooded.pixels.push_back({x, y, double(depth)});
-        for (std::size_t i = 0; i < neighbors_; ++i) fill(x + around.at(i).first, y + around.at(i).second, depth + 1);
+        return true;
     }
-    Flooded flooded;
 
-  private:
     PixelMap& map_;
     int from_, to_;
     std::size_t neighbors_;
