@@ -247,6 +247,32 @@ TEST(StudyRun, a_line_may_keep_to_some_scenes) {
     for (const StudyRow& each : run.rows) EXPECT_LT(each.all.fraction, 0.02) << each.scene;
 }
 
+TEST(StudyRun, regions_are_whole_rows) {
+    static const DemoInfo made = infoOf<Step>("step", stepStudy());
+    Study study = stepStudy();
+    study.lines = {{"cells", {}, "cells", {"64"}}};
+    const auto makeReference = study.makeReference;
+    const auto statusWith = [&](int across, std::size_t regions) {
+        study.makeReference = [&](const Demo& demo, const ReferenceFrame& frame, const auto& progress) {
+            Reference reference = makeReference(demo, frame, progress);
+            reference.across = across;
+            reference.regions.assign(regions, 0);
+            return reference;
+        };
+        stage().open(made, 10, 10);
+        const std::string status = runStudy(stage(), study, {.timed = false}).rows.at(0).status;
+        stage().close();
+        return status;
+    };
+    // The study's picture is 1000 x 4
+    EXPECT_EQ(statusWith(0, 4000), "ok");
+    EXPECT_EQ(statusWith(20, 4000), "ok");
+    EXPECT_EQ(statusWith(7, 4000),
+              "reference: must have whole rows of regions, one for each of its 4000 values, 4000 in rows of 7");
+    EXPECT_EQ(statusWith(0, 3999),
+              "reference: must have whole rows of regions, one for each of its 4000 values, 3999 in rows of 1000");
+}
+
 TEST(StudyRun, failures_stay_as_rows) {
     const StudyRun run = stepRun();
     EXPECT_EQ(run.rows.size(), 12U);

@@ -52,6 +52,8 @@ struct Reference {
     // another region, or a value that differs by more than Study::wrongBeyond, is in the edge band, where rounding
     // decides. Empty: all values count, and none is at an edge.
     std::vector<int> regions = {};
+    // How many of them make a row; 0: as many as the picture has columns.
+    int across = 0;
     // The root mean square by which the reference changes when its own sampling is doubled in each direction; negative
     // where it has none to double.
     double ownError = -1;

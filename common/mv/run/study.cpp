@@ -29,9 +29,17 @@ double milliseconds(Clock::time_point from) {
 // ---- Errors
 
 // The pixels where rounding decides what is seen: those that have a neighbour with another region or another value.
-std::vector<bool> edgeBand(const Reference& reference, int width, int height, double wrongBeyond) {
+std::vector<bool> edgeBand(const Reference& reference, int columns, double wrongBeyond) {
     std::vector<bool> band(reference.values.size(), false);
     if (reference.regions.empty()) return band;
+    const int width = reference.across > 0 ? reference.across : columns;
+    const int height = static_cast<int>(band.size() / static_cast<std::size_t>(width));
+    if (reference.regions.size() != band.size() ||
+        band.size() != static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {
+        throw Error("reference",
+                    "must have whole rows of regions, one for each of its " + std::to_string(band.size()) + " values",
+                    std::to_string(reference.regions.size()) + " in rows of " + std::to_string(width));
+    }
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
             const std::size_t here = pixelIndex(x, y, width);
@@ -186,7 +194,7 @@ KnownReference referenceHere(const Demo& demo, const Study& study, bool ownError
     if (!study.ofValues && known.reference.values.size() != pixels) {
         throw Error("reference", "must have a value for each pixel", std::to_string(known.reference.values.size()));
     }
-    known.band = edgeBand(known.reference, study.width, study.height, study.wrongBeyond);
+    known.band = edgeBand(known.reference, study.width, study.wrongBeyond);
     return known;
 }
 
