@@ -5,6 +5,7 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -92,6 +93,15 @@ std::optional<TriangleHit<T>> intersectTriangle(const RayOf<T>& ray, const glm::
     const auto hit = TriangleTest<T>(ray)(a, b, c);
     if (hit && areOnOneLine(a, b, c)) return {};
     return hit;
+}
+
+// Where a ray in `direction` begins that leaves a surface at `point`: off it along the unit vector `normal`, to the side that the
+// direction leads to, by that many roundings of coordinates as large as `size`. That is how far the point, and what the next
+// ray computes, may be off the true surface; no fixed epsilon, so it serves at every scale.
+inline vec3 besideSurface(const vec3& point, const vec3& normal, const vec3& direction, const vec3& size,
+                          double roundings) {
+    const double off = roundings * std::numeric_limits<double>::epsilon() * glm::dot(glm::abs(normal), size);
+    return glm::dot(normal, direction) < 0 ? point - off * normal : point + off * normal;
 }
 
 // ---- inline, for the sake of the ray caster

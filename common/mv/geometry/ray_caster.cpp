@@ -180,8 +180,7 @@ vec3 RayCaster::State::startOf(const SceneHit& hit, const vec3& direction) const
     const SceneTriangle& corners =
         surfaces[static_cast<std::size_t>(hit.object)][static_cast<std::size_t>(hit.triangle)].corners;
     const vec3 size = glm::max(glm::abs(corners.a), glm::max(glm::abs(corners.b), glm::abs(corners.c)));
-    const vec3 normal = glm::dot(hit.normal, direction) < 0 ? -hit.normal : hit.normal;
-    return hit.point + 8 * std::numeric_limits<double>::epsilon() * glm::dot(glm::abs(normal), size) * normal;
+    return besideSurface(hit.point, hit.normal, direction, size, 8);
 }
 
 // The part of the light that reaches the point. What may stand in the way of an area light is asked for at once: often

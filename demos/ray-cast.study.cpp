@@ -1,0 +1,336 @@
+// What measures ray-cast: the t of each pixel against the same rays in long double, and its picture against GL's.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mv/demo/demo.h"
+#include "shared/cast_objects.h"
+#include "shared/ray_structures.h"
+
+using namespace mv;
+using namespace mv::claims;
+
+namespace {
+
+using Long = long double;
+using Long3 = glm::vec<3, Long>;
+
+// The demo's eye again, so that the reference shares nothing with it; the ray as the demo rounds it.
+struct LongRay {
+    Long3 origin, direction;
+};
+LongRay rayOf(const Demo& demo, int i, int j, int side) {
+    const vec3 w = glm::normalize(vec3(0.32, 0.42, 1)), u = glm::normalize(glm::cross(vec3(0, 1, 0), w));
+    const double distance = demo.number("distance"), size = demo.number("scale"), half = 0.53 * 9 / distance;
+    const vec3 eye = size * (vec3(0, 0.2, 0) + distance * w);
+    const double x = half * (i + 0.5 - side / 2.0) / (side / 2.0), y = half * (side / 2.0 - (j + 0.5)) / (side / 2.0);
+    const vec3 way = glm::normalize(x * u + y * glm::cross(w, u) - w);
+    if (demo.word("precision") == "float") return {Long3(fvec3(eye)), Long3(fvec3(way))};
+    return {Long3(eye), Long3(way)};
+}
+
+// From the foot of the perpendicular on the ray.
+std::optional<Long> sphereAt(const LongRay& ray, const Long3& center, Long radius) {
+    const Long long2 = glm::dot(ray.direction, ray.direction);
+    const Long toFoot = glm::dot(center - ray.origin, ray.direction) / long2;
+    const Long3 miss = ray.origin + toFoot * ray.direction - center;
+    const Long rest = radius * radius - glm::dot(miss, miss);
+    if (rest < 0) return {};
+    return toFoot - std::sqrt(rest / long2);
+}
+
+// Each face's plane, and whether the point is within the face.
+std::optional<Long> boxAt(const LongRay& ray, const Long3& low, const Long3& high) {
+    std::optional<Long> first;
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const Long side : {low[axis], high[axis]}) {
+            const Long t = (side - ray.origin[axis]) / ray.direction[axis];
+            const Long3 at = ray.origin + t * ray.direction;
+            const int one = (axis + 1) % 3, two = (axis + 2) % 3;
+            const bool isWithin =
+                at[one] >= low[one] && at[one] <= high[one] && at[two] >= low[two] && at[two] <= high[two];
+            if (isWithin && t > 0 && (!first || t < *first)) first = t;
+        }
+    }
+    return first;
+}
+
+// By the volumes of tetrahedra: on which side of each edge the ray passes.
+std::optional<Long> triangleAt(const LongRay& ray, const Long3& a, const Long3& b, const Long3& c) {
+    const auto passes = [&](const Long3& p, const Long3& q) {
+        return glm::dot(glm::cross(p - ray.origin, q - ray.origin), ray.direction);
+    };
+    const Long one = passes(a, b), two = passes(b, c), three = passes(c, a);
+    if (std::min({one, two, three}) < 0 && std::max({one, two, three}) > 0) return {};
+    const Long3 normal = glm::cross(b - a, c - a);
+    return glm::dot(normal, a - ray.origin) / glm::dot(normal, ray.direction);
+}
+
+// The ray among points of a tenth of a pixel: a change of side between them, then halved. z - z(x) is 0 on the flag.
+std::optional<Long> flagAt(const LongRay& ray, Long size) {
+    const auto side = [&](Long t) {
+        const Long3 at = (ray.origin + t * ray.direction) / size;
+        return at.z + 3 -
+               static_cast<Long>(cast::flagWave) * std::sin(static_cast<Long>(cast::flagTurn) * (at.x - 0.25L) / 3);
+    };
+    const Long from = (-2 * size - ray.origin.z) / ray.direction.z, to = (-4 * size - ray.origin.z) / ray.direction.z;
+    constexpr int parts = 400;
+    for (int k = 0; k < parts; ++k) {
+        Long near = from + (to - from) * k / parts, far = from + (to - from) * (k + 1) / parts;
+        if ((side(near) > 0) == (side(far) > 0)) continue;
+        for (int step = 0; step < 60; ++step) {
+            const Long middle = (near + far) / 2;
+            ((side(middle) > 0) == (side(near) > 0) ? near : far) = middle;
+        }
+        const Long3 at = (ray.origin + near * ray.direction) / size;
+        if (at.x >= 0.25L && at.x <= 3.25L && at.y >= 1.25L && at.y <= 3) return near;
+    }
+    return {};
+}
+
+std::optional<Long> firstAt(const LongRay& ray, CastKind kind, Long size, bool isFloat) {
+    const auto fan = [&](const Long3& middle, const auto& corners) {
+        std::optional<Long> first;
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            const auto t =
+                triangleAt(ray, middle, size * Long3(corners[i]), size * Long3(corners[(i + 1) % corners.size()]));
+            if (t && (!first || *t < *first)) first = t;
+        }
+        return first;
+    };
+    switch (kind) {
+        case CastKind::plane: {
+            const vec3 a = cast::floorCorner, b = a + cast::floorAlong, c = b + cast::floorUp, d = a + cast::floorUp;
+            return fan(Long3(0), std::array{a, b, c, d});
+        }
+        case CastKind::sphere:
+            return sphereAt(ray, size * Long3(cast::sphereCenter), size);
+        case CastKind::box:
+            return boxAt(ray, size * Long3(cast::boxLow), size * Long3(cast::boxHigh));
+        case CastKind::triangle:
+            return triangleAt(ray, size * Long3(cast::triangle[0]), size * Long3(cast::triangle[1]),
+                              size * Long3(cast::triangle[2]));
+        case CastKind::polygon: {
+            std::array<vec3, 10> star = cast::star();
+            if (isFloat) std::ranges::transform(star, star.begin(), [](const vec3& p) { return vec3(fvec3(p)); });
+            return fan(size * Long3(0.6L, 0.85L, 2), star);
+        }
+        case CastKind::transformed: {
+            mat4 inverse = glm::inverse(cast::worldFromEllipsoid());
+            if (isFloat) inverse = mat4(fmat4(inverse));
+            const glm::mat<4, 4, Long> exact(inverse);
+            const LongRay inside{Long3(exact * glm::vec<4, Long>(ray.origin / size, 1)),
+                                 Long3(exact * glm::vec<4, Long>(ray.direction / size, 0))};
+            return sphereAt(inside, Long3(0), 1);
+        }
+        case CastKind::surface:
+            return flagAt(ray, size);
+        case CastKind::teapot:
+            break;
+    }
+    return {};
+}
+
+// The teapot's triangles, by the grid, which shares no box with the tree.
+Reference teapotReference(const Demo& demo) {
+    const int side = static_cast<int>(demo.number("rows"));
+    const int cells = static_cast<int>(std::lround(std::sqrt(demo.number("triangles") / 64)));
+    const auto grid = findTriangles(RayStructure::grid, teapotTriangles(cells));
+    const double size = demo.number("scale");
+    Reference reference;
+    for (int pixel = 0; pixel < side * side; ++pixel) {
+        const LongRay ray = rayOf(demo, pixel % side, pixel / side, side);
+        const auto hit = grid->nearest({vec3(ray.origin) / size, vec3(ray.direction) / size});
+        reference.values.push_back(hit ? hit->hit.t / size - demo.number("distance") : 10);
+    }
+    reference.work = double(reference.values.size());
+    return reference;
+}
+
+// Each pixel's t as the demo's values() has it, and what is there.
+Reference longDouble(const Demo& demo, const ReferenceFrame&, const auto&) {
+    const int side = static_cast<int>(demo.number("rows"));
+    const bool isFloat = demo.word("precision") == "float";
+    const Long size = static_cast<Long>(demo.number("scale"));
+    Reference reference;
+    reference.across = side;
+    for (int j = 0; j < side; ++j) {
+        for (int i = 0; i < side; ++i) {
+            const LongRay ray = rayOf(demo, i, j, side);
+            std::optional<Long> first;
+            int seen = 0;
+            for (std::size_t k = 0; k < castTogether; ++k) {
+                if (demo.word("objects") != "all" && demo.word("objects") != castKindNames.at(k)) continue;
+                const auto t = firstAt(ray, static_cast<CastKind>(k), size, isFloat);
+                if (!t || (first && *first <= *t)) continue;
+                first = t;
+                seen = static_cast<int>(k) + 1;
+            }
+            reference.values.push_back(
+                first ? static_cast<double>(*first / size - static_cast<Long>(demo.number("distance"))) : 10);
+            reference.regions.push_back(seen);
+        }
+    }
+    reference.work = double(reference.values.size());
+    return reference;
+}
+
+// What the demo's rays see, by its own form: 0 for the sky.
+std::vector<int> seenByRays(const Demo& demo, int side) {
+    const CastWay way{demo.word("form") == "textbook" ? CastForm::textbook : CastForm::stable, PlaneForm::implicit,
+                      static_cast<int>(demo.number("starts"))};
+    const bool isFloat = demo.word("precision") == "float", hasAll = demo.word("objects") == "all";
+    const double size = demo.number("scale");
+    std::vector<std::size_t> kinds;
+    for (std::size_t k = 0; k < castTogether; ++k) {
+        if (hasAll || demo.word("objects") == castKindNames.at(k)) kinds.push_back(k);
+    }
+    std::vector<int> seen;
+    for (int pixel = 0; pixel < side * side; ++pixel) {
+        const LongRay ray = rayOf(demo, pixel % side, pixel / side, side);
+        std::optional<double> first;
+        int what = 0;
+        for (const std::size_t k : kinds) {
+            const auto kind = static_cast<CastKind>(k);
+            const auto hit = isFloat ? castAt(kind, size, RayOf<float>{fvec3(ray.origin), fvec3(ray.direction)}, way)
+                                     : castAt(kind, size, Ray{vec3(ray.origin), vec3(ray.direction)}, way);
+            if (!hit || (first && *first <= hit->t)) continue;
+            first = hit->t;
+            what = static_cast<int>(k) + 1;
+        }
+        seen.push_back(what);
+    }
+    return seen;
+}
+
+// Beside GL's raster of the same scene: pixels with another object, away from edges, and the part that is at edges.
+std::vector<double> besideRaster(Probing& probing) {
+    const Demo& demo = probing.demo();
+    if (demo.word("objects") == "teapot") return {};
+    const int side = static_cast<int>(demo.number("rows"));
+    const std::vector<float> raster = probing.measured(side, side);
+    if (raster.empty()) return {};
+    const std::vector<int> rays = seenByRays(demo, side);
+    const auto idOf = [&](std::size_t pixel) { return std::max(0, static_cast<int>(raster[pixel])); };
+    double wrong = 0, edge = 0;
+    for (int y = 0; y < side; ++y) {
+        for (int x = 0; x < side; ++x) {
+            const std::size_t here = pixelIndex(x, y, side);
+            bool isAtEdge = false;
+            for (int v = std::max(0, y - 1); v <= std::min(side - 1, y + 1); ++v) {
+                for (int u = std::max(0, x - 1); u <= std::min(side - 1, x + 1); ++u)
+                    isAtEdge = isAtEdge || rays[pixelIndex(u, v, side)] != rays[here];
+            }
+            edge += isAtEdge ? 1 : 0;
+            wrong += !isAtEdge && idOf(here) != rays[here] ? 1 : 0;
+        }
+    }
+    return {wrong, 100 * edge / (double(side) * side)};
+}
+
+const bool probed =
+    addProbes("ray-cast",
+              {{.numbers = {{"raster-wrong", "pixels, away from edges, where GL's triangles show another object", "px"},
+                            {"at-edges", "of the pixels, that have a neighbour with another object", "%"}},
+                .measure = besideRaster}});
+
+Study study() {
+    Study study;
+    study.quantity = "t of each pixel's ray without the eye's distance, in units of the scene; 64 x 64 rays";
+    study.reference = "the same rays, as rounded, in long double: perpendiculars, volumes and halving";
+    study.makeReference = [](const Demo& demo, const ReferenceFrame& frame, const auto& progress) {
+        return demo.word("objects") == "teapot" ? teapotReference(demo) : longDouble(demo, frame, progress);
+    };
+    study.axis = ErrorAxis::fraction;
+    study.width = 64;
+    study.height = 64;
+    study.wrongBeyond = 0.5;
+    study.problem = "distance";
+    study.ofValues = true;
+    std::vector<std::string> formulas;
+    for (const std::string kind : {"all", "plane", "sphere", "box", "triangle", "polygon", "transformed", "surface"}) {
+        study.scenes.push_back({kind, {{"objects", kind}, {"rows", "64"}}});
+        formulas.push_back(kind);
+    }
+    for (const std::string form : {"textbook", "stable"}) {
+        for (const std::string precision : {"float", "double"}) {
+            study.lines.push_back({.method = form + ", " + precision,
+                                   .settings = {{"form", form}, {"precision", precision}},
+                                   .knob = "distance",
+                                   .values = {"9", "100", "1000", "10000", "100000"},
+                                   .scenes = formulas});
+        }
+    }
+    // Rays against a raster, both on one thread: triangles times pixels
+    const std::vector<std::string> sides{"32", "128", "512"};
+    std::vector<std::string> teapots;
+    for (const std::string& side : sides) {
+        study.scenes.push_back({side + " x " + side + " pixels", {{"objects", "teapot"}, {"rows", side}}});
+        teapots.push_back(study.scenes.back().name);
+    }
+    for (const std::string maker : {"rays", "raster"})
+        study.lines.push_back({.method = maker,
+                               .settings = {{"picture-by", maker}},
+                               .knob = "triangles",
+                               .values = {"1024", "4096", "16384", "65536", "262144", "1048576"},
+                               .scenes = teapots});
+    study.says = {
+        claim("stable",
+              "The stable forms have no more than one pixel in a thousand wrong, in float too, and up to 1e5 away.",
+              {atMost(of::wrong, rows("stable, float", "stable, double"), 0.1)}),
+        claim("textbook-in-float",
+              "In float the textbook's sphere has more than 5 % of the pixels wrong from 1e4 away, and more than 90 % "
+              "from 1e5.",
+              {atLeast(of::wrong, rows("textbook, float").in("sphere").at(10000), 5),
+               atLeast(of::wrong, rows("textbook, float").in("sphere").at(100000), 90)}),
+        claim(
+            "digits-in-double",
+            "In double it is right there, with 1e-5 of the radius or more lost at its outline; the stable one has lost "
+            "less than 1e-9.",
+            {zero(of::wrong, rows("textbook, double").in("sphere")),
+             atLeast(of::max, rows("textbook, double").in("sphere").at(100000), 1e-5),
+             atMost(of::max, rows("stable, double").in("sphere"), 1e-9)}),
+        claim("one-start",
+              "Newton's method from one start misses more than ten times as many pixels of the flag as from a grid, "
+              "and takes less time, four fifths of it at most.",
+              {ratio(of::wrong, rows("stable, double").in("surface"), rows("textbook, double").in("surface"), 0, 0.1),
+               ratio(of::time, rows("textbook, double").in("surface"), rows("stable, double").in("surface"), 0, 0.8)}),
+        claim(
+            "no-price", "For a sphere in double the stable form takes the textbook's time, within a third.",
+            {ratio(of::time, rows("stable, double").in("sphere"), rows("textbook, double").in("sphere"), 0.67, 1.33)}),
+        claim("triangles-times-pixels",
+              "A raster's time grows with the triangles, in proportion where pixels are few; that of rays hardly does, "
+              "and grows with the pixels.",
+              {slope(of::time, rows("raster").in("32 x 32 pixels"), 0.85, 1.05),
+               slope(of::time, rows("rays").in("32 x 32 pixels"), -0.05, 0.15),
+               slope(of::time, rows("rays").in("512 x 512 pixels"), 0, 0.15),
+               ratio(of::time, rows("rays").in("512 x 512 pixels"), rows("rays").in("32 x 32 pixels"), 150, 600)}),
+        claim(
+            "where-they-cross",
+            "Rays are faster with 1024 pixels and 4096 triangles or more, with 16384 pixels from 16384 triangles on, "
+            "and with 262144 pixels at a million; a raster is faster with 16384 pixels up to 4096 triangles, and with "
+            "262144 pixels up to 65536.",
+            {ratio(of::time, rows("rays").in("32 x 32 pixels").from(4096), rows("raster").in("32 x 32 pixels"), 0, 1),
+             ratio(of::time, rows("rays").in("128 x 128 pixels").from(16384), rows("raster").in("128 x 128 pixels"), 0,
+                   1),
+             ratio(of::time, rows("rays").in("512 x 512 pixels").at(1048576), rows("raster").in("512 x 512 pixels"), 0,
+                   1),
+             ratio(of::time, rows("raster").in("128 x 128 pixels").upTo(4096), rows("rays").in("128 x 128 pixels"), 0,
+                   1),
+             ratio(of::time, rows("raster").in("512 x 512 pixels").upTo(65536), rows("rays").in("512 x 512 pixels"), 0,
+                   1)}),
+        note("Rays ask a tree that is there already; a raster needs none. Both run on one thread of the processor: a "
+             "graphics card does the same by thousands."),
+    };
+    return study;
+}
+
+const bool studied = addStudy("ray-cast", study());
+
+}  // namespace

@@ -1,0 +1,284 @@
+#include "shared/cast_objects.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "mv/geometry/shapes.h"
+#include "mv/math/transform.h"
+#include "shared/ray_structures.h"
+#include "shared/textbook_forms.h"
+
+namespace mv {
+
+std::array<vec3, 10> cast::star() {
+    std::array<vec3, 10> corners;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const double angle = radians(90 + 36 * double(i)), radius = i % 2 == 0 ? 0.8 : 0.35;
+        corners.at(i) = vec3(0.6 + radius * std::cos(angle), 0.85 + radius * std::sin(angle), 2);
+    }
+    return corners;
+}
+
+mat4 cast::worldFromEllipsoid() {
+    return translate(2.75, 0.75, 1) * rotateY(35) * rotateZ(30) * mv::scale(1, 0.5, 0.6);
+}
+
+template <typename T>
+SurfaceAt<T> cast::flag(T u, T v, T scale) {
+    const T turn = static_cast<T>(flagTurn), high = static_cast<T>(flagWave), corner = static_cast<T>(0.25);
+    const glm::vec<3, T> point(3 * u + corner, static_cast<T>(1.75) * v + 5 * corner, high * std::sin(turn * u) - 3);
+    return {scale * point, scale * glm::vec<3, T>(3, 0, high * turn * std::cos(turn * u)),
+            scale * glm::vec<3, T>(0, static_cast<T>(1.75), 0)};
+}
+
+namespace {
+
+template <typename T>
+using Vec = glm::vec<3, T>;
+
+template <typename T>
+CastHit hitAt(T t, const Vec<T>& normal) {
+    return {static_cast<double>(t), vec3(normal)};
+}
+
+template <typename T>
+std::optional<CastHit> castPlane(T scale, const RayOf<T>& ray, const CastWay& way) {
+    const Vec<T> corner = scale * Vec<T>(cast::floorCorner), along = scale * Vec<T>(cast::floorAlong),
+                 up = scale * Vec<T>(cast::floorUp), normal(0, 1, 0);
+    const bool isTextbook = way.form == CastForm::textbook;
+    const glm::vec<4, T> abcd(normal, -glm::dot(normal, corner));
+    std::optional<T> t;
+    if (way.plane == PlaneForm::parametric) {
+        if (const auto hit = intersectPlane(ray, corner, along, up)) t = hit->t;
+    } else if (way.plane == PlaneForm::normal) {
+        t = isTextbook ? textbook::plane(ray, corner, normal) : intersectPlane(ray, corner, normal);
+    } else {
+        t = isTextbook ? textbook::plane(ray, abcd) : intersectPlane(ray, abcd);
+    }
+    if (!t) return {};
+    const Vec<T> from = ray.at(*t) - corner;  // the floor ends: u and v in 0..1
+    if (std::min(from.x, from.z) < 0 || std::max(from.x, from.z) > 8 * scale) return {};
+    return hitAt(*t, normal);
+}
+
+template <typename T>
+std::optional<T> castBall(const RayOf<T>& ray, const Vec<T>& center, T radius, const CastWay& way) {
+    if (way.form == CastForm::textbook) return textbook::sphere(ray, center, radius);
+    const auto inside = intersectSphere(ray, center, radius);
+    if (!inside) return {};
+    return inside->near > 0 ? inside->near : inside->far;
+}
+
+template <typename T>
+std::optional<CastHit> castBox(T scale, const RayOf<T>& ray, const CastWay& way) {
+    const Vec<T> low = scale * Vec<T>(cast::boxLow), high = scale * Vec<T>(cast::boxHigh);
+    const auto inside = way.form == CastForm::textbook ? textbook::box(ray, low, high) : intersectBox(ray, low, high);
+    if (!inside) return {};
+    const T t = inside->near > 0 ? inside->near : inside->far;
+    // The face whose plane is nearest to the point
+    const Vec<T> point = ray.at(t), off = glm::min(glm::abs(point - low), glm::abs(point - high));
+    const int axis = off.x <= off.y && off.x <= off.z ? 0 : off.y <= off.z ? 1 : 2;
+    Vec<T> normal(0);
+    normal[axis] = 1;
+    return hitAt(t, normal);
+}
+
+template <typename T>
+std::optional<CastHit> castTriangle(T scale, const RayOf<T>& ray, const CastWay& way) {
+    const auto [pointA, pointB, pointC] = cast::triangle;
+    const Vec<T> a = scale * Vec<T>(pointA), b = scale * Vec<T>(pointB), c = scale * Vec<T>(pointC);
+    const auto hit =
+        way.form == CastForm::textbook ? textbook::triangle(ray, a, b, c) : intersectTriangle(ray, a, b, c);
+    if (!hit) return {};
+    return hitAt(hit->t, glm::cross(b - a, c - a) / (scale * scale));
+}
+
+template <typename T>
+std::optional<CastHit> castPolygon(T scale, const RayOf<T>& ray, const CastWay& way) {
+    static const std::array<vec3, 10> star = cast::star();
+    std::array<Vec<T>, 10> corners;
+    for (std::size_t i = 0; i < star.size(); ++i) corners[i] = scale * Vec<T>(star[i]);
+    const Vec<T> normal(0, 0, 1);
+    if (way.form == CastForm::stable) {
+        const auto t = intersectPolygon(ray, std::span<const Vec<T>>(corners));
+        return t ? std::optional(hitAt(*t, normal)) : std::nullopt;
+    }
+    const auto t = textbook::plane(ray, corners[0], normal);
+    if (!t) return {};
+    std::array<glm::vec<2, T>, 10> flat;
+    for (std::size_t i = 0; i < star.size(); ++i) flat[i] = without(2, corners[i]);
+    if (!textbook::isInside(std::span<const glm::vec<2, T>>(flat), without(2, ray.at(*t)))) return {};
+    return hitAt(*t, normal);
+}
+
+template <typename T>
+std::optional<CastHit> castEllipsoid(double scale, const RayOf<T>& ray, const CastWay& way) {
+    static const mat4 inverse = glm::inverse(cast::worldFromEllipsoid());
+    const glm::mat<4, 4, T> objectFromWorld(inverse * mv::scale(1 / scale, 1 / scale, 1 / scale));
+    const RayOf<T> inside = transformed(ray, objectFromWorld);
+    const auto t = castBall(inside, Vec<T>(0), static_cast<T>(1), way);
+    if (!t) return {};
+    return hitAt(*t, normalToWorld(inside.at(*t), objectFromWorld) * static_cast<T>(scale));
+}
+
+template <typename T>
+std::optional<CastHit> castSurface(T scale, const RayOf<T>& ray, const CastWay& way) {
+    const auto surface = [scale](T u, T v) { return cast::flag(u, v, scale); };
+    const T half = static_cast<T>(0.5);
+    const Vec<T> low(0.125, 1, -4), high(3.375, 3.25, -2);  // round all of it
+    if (way.form == CastForm::stable && !intersectBox(ray, scale * low, scale * high)) return {};
+    const auto hit = way.form == CastForm::textbook ? intersectSurface(ray, surface, SurfaceHit<T>{0, half, half})
+                                                    : intersectSurfaceFromGrid(ray, surface, way.cells);
+    if (!hit) return {};
+    const SurfaceAt<T> at = cast::flag(hit->u, hit->v, static_cast<T>(1));
+    return hitAt(hit->t, glm::cross(at.alongU, at.alongV));
+}
+
+}  // namespace
+
+template <typename T>
+std::optional<CastHit> castAt(CastKind kind, double scale, const RayOf<T>& ray, const CastWay& way) {
+    const T size = static_cast<T>(scale);
+    std::optional<CastHit> hit;
+    switch (kind) {
+        case CastKind::plane:
+            hit = castPlane(size, ray, way);
+            break;
+        case CastKind::sphere: {
+            const Vec<T> center = size * Vec<T>(cast::sphereCenter);
+            const auto t = castBall(ray, center, size * static_cast<T>(cast::sphereRadius), way);
+            if (t) hit = hitAt(*t, (ray.at(*t) - center) / size);
+            break;
+        }
+        case CastKind::box:
+            hit = castBox(size, ray, way);
+            break;
+        case CastKind::triangle:
+            hit = castTriangle(size, ray, way);
+            break;
+        case CastKind::polygon:
+            hit = castPolygon(size, ray, way);
+            break;
+        case CastKind::transformed:
+            hit = castEllipsoid(scale, ray, way);
+            break;
+        case CastKind::surface:
+            hit = castSurface(size, ray, way);
+            break;
+        case CastKind::teapot:
+            break;
+    }
+    if (!hit || !(hit->t > 0) || !std::isfinite(hit->t)) return {};
+    return hit;
+}
+template std::optional<CastHit> castAt(CastKind, double, const RayOf<float>&, const CastWay&);
+template std::optional<CastHit> castAt(CastKind, double, const RayOf<double>&, const CastWay&);
+template SurfaceAt<float> cast::flag(float, float, float);
+template SurfaceAt<double> cast::flag(double, double, double);
+template SurfaceAt<long double> cast::flag(long double, long double, long double);
+
+namespace {
+
+void addTriangle(MeshData& mesh, const vec3& a, const vec3& b, const vec3& c) {
+    for (const vec3& point : {a, b, c}) {
+        mesh.positions.emplace_back(point);
+        mesh.normals.emplace_back(glm::normalize(glm::cross(b - a, c - a)));
+    }
+}
+
+// Straight upwards; along the waves so fine that no chord is off by more than 1.3e-4.
+MeshData flagMesh() {
+    constexpr int cells = 512;
+    MeshData mesh;
+    for (int i = 0; i <= cells; ++i) {
+        for (const double v : {0.0, 1.0}) {
+            const auto at = cast::flag(double(i) / cells, v, 1.0);
+            mesh.positions.emplace_back(at.point);
+            mesh.normals.emplace_back(glm::normalize(glm::cross(at.alongU, at.alongV)));
+        }
+        if (i == cells) break;
+        const auto low = static_cast<std::uint32_t>(2 * i);
+        for (const std::uint32_t corner : {0U, 2U, 3U, 0U, 3U, 1U}) mesh.indices.push_back(low + corner);
+    }
+    return mesh;
+}
+
+MeshData placedSphere(const mat4& worldFromObject) {
+    MeshData mesh = withoutTexCoords(sphere(1, 128, 64));
+    const mat3 worldFromNormal = glm::transpose(glm::inverse(mat3(worldFromObject)));
+    for (auto& position : mesh.positions) position = worldFromObject * vec4(vec3(position), 1);
+    for (auto& normal : mesh.normals) normal = glm::normalize(worldFromNormal * vec3(normal));
+    return mesh;
+}
+
+// In the world, at scale 1.
+MeshData castMeshOf(CastKind kind) {
+    MeshData mesh;
+    switch (kind) {
+        case CastKind::plane: {
+            const vec3 a = cast::floorCorner, b = a + cast::floorAlong, c = b + cast::floorUp;
+            addTriangle(mesh, a, b, c);
+            addTriangle(mesh, a, c, a + cast::floorUp);
+            break;
+        }
+        case CastKind::box:
+            mesh = withoutTexCoords(box(cast::boxLow, cast::boxHigh));
+            break;
+        case CastKind::triangle:
+            addTriangle(mesh, cast::triangle[0], cast::triangle[1], cast::triangle[2]);
+            break;
+        case CastKind::polygon: {
+            const std::array<vec3, 10> corners = cast::star();
+            for (std::size_t i = 0; i < corners.size(); ++i)
+                addTriangle(mesh, vec3(0.6, 0.85, 2), corners.at(i), corners.at((i + 1) % corners.size()));
+            break;
+        }
+        case CastKind::surface:
+            mesh = flagMesh();
+            break;
+        case CastKind::teapot:
+            break;
+        case CastKind::sphere:
+            mesh = placedSphere(translate(cast::sphereCenter));
+            break;
+        case CastKind::transformed:
+            mesh = placedSphere(cast::worldFromEllipsoid());
+            break;
+    }
+    return mesh;
+}
+
+}  // namespace
+
+SceneObject castMesh(CastKind kind, double scale) {
+    const auto which = static_cast<std::size_t>(kind);
+    return {.name = castKindNames.at(which),
+            .mesh = castMeshOf(kind),
+            .worldFromObject = mv::scale(scale, scale, scale),
+            .color = castColors.at(which)};
+}
+
+std::vector<SceneTriangle> castTriangles(const std::vector<CastKind>& kinds, int teapotCells) {
+    std::vector<SceneTriangle> triangles;
+    for (const CastKind kind : kinds) {
+        const int number = static_cast<int>(kind);
+        if (kind == CastKind::teapot) {
+            triangles = teapotTriangles(teapotCells);
+            for (SceneTriangle& one : triangles) one.object = number;
+            continue;
+        }
+        const MeshData mesh = castMeshOf(kind);
+        const std::size_t corners = mesh.indices.empty() ? mesh.positions.size() : mesh.indices.size();
+        const auto corner = [&](std::size_t i) {
+            return vec3(mesh.positions[mesh.indices.empty() ? i : mesh.indices[i]]);
+        };
+        for (std::size_t i = 0; i + 2 < corners; i += 3)
+            triangles.push_back({corner(i), corner(i + 1), corner(i + 2), number, static_cast<int>(i / 3)});
+    }
+    return triangles;
+}
+
+}  // namespace mv
