@@ -401,7 +401,9 @@ struct RayCast final : Demo {
         const Plot plot{{vec2(0), vec2(left.width)}, {0, double(rows)}, {0, double(rows)}};
         if (cell >= 6) drawing.pixelGrid(plot, {vec4(0.1, 0.1, 0.1, 0.25), 1});
         const vec2 low = plot.pixel({column(), rows - 1 - row()}), high = low + vec2(cell);
-        drawing.line(std::vector<vec2>{low, {high.x, low.y}, high, {low.x, high.y}, low}, {red, 2});
+        const std::vector<vec2> marked{low, {high.x, low.y}, high, {low.x, high.y}, low};
+        drawing.line(marked, {vec4(1), 4});  // under the red, which a red object would hide
+        drawing.line(marked, {red, 2});
         if (cell < 6) drawing.line(low + vec2(5 + cell, 5 + cell), low + vec2(24, 24), {red, 2});
         drawSide(frame, words);
         drawing.draw(frame);
@@ -439,7 +441,8 @@ struct RayCast final : Demo {
         for (std::size_t i = met.size(); i-- > 0;) {
             const vec2 place = at(ray.at(met[i].hit.t));
             drawing.point(place, i == 0 ? 11 : 8, i == 0 ? red : ink);
-            drawing.text(place + vec2(4, words.height + 8.0 + 2 * double(i % 2)), std::to_string(i + 1),
+            // Above and below by turns: near ones would cover each other
+            drawing.text(place + vec2(4, i % 2 == 0 ? words.height + 8.0 : -6.0), std::to_string(i + 1),
                          {words.height, i == 0 ? red : ink, vec4(1, 1, 1, 0.5)});
         }
         drawTable(frame, met, words);
@@ -454,8 +457,7 @@ struct RayCast final : Demo {
             drawing.line(at(from.at), corners.back(), {faint, 1});
         }
         drawing.line(corners, {blue, 2});
-        drawing.text(corners[2] + vec2(-2.0 * words.height, 1.3 * words.height), "image plane",
-                     {words.height, blue, vec4(0)});
+        drawing.text(corners[2] + vec2(8, 0.6 * words.height), "image plane", {words.height, blue, vec4(0)});
         const std::vector<std::pair<const char*, vec3>> axes{{"u", from.u}, {"v", from.v}, {"w", from.w}};
         for (const auto& [name, axis] : axes) {
             const vec2 tip = at(from.at + 1.2 * double(size) * axis);
