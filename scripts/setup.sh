@@ -7,11 +7,13 @@ build=$root/build
 run_packages=(g++ cmake ninja-build libglfw3-dev libimgui-dev libglm-dev libeigen3-dev libstb-dev libpng-dev
   libturbojpeg0-dev libcli11-dev nlohmann-json3-dev libgl-dev libegl-dev libegl1 libgl1-mesa-dri fonts-dejavu-core
   gnuplot-nox libosmesa6)
-test_packages=(git libgtest-dev libboost-dev xvfb x11-utils xdotool imagemagick clang-format clang-tidy clang libclang-rt-dev
+site_packages=(nodejs cmark-gfm highlight)
+test_packages=("${site_packages[@]}" chromium git libgtest-dev libboost-dev xvfb x11-utils xdotool imagemagick clang-format clang-tidy clang libclang-rt-dev
   libembree-dev)
 # What serves in the place of a package that not every distribution has.
 declare -A instead=([libosmesa6]="EGL draws the pictures instead"
   [libclang-rt-dev]="pictures and command lines are not fuzzed, and g++ builds what the sanitizers test"
+  [chromium]="what the pages' scripts do is not tested"
   [libembree-dev]="mvgl-bench leaves out the rays beside it")
 
 fail() {

@@ -67,6 +67,30 @@ flags() {
     done
 }
 
+# The pages appear whole or not at all, and are served where it is asked.
+site() {
+    tool node 'if [ "$(basename "$1")" = serve.mjs ]; then echo "serves ${@:2}"; exit; fi' \
+        'mkdir -p "$3" && echo "$(cat words)" >"$3/index.html" && [ ! -e broken ]'
+    echo first >words
+    ./run --site >out 2>err || fail "./run --site: $(cat err)"
+    says out "^open $tree/build/site/index.html in a browser"
+    echo second >words && touch broken
+    ./run --site >out 2>err && fail "a site that could not be made: $(cat out)"
+    equal "the pages that stand" first "$(cat build/site/index.html)"
+    [ ! -e build/site.new ] || fail "half a site is left"
+    rm broken
+    ./run --site --serve >out 2>err || fail "./run --site --serve: $(cat err)"
+    equal "the new pages" second "$(cat build/site/index.html)"
+    says out "^serves $tree/build/site 8000\$"
+    ./run --site --serve=81 >out 2>err || fail "./run --site --serve=81: $(cat err)"
+    says out "^serves $tree/build/site 81\$"
+    for wrong in one --list --serve= --serve=x --serve=123456 --serve=70000 '--serve --serve'; do
+        # shellcheck disable=SC2086  # two words
+        ./run --site $wrong >out 2>err && fail "./run --site $wrong: $(cat out)"
+        says err '^error: --'
+    done
+}
+
 moved() {
     ./run one --list >out 2>err || fail "./run: $(cat err)"
     # A copied tree is built from its own sources, and a moved one in its own place.
@@ -304,7 +328,7 @@ passed() {
 
 case $case in
     git) git_ ;;
-    flags | moved | waiting | needed | analysis | passed | only | studies | reads | expensive) "$case" ;;
+    flags | site | moved | waiting | needed | analysis | passed | only | studies | reads | expensive) "$case" ;;
     *) fail "there is no case '$case'" ;;
 esac
 [ $failures -eq 0 ] && echo "passed: $case"

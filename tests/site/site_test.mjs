@@ -1,0 +1,136 @@
+// node site_test.mjs SOURCE MVGL: makes the site and reads it as a browser would: every link and picture is there, every
+// lesson is found, and what scripts do is done, in Chromium where there is one.
+import { execFileSync, spawn, spawnSync } from 'node:child_process';
+import fs from 'node:fs';
+import os from 'node:os';
+import path from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { anchorOf, fold } from '../../web/lesson.mjs';
+
+const [source, program] = process.argv.slice(2);
+const scratch = fs.mkdtempSync(path.join(os.tmpdir(), 'site-'));
+const site = path.join(scratch, 'a folder', 'site');
+let failures = 0, checks = 0;
+const expect = (holds, says) => {
+  ++checks;
+  if (holds) return;
+  ++failures;
+  console.log(`FAILED: ${says}`);
+};
+const equal = (found, expected, what) => expect(found === expected, `${what}: expected '${expected}', found '${found}'`);
+const all = (text, pattern) => [...text.matchAll(pattern)].map((match) => match[1]);
+
+process.on('exit', () => fs.rmSync(scratch, { recursive: true, force: true }));
+execFileSync('node', [path.join(source, 'web/make.mjs'), program, site], { stdio: ['ignore', 'ignore', 'inherit'] });
+const files = fs.readdirSync(site, { recursive: true }).filter((file) => fs.statSync(path.join(site, file)).isFile());
+const pages = new Map(files.filter((file) => file.endsWith('.html')).map((file) => [file, fs.readFileSync(path.join(site, file), 'utf8')]));
+
+// ---- every page
+
+const titles = new Set();
+for (const [file, html] of pages) {
+  expect(html.startsWith('<!doctype html>\n<html lang="en">'), `${file}: no language`);
+  equal(all(html, /<(h1)>/g).length, 1, `${file}: headings of the first level`);
+  const [title] = all(html, /<title>(.*?)<\/title>/g);
+  expect(title && !titles.has(title), `${file}: a title of its own, '${title}'`);
+  titles.add(title);
+  expect(!html.includes(source), `${file}: a path of the machine that made it`);
+  expect(!/\]\(\S+\)/.test(html.replace(/<pre.*?<\/pre>/gs, '')), `${file}: Markdown is left`);
+  expect(!/<!--|"undefined|undefined"|>undefined<|\[object/.test(html.replace(/<pre.*?<\/pre>/gs, '').replace(/<code>.*?<\/code>/gs, '')), `${file}: what is no text of a page`);
+  const ids = all(html, / id="([^"]*)"/g);
+  equal(new Set(ids).size, ids.length, `${file}: anchors of one name`);
+  for (const image of all(html, /(<img [^>]*>)/g)) {
+    expect(/ alt="/.test(image), `${file}: a picture without words, ${image}`);
+    expect(/\.svg"/.test(image) || / width="\d+" height="\d+"/.test(image), `${file}: a picture without a size, ${image}`);
+  }
+  for (const link of all(html, / (?:href|src)="([^"]*)"/g)) {
+    if (/^(https?|data):/.test(link)) continue;
+    const [target, anchor] = link.split('#');
+    const to = target ? path.posix.join(path.posix.dirname(file), target) : file;
+    expect(files.includes(to), `${file}: leads nowhere, ${link}`);
+    if (anchor && pages.has(to)) expect(pages.get(to).includes(` id="${anchor}"`), `${file}: no such anchor, ${link}`);
+  }
+  // Nothing is loaded from elsewhere.
+  expect(!/<(?:script|link|img)[^>]*(?:src|href)="https?:/.test(html), `${file}: loads something from elsewhere`);
+}
+
+// ---- every lesson
+
+const demos = all(execFileSync(program, ['--list'], { encoding: 'utf8' }), /^ {2}(\S+)/gm);
+const start = pages.get('index.html');
+equal(all(start, /<a href="demos\/([^"]+)\.html"/g).join(' '), demos.join(' '), 'lessons of the start page, in order');
+const cases = fs.readFileSync(path.join(source, 'tests/goldens/cases.txt'), 'utf8').split('\n').map((line) => line.split(/\s+/));
+for (const demo of demos) {
+  const html = pages.get(`demos/${demo}.html`) ?? '';
+  const shown = all(html, /data-name="([^"]+)"/g), expected = cases.filter((words) => words[1] === demo).map(([name]) => name);
+  equal(shown.join(' '), expected.join(' '), `${demo}: its pictures`);
+  expect(html.includes(`<summary><code>demos/${demo}.cpp</code></summary>`), `${demo}: its code`);
+  const after = demos[demos.indexOf(demo) + 1];
+  expect(!after || html.includes(`<a rel="next" href="${after}.html">`), `${demo}: leads on to ${after}`);
+  // What the lesson says stands there, to its last words
+  const words = (text) => text.replace(/<[^>]*>/g, ' ').replace(/&\w+;|[^\w]+/g, ' ');
+  const [last] = fs.readFileSync(path.join(source, `demos/${demo}.md`), 'utf8').split('<!-- knobs -->')[0].trim().split('\n').slice(-1);
+  expect(/^#/.test(last) ? html.includes(last.replace(/^#+ /, '')) : words(html).includes(words(last.replace(/[`*]|\]\([^)]*\)/g, ' ')).trim().slice(-20)), `${demo}: '${last}'`);
+}
+
+// ---- parts
+
+equal(anchorOf('The worst that a <code>search</code> finds, &amp; more'), 'the-worst-that-a-search-finds--more', 'anchor');
+const folded = fold('<h2 id="q">Questions</h2>\n<p><strong>Why?</strong> So.</p>\n<pre>1</pre>\n<p><em>And?</em></p>\n<p>No.</p>\n<h2>Else</h2>\n<p><strong>Not</strong> folded.</p>');
+equal(all(folded, /<summary>(.*?)<\/summary>/g).join(' '), 'Why? And?', 'questions that are folded');
+expect(folded.includes('<p>So.</p>\n<pre>1</pre>\n</details>') && folded.includes('<p>No.</p>\n</details>'), `answers below them: ${folded}`);
+
+// ---- refusals
+
+for (const args of [[], [program]]) {
+  const run = spawnSync('node', [path.join(source, 'web/make.mjs'), ...args], { encoding: 'utf8' });
+  equal(run.status, 1, `status with ${args.length} arguments`);
+  expect(run.stderr.startsWith('error: make.mjs: must have a program and a folder'), run.stderr);
+}
+
+// ---- the server
+
+const server = spawn('node', [path.join(source, 'web/serve.mjs'), site, '0'], { stdio: ['ignore', 'pipe', 'inherit'] });
+const address = (await new Promise((resolve) => server.stdout.once('data', resolve))).toString().split(' ')[0];
+equal(await (await fetch(address)).text(), start, 'the start page, served');
+for (const [asked, status] of [['demos/shadow.html', 200], ['demos/nothing.html', 404], ['..%2f..%2fetc/passwd', 404], ['%', 400], ['demos', 404]])
+  equal((await fetch(address + asked)).status, status, asked);
+
+// ---- in a browser
+
+const browser = ['chromium', 'chromium-browser', 'google-chrome'].find((name) => !spawnSync(name, ['--version']).error);
+if (!browser) console.log('note: there is no Chromium; what scripts do is not tested');
+// The page after its scripts have run, and what the console says.
+function opened(address) {
+  const flags = ['--headless', '--disable-gpu', '--enable-logging=stderr', `--user-data-dir=${scratch}/profile`, '--virtual-time-budget=3000'];
+  if (process.getuid() === 0) flags.push('--no-sandbox');
+  const run = spawnSync(browser, [...flags, '--dump-dom', address], { encoding: 'utf8', maxBuffer: 1 << 28 });
+  const said = run.stderr.split('\n').filter((line) => /CONSOLE/.test(line));
+  equal(said.join('\n'), '', `${address}: the console`);
+  return run.stdout;
+}
+if (browser) {
+  const found = opened(`${address}#find=${encodeURIComponent('soft lamp')}`);
+  const hidden = all(found, /<li class="card" data-words="[^"]*" (hidden)/g).length;
+  expect(hidden > 0 && hidden < demos.length, `a search leaves some lessons, hides ${hidden}`);
+  equal(all(found, /id="found">([^<]*)</g)[0], `${demos.length - hidden} of ${demos.length}`, 'how many it says');
+  equal(all(opened(`${address}#find=xyzzy`), /id="found">([^<]*)</g)[0], 'no lesson has these words', 'a search for nothing');
+  // From a disk, too
+  for (const where of [address, `${pathToFileURL(site)}/`]) {
+    const page = opened(`${where}demos/ray-cast.html#picture=ray-cast-full`);
+    expect(/<img class="shown" src="[^"]*ray-cast-full\.png"/.test(page), `${where}: a linked picture is shown`);
+    expect(page.includes('./run ray-cast --preset full</code>'), `${where}: with its line`);
+    equal(all(page, /(aria-current="true")/g).length, 1, `${where}: pictures that are marked`);
+  }
+  const studied = opened(`${address}demos/ray-trace.html`);
+  const study = JSON.parse(fs.readFileSync(path.join(source, 'docs/errors-and-times/ray-trace.json'), 'utf8'));
+  const rows = study.rows.filter((row) => row.scene === study.rows[0].scene && row.status === 'ok');
+  const points = all(studied, /<circle [^>]*cy="([^"]*)"/g);
+  equal(points.length, rows.length, 'points of the curve of the first scene');
+  expect(points.every((y) => Number(y) > 0 && Number(y) < 420), `points within the curve: ${points}`);
+  for (const row of rows) expect(studied.includes(`aria-label="${row.method}, ${row.parameter}: `), `a point of ${row.method}, ${row.parameter}`);
+  for (const file of ['docs/library.html', 'demos/clipping.html']) opened(address + file);
+}
+server.kill();
+console.log(`${pages.size} pages, ${checks} checks, ${failures} failed${browser ? '' : ', without a browser'}`);
+process.exit(failures ? 1 : 0);

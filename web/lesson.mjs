@@ -1,0 +1,50 @@
+// What the HTML of a lesson gets beyond Markdown.
+
+const isElsewhere = (link) => /^[a-z]+:/.test(link);
+const entity = { '&quot;': '"', '&amp;': '&', '&lt;': '<', '&gt;': '>' };
+
+// Each link to a file by what `to(link)` makes of it; a link within the page and one to elsewhere stay.
+export const linksIn = (html, to) =>
+  html.replace(/(<a href=")([^"#][^"]*)"/g, (all, before, link) => (isElsewhere(link) ? all : `${before}${to(link)}"`));
+
+// Each picture with the size that `sizeOf(link)` tells, so that nothing moves as it arrives.
+export const imagesIn = (html, sizeOf) =>
+  html.replace(/<img src="([^"]+)"/g, (all, link) => {
+    const { width, height } = sizeOf(link);
+    return `${all}${width ? ` width="${width}" height="${height}"` : ''} loading="lazy"`;
+  });
+
+// A heading's anchor, as the pages' links have it: its words in small letters with - between them.
+export const anchorOf = (heading) =>
+  heading
+    .replace(/<[^>]*>/g, '')
+    .replace(/&\w+;/g, (one) => entity[one] ?? '')
+    .toLowerCase()
+    .replace(/[^\w\- ]/g, '')
+    .replace(/ /g, '-');
+export const numbered = (html) =>
+  html.replace(/<h([23])>(.*?)<\/h\1>/g, (all, level, words) => `<h${level} id="${anchorOf(words)}">${words}</h${level}>`);
+
+// In a section of questions each answer is folded below its question, a paragraph that begins in bold or italics.
+export function fold(html) {
+  return html
+    .split(/(?=<h2)/)
+    .map((section) => {
+      if (!/^<h2[^>]*>[^<]*[Qq]uestion/.test(section)) return section;
+      return section
+        .split(/(?=<p><(?:strong|em)>)/)
+        .map((part) => {
+          const found = part.match(/^<p><(strong|em)>(.*?)<\/\1>\s*(.*)$/s);
+          if (!found) return part;
+          const [, , question, rest] = found;
+          const answer = rest.startsWith('</p>') ? rest.slice(4) : `<p>${rest}`;
+          return `<details><summary>${question}</summary>\n${answer.trim()}\n</details>\n`;
+        })
+        .join('');
+    })
+    .join('');
+}
+
+// A table moves sideways where the page is too narrow for it, by the keyboard, too.
+export const wide = (html) =>
+  html.replace(/<table>/g, '<div class="wide" tabindex="0" role="region" aria-label="table"><table>').replace(/<\/table>/g, '</table></div>');

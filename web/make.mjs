@@ -1,0 +1,130 @@
+// Makes the site: node web/make.mjs PROGRAM FOLDER. Each lesson becomes a page, with its pictures, curves and sources; a
+// start page finds them. All links are relative, so that the folder works at any place of any host, and from a disk.
+import { execFileSync } from 'node:child_process';
+import fs from 'node:fs';
+import path from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { fold, imagesIn, linksIn, numbered, wide } from './lesson.mjs';
+import { demoPage, page, startPage } from './pages.mjs';
+
+const root = path.dirname(path.dirname(fileURLToPath(import.meta.url)));
+const [program, folder] = process.argv.slice(2);
+if (!program || !folder) fail('make.mjs', 'must have a program and a folder', process.argv.slice(2).join(' '));
+
+function fail(subject, rule, value = '') {
+  console.error(`error: ${subject}: ${rule}${value && `, ${value}`}`);
+  process.exit(1);
+}
+const run = (command, args, input) =>
+  execFileSync(command, args, { input, encoding: 'utf8', maxBuffer: 1 << 28, stdio: ['pipe', 'pipe', 'inherit'] });
+const text = (file) => fs.readFileSync(path.join(root, file), 'utf8');
+
+// ---- what there is
+
+// [{ chapter, demos: [{ name, sentence }] }], from --list: a chapter's name begins its line, a demo's stands below it.
+function chapters() {
+  const found = [];
+  for (const line of run(program, ['--list']).split('\n').filter(Boolean)) {
+    const demo = line.match(/^ {2}(\S+) +(.*)$/);
+    if (demo) found.at(-1).demos.push({ name: demo[1], sentence: demo[2] });
+    else found.push({ chapter: line, demos: [] });
+  }
+  return found;
+}
+
+// The pictures of each demo with the flags that make them, as the test of the pictures has them.
+function pictures() {
+  const of = {};
+  for (const line of text('tests/goldens/cases.txt').split('\n')) {
+    if (!line || line.startsWith('#')) continue;
+    const [picture, demo, ...flags] = line.split(/\s+/);
+    (of[demo] ??= []).push({ file: `tests/goldens/${picture}.png`, command: ['./run', demo, ...flags].join(' ') });
+  }
+  return of;
+}
+
+// The width and height in a PNG file's first chunk.
+function sizeOf(file) {
+  const bytes = fs.readFileSync(path.join(root, file));
+  return { width: bytes.readUInt32BE(16), height: bytes.readUInt32BE(20) };
+}
+
+function sourcesOf(name) {
+  const shaders = fs.readdirSync(path.join(root, 'shaders')).filter((file) => file.split('.')[0] === name).sort();
+  return [`demos/${name}.cpp`, ...shaders.map((file) => `shaders/${file}`)];
+}
+
+// ---- one page of Markdown
+
+const written = new Set();
+function write(file, content) {
+  const target = path.join(folder, file);
+  fs.mkdirSync(path.dirname(target), { recursive: true });
+  fs.writeFileSync(target, content);
+  written.add(file);
+}
+function copy(file) {
+  if (!written.has(file)) write(file, fs.readFileSync(path.join(root, file)));
+}
+
+// Markdown that becomes a page of its own; a link to another one leads to what takes its place.
+const isPage = (file) => /^(demos|docs)\/.*\.md$/.test(file);
+const instead = { 'README.md': 'index.html' };
+
+// The lesson's HTML, with links and pictures as the site has them, and its title apart.
+function lesson(file) {
+  const here = path.dirname(file);
+  let html = run('cmark-gfm', ['--extension', 'table', '--unsafe', path.join(root, file)]).replace(/<!--.*?-->/gs, '');
+  html = linksIn(html, (link) => {
+    const [target, anchor] = link.split('#');
+    const to = path.posix.join(here, target);
+    if (!fs.existsSync(path.join(root, to))) fail(file, 'must have links that lead somewhere', link);
+    if (to in instead) return path.posix.relative(here, instead[to]);
+    if (isPage(to)) return target.replace(/\.md$/, '.html') + (anchor ? `#${anchor}` : '');
+    copy(to);
+    return link;
+  });
+  html = imagesIn(html, (link) => {
+    const image = path.posix.join(here, link);
+    copy(image);
+    return image.endsWith('.png') ? sizeOf(image) : {};
+  });
+  const title = html.match(/<h1>(.*?)<\/h1>/)?.[1] ?? file;
+  return { title, html: wide(fold(numbered(html.replace(/<h1>.*?<\/h1>\s*/s, '')))) };
+}
+
+function pagesBelow(directory) {
+  return fs.readdirSync(path.join(root, directory), { recursive: true })
+    .map((file) => `${directory}/${file}`)
+    .filter(isPage);
+}
+
+// ---- the site
+
+const list = chapters();
+const demos = list.flatMap((chapter) => chapter.demos);
+const shown = pictures();
+for (const [i, demo] of demos.entries()) {
+  console.error(`lesson ${i + 1} of ${demos.length}: ${demo.name}`);
+  demo.pictures = shown[demo.name].map((picture) => ({ ...picture, ...sizeOf(picture.file) }));
+  demo.pictures.forEach((picture) => copy(picture.file));
+  demo.presets = JSON.parse(run(program, [demo.name, '--knobs=json'])).presets;
+  Object.assign(demo, lesson(`demos/${demo.name}.md`));
+  const study = `docs/errors-and-times/${demo.name}`;
+  if (fs.existsSync(path.join(root, `${study}.json`))) {
+    demo.study = JSON.parse(text(`${study}.json`));
+    copy(`${study}.svg`);
+  }
+  demo.sources = sourcesOf(demo.name).map((file) => ({
+    file,
+    html: run('highlight', ['-O', 'html', '-f', '--syntax=c++', path.join(root, file)]),
+  }));
+}
+demos.forEach((demo, i) => write(`demos/${demo.name}.html`, demoPage(demo, demos[i - 1], demos[i + 1])));
+for (const file of pagesBelow('docs')) {
+  const { title, html } = lesson(file);
+  write(file.replace(/\.md$/, '.html'), page({ title, depth: file.split('/').length - 1, main: html }));
+}
+write('index.html', startPage(list));
+for (const file of ['site.css', 'site.js', 'curve.js']) write(file, text(`web/${file}`));
+console.log(`${path.join(folder, 'index.html')}: ${demos.length} lessons`);

@@ -1,0 +1,151 @@
+// The pages around the lessons.
+import path from 'node:path';
+
+const escaped = (words) => words.replace(/&/g, '&amp;').replace(/</g, '&lt;').replace(/>/g, '&gt;').replace(/"/g, '&quot;');
+const plain = (html) => html.replace(/<[^>]*>/g, '');
+
+// A whole page, `depth` folders below the start page. `main` is HTML, `title` may hold HTML.
+export function page({ title, depth, main, heading = title, nav = '' }) {
+  const up = '../'.repeat(depth);
+  return `<!doctype html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta name="color-scheme" content="light dark">
+<title>${plain(title)}</title>
+<link rel="stylesheet" href="${up}site.css">
+<link rel="icon" href="data:,">
+<script src="${up}site.js" defer></script>
+</head>
+<body>
+<a class="skip" href="#content">To the content</a>
+<header><nav aria-label="Lessons"><a href="${up}index.html">All lessons</a>${nav}</nav></header>
+<main id="content">
+<h1>${heading}</h1>
+${main}</main>
+</body>
+</html>
+`;
+}
+
+// ---- a lesson
+
+// The first picture large, and below it all of them: a click shows one with the line that makes it.
+function pictures(demo) {
+  const here = (picture) => path.posix.relative('demos', picture.file);
+  const [first] = demo.pictures;
+  const lookFor = (picture) => {
+    const name = picture.command.match(/--preset (\S+)/)?.[1];
+    const flags = picture.command.split(' ').length;
+    const preset = name ? demo.presets.find((one) => one.name === name) : flags === 2 ? demo.presets[0] : undefined;
+    return preset?.lookFor ?? '';
+  };
+  const small = demo.pictures.map(
+    (picture, i) => `<li><a href="${here(picture)}"${i === 0 ? ' aria-current="true"' : ''} data-name="${path.posix.basename(picture.file, '.png')}" data-command="${escaped(picture.command)}" data-look="${escaped(lookFor(picture))}"
+><img src="${here(picture)}" width="${picture.width}" height="${picture.height}" loading="lazy" alt="${escaped(picture.command)}"></a></li>`,
+  );
+  return `<section class="stage" aria-label="Pictures">
+<figure>
+<img class="shown" src="${here(first)}" width="${first.width}" height="${first.height}" alt="${escaped(demo.sentence)}">
+<figcaption aria-live="polite"><span class="look">${escaped(lookFor(first))}</span></figcaption>
+</figure>
+<pre class="command"><code>${escaped(first.command)}</code></pre>
+<ul class="thumbs">
+${small.join('\n')}
+</ul>
+</section>
+`;
+}
+
+// The committed study: its picture, which a script replaces by a curve to ask.
+function curve(demo) {
+  if (!demo.study) return '';
+  const { quantity, reference, renderer, processor } = demo.study;
+  const rows = demo.study.rows
+    .filter((row) => row.status === 'ok' && row.ms_median > 0)
+    .map(({ scene, method, parameter, settings, all, ms_median, ms_mad, best }) => ({ scene, method, parameter, settings, rms: all.rms, max: all.max, fraction: all.fraction, ms: ms_median, mad: ms_mad, best }));
+  const data = JSON.stringify({ demo: demo.name, axis: demo.study.axis, rows }).replace(/</g, '\\u003c');
+  return `<section class="curve">
+<h2 id="error-against-run-time">Error against run time</h2>
+<p>Compared: ${escaped(quantity)}. What is right: ${escaped(reference)}. Measured on ${escaped(renderer)}, ${escaped(processor)}; the
+<a href="../docs/errors-and-times/${demo.name}.html">table</a> has all numbers. A larger point is among the best: no other is as near without being measurably slower.</p>
+<p class="choices"></p>
+<div class="drawn"><img src="../docs/errors-and-times/${demo.name}.svg" alt="Error against run time" loading="lazy"></div>
+<ul class="legend"></ul>
+<p class="told" role="status"></p>
+<pre class="command"><code>./run ${demo.name} --study out</code></pre>
+<script type="application/json">${data}</script>
+<script src="../curve.js" defer></script>
+</section>
+`;
+}
+
+const sources = (demo) => `<section class="sources">
+<h2 id="the-code">The code</h2>
+${demo.sources
+  .map(({ file, html }) => `<details><summary><code>${file}</code></summary>\n<pre class="code" tabindex="0"><code>${html}</code></pre>\n</details>`)
+  .join('\n')}
+</section>
+`;
+
+export function demoPage(demo, before, after) {
+  const to = (other, words, rel) => (other ? `<a rel="${rel}" href="${other.name}.html">${words} ${other.name}</a>` : '');
+  const opening = demo.pictures[0].file;
+  // The lesson's own first picture is the one above it.
+  const lesson = demo.html.replace(new RegExp(`<p><img src="\\.\\./${opening}"[^>]*></p>\\s*`), '');
+  return page({
+    title: demo.title,
+    depth: 1,
+    nav: to(before, 'Before:', 'prev') + to(after, 'Next:', 'next'),
+    main: `<p class="sentence">${escaped(demo.sentence)}</p>\n${pictures(demo)}<article>\n${lesson}</article>\n${curve(demo)}${sources(demo)}`,
+  });
+}
+
+// ---- the start page
+
+// What a lesson is found by beside its name and sentence: its headings and what its presets show.
+const topics = (demo) =>
+  [...demo.html.matchAll(/<h2[^>]*>(.*?)<\/h2>/g)].map(([, heading]) => plain(heading))
+    .concat(demo.presets.map((preset) => `${preset.name} ${preset.lookFor}`))
+    .join(' ');
+
+function card(demo, chapter) {
+  const [picture] = demo.pictures;
+  return `<li class="card" data-words="${escaped(`${demo.name} ${demo.sentence} ${chapter} ${plain(demo.title)} ${topics(demo)}`.toLowerCase())}">
+<a href="demos/${demo.name}.html"><img src="${picture.file}" width="${picture.width}" height="${picture.height}" loading="lazy" alt="">
+<strong>${demo.name}</strong></a>
+<p>${escaped(demo.sentence)}</p></li>`;
+}
+
+export function startPage(chapters) {
+  const count = chapters.reduce((sum, { demos }) => sum + demos.length, 0);
+  const sections = chapters.map(
+    ({ chapter, demos }) => `<section class="chapter">
+<h2>${escaped(chapter)}</h2>
+<ul class="cards">
+${demos.map((demo) => card(demo, chapter)).join('\n')}
+</ul>
+</section>`,
+  );
+  return page({
+    title: 'mvgl: computer graphics, one small program at a time',
+    heading: 'Computer graphics, one small program at a time',
+    depth: 0,
+    main: `<p>${count} lessons, in the order of the course. Each has a program of a few hundred lines; its pictures, its mathematics, and what was
+measured of it are on its page. To move its knobs, run it: <code>./run cube-cull</code>.</p>
+<p class="search" hidden><label for="search">Find a lesson</label> <input id="search" type="search" autocomplete="off" placeholder="shadow, spline, Fresnel ...">
+<span role="status" id="found"></span></p>
+${sections.join('\n')}
+<section><h2>What was measured</h2>
+<ul>
+<li><a href="docs/stability.html">Extreme cases</a>: what textbook formulas do there, and what the library does</li>
+<li><a href="docs/library.html">The library's errors and times</a></li>
+<li><a href="docs/shadows-compared.html">The methods of shadows beside each other</a></li>
+<li><a href="docs/work-precision.html">Methods for moving things: work against precision</a></li>
+<li><a href="docs/needs.html">What each demo needs, and what it leaves out</a></li>
+<li><a href="docs/demos.html">All knobs and readouts</a></li>
+</ul></section>
+`,
+  });
+}

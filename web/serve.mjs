@@ -1,0 +1,27 @@
+// Serves a folder on 127.0.0.1: node web/serve.mjs FOLDER PORT
+import fs from 'node:fs';
+import http from 'node:http';
+import path from 'node:path';
+
+const [folder, port] = process.argv.slice(2);
+const kinds = { '.html': 'text/html; charset=utf-8', '.css': 'text/css', '.js': 'text/javascript', '.json': 'application/json',
+  '.csv': 'text/csv', '.svg': 'image/svg+xml', '.png': 'image/png' };
+
+const server = http.createServer((request, response) => {
+  const answer = (status, kind, body) => response.writeHead(status, { 'Content-Type': kind }).end(body);
+  let file;
+  try {
+    const asked = decodeURIComponent(new URL(request.url, 'http://localhost').pathname);
+    file = path.join(folder, path.posix.normalize(asked.endsWith('/') ? `${asked}index.html` : asked));
+  } catch {
+    return answer(400, 'text/plain', 'no such address');
+  }
+  const kind = kinds[path.extname(file)];
+  if (!kind || !file.startsWith(folder + path.sep)) return answer(404, 'text/plain', 'not found');
+  fs.readFile(file, (failed, body) => (failed ? answer(404, 'text/plain', 'not found') : answer(200, kind, body)));
+});
+server.on('error', (error) => {
+  console.error(`error: --serve: must be a free port, as in --serve=${Number(port) + 1}, ${port} (${error.code})`);
+  process.exit(1);
+});
+server.listen(port, '127.0.0.1', () => console.log(`http://127.0.0.1:${server.address().port}/   Ctrl+C ends it`));

@@ -1,0 +1,76 @@
+// What a page does beyond showing itself. Without scripts all is there, too: pictures are links, answers are folded.
+'use strict';
+
+// ---- the start page: lessons whose words hold all that is typed
+
+const search = document.querySelector('#search');
+if (search) {
+  const cards = [...document.querySelectorAll('.card')];
+  const find = () => {
+    const wanted = search.value.toLowerCase().split(/\s+/).filter(Boolean);
+    let count = 0;
+    for (const card of cards) {
+      card.hidden = !wanted.every((word) => card.dataset.words.includes(word));
+      count += card.hidden ? 0 : 1;
+    }
+    for (const chapter of document.querySelectorAll('.chapter')) chapter.hidden = !chapter.querySelector('.card:not([hidden])');
+    document.querySelector('#found').textContent = !wanted.length ? '' : count ? `${count} of ${cards.length}` : 'no lesson has these words';
+    history.replaceState(null, '', wanted.length ? `#find=${encodeURIComponent(search.value)}` : location.pathname);
+  };
+  search.closest('p').hidden = false;
+  search.addEventListener('input', find);
+  const linked = location.hash.match(/^#find=(.*)/);
+  if (linked) {
+    search.value = decodeURIComponent(linked[1]);
+    find();
+  }
+}
+
+// ---- a lesson: its pictures, of which the address names the one that is shown
+
+function show(link) {
+  const stage = link.closest('.stage'), shown = stage.querySelector('.shown'), small = link.querySelector('img');
+  shown.src = link.href;
+  shown.setAttribute('width', small.getAttribute('width'));
+  shown.setAttribute('height', small.getAttribute('height'));
+  shown.alt = `The picture of ${link.dataset.command}`;
+  stage.querySelector('.look').textContent = link.dataset.look;
+  stage.querySelector('.command code').textContent = link.dataset.command;
+  for (const other of stage.querySelectorAll('[aria-current]')) other.removeAttribute('aria-current');
+  link.setAttribute('aria-current', 'true');
+}
+const pictures = [...document.querySelectorAll('.thumbs a')];
+function showLinked() {
+  const name = location.hash.match(/^#picture=(.*)/)?.[1];
+  const link = pictures.find((one) => one.dataset.name === name);
+  if (link) show(link);
+}
+for (const link of pictures) {
+  link.addEventListener('click', (event) => {
+    if (event.ctrlKey || event.metaKey || event.shiftKey) return; // a tab of its own, as of any link
+    event.preventDefault();
+    history.replaceState(null, '', `#picture=${link.dataset.name}`);
+    show(link);
+  });
+}
+addEventListener('hashchange', showLinked);
+showLinked();
+
+// ---- commands to copy
+
+for (const block of document.querySelectorAll('pre:not(.code)')) {
+  if (!block.textContent.includes('./run') || !navigator.clipboard) continue;
+  const button = document.createElement('button');
+  button.type = 'button';
+  button.textContent = 'Copy';
+  button.addEventListener('click', async () => {
+    try {
+      await navigator.clipboard.writeText(block.querySelector('code').textContent.trim());
+      button.textContent = 'Copied';
+    } catch {
+      button.textContent = 'The browser forbids it';
+    }
+    setTimeout(() => (button.textContent = 'Copy'), 2000);
+  });
+  block.append(button);
+}
