@@ -19,7 +19,6 @@
 #include <optional>
 #include <string>
 #include <thread>
-#include <utility>
 #include <vector>
 
 #include "mv/demo/demo.h"
@@ -32,6 +31,7 @@
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
 #include "shared/cast_objects.h"
+#include "shared/cast_side.h"
 #include "shared/depth_raster.h"
 #include "shared/ray_structures.h"
 
@@ -42,8 +42,7 @@ namespace {
 enum class Precision { single, twice };
 enum class Maker { rays, raster, gl };
 
-const vec4 ink(0.12, 0.12, 0.15, 1), faint(0.45, 0.45, 0.5, 1), red(0.8, 0.1, 0.1, 1), blue(0.15, 0.35, 0.75, 1),
-    sky(0.85, 0.9, 0.95, 1);
+const vec4 sky(0.85, 0.9, 0.95, 1);
 const vec3 toLight = glm::normalize(vec3(0.5, 0.8, 0.35));
 constexpr double opening = 0.53, opens = 9;  // the tangent of half the angle of view, and the distance where it is that
 
@@ -103,7 +102,10 @@ struct RayCast final : Demo {
     Program program;
     SceneMeshes meshes;
     Drawing drawing;
-    MadeFor<std::string, CastForm, Precision, int, PlaneForm, int, double, double, int, int, Maker> seenFor, unlikeFor;
+    MadeFor<std::string, CastForm, Precision, int, PlaneForm, int, double, double, int, int, Maker> pictureFor,
+        unlikeFor;
+    MadeFor<std::string, CastForm, Precision, int, PlaneForm, int, double, double, int, Maker> seenFor;
+    std::vector<std::optional<CastCandidate>> seenNow;
     Picture picture;
     // The objects as triangles at scale 1, and the teapot's tree, when they are asked for
     mutable MadeFor<std::string, int> trianglesFor;
@@ -128,28 +130,20 @@ struct RayCast final : Demo {
 
     // ---- the rays
 
-    // The eye looks along -w; u is to the right and v upwards.
-    struct Eye {
-        vec3 at, u, v, w;
-        double half;  // of the image plane, which is 1 before the eye
-    };
-    Eye eye() const {
+    CastEye eye() const {
         const vec3 w = glm::normalize(vec3(0.32, 0.42, 1)), u = glm::normalize(glm::cross(vec3(0, 1, 0), w));
         return {double(size) * (vec3(0, 0.2, 0) + double(distance) * w), u, glm::cross(w, u), w,
                 opening * opens / distance};
     }
     // Through the middle of the pixel in column i and row j from the top.
     Ray rayOf(int i, int j, int side) const {
-        const Eye from = eye();
+        const CastEye from = eye();
         const double alpha = from.half * (i + 0.5 - side / 2.0) / (side / 2.0);
         const double beta = from.half * (side / 2.0 - (j + 0.5)) / (side / 2.0);
         return {from.at, glm::normalize(alpha * from.u + beta * from.v - from.w)};
     }
 
-    struct Candidate {
-        CastHit hit;
-        CastKind kind;
-    };
+    using Candidate = CastCandidate;
     // What the ray meets, nearest first.
     std::vector<Candidate> candidates(const std::vector<CastKind>& of, const Ray& ray, const CastWay& way,
                                       Precision in) const {
@@ -216,6 +210,12 @@ struct RayCast final : Demo {
         makeTriangles(maker);
         return maker == Maker::raster ? raster(side) : cast(side, way(), precision, workers);
     }
+    // By the present settings, kept as long as they stay.
+    const Seen& now() {
+        if (seenFor.changed(objects.text(), form, precision, rows, plane, starts, distance, size, triangles, by))
+            seenNow = seenBy(by, rows, threads);
+        return seenNow;
+    }
     void makeTriangles(Maker maker) const {
         if (trianglesFor.changed(objects.text(), triangles)) {
             madeTriangles.clear();
@@ -239,7 +239,7 @@ struct RayCast final : Demo {
         if (frame.measuring())
             return drawTriangles(scene, scene.clipFromWorld(), {0, 0, frame.width(), frame.height()}, true);
         const Pane left = picturePane(frame), right = sidePane(frame);
-        drawTriangles(scene, clipFromSide(right), right);
+        drawTriangles(scene, fromSide(frame).clipFromWorld(), right);
         if (by == Maker::gl) drawTriangles(scene, scene.clipFromWorld(), left);
         glViewport(0, 0, frame.width(), frame.height());
         if (by != Maker::gl) showImage(frame, left.x, frame.height() - left.height, magnified(left.width));
@@ -262,10 +262,10 @@ struct RayCast final : Demo {
     }
 
     const Picture& magnified(int width) {
-        if (!seenFor.changed(objects.text(), form, precision, rows, plane, starts, distance, size, triangles, width,
-                             by))
+        if (!pictureFor.changed(objects.text(), form, precision, rows, plane, starts, distance, size, triangles, width,
+                                by))
             return picture;
-        const Seen seen = seenBy(by, rows, threads);
+        const Seen& seen = now();
         picture = Picture(width, width);
         const auto byte = [](double value) { return static_cast<std::uint8_t>(std::lround(255 * value)); };
         for (int y = 0; y < width; ++y) {
@@ -301,7 +301,7 @@ struct RayCast final : Demo {
     // The same eye without objects, and with them as triangles.
     Scene view() const {
         Scene scene;
-        const Eye from = eye();
+        const CastEye from = eye();
         scene.viewFromWorld = lookAt(from.at, from.at - from.w, vec3(0, 1, 0));
         scene.clipFromView =
             perspective(2 * degrees(std::atan(from.half)), 1, size * (distance - 7), size * (distance + 7));
@@ -349,11 +349,11 @@ struct RayCast final : Demo {
         const std::vector<Candidate> met = chosen();
         candidatesMet = double(met.size());
         if (!met.empty()) nearest = met.front().hit.t;
+        if (by == Maker::gl) return;
         if (unlikeFor.changed(objects.text(), form, precision, rows, plane, starts, distance, size, triangles, 0, by)) {
-            const Seen here = seenBy(by, rows, threads);
             const Seen right = cast(rows, {CastForm::stable, PlaneForm::implicit, 16}, Precision::twice, threads);
             differ = 0;
-            for (std::size_t i = 0; i < here.size(); ++i) differ += isUnlike(here[i], right[i]) ? 1 : 0;
+            for (std::size_t i = 0; i < right.size(); ++i) differ += isUnlike(now()[i], right[i]) ? 1 : 0;
         }
         unlike = differ;
         if (differ > 0)
@@ -376,26 +376,17 @@ struct RayCast final : Demo {
         const int left = picturePane(frame).width + 4, low = frame.height() * 2 / 5;
         return {left, low, std::max(1, frame.width() - left), std::max(1, frame.height() - low)};
     }
-    bool eyeIsSeen() const { return distance <= 12; }
-    // Along -u, a little from above. Of a far eye only what is round the objects is seen.
-    mat4 clipFromSide(const Pane& pane) const {
-        const Eye from = eye();
-        const vec3 middle = vec3(0, 0.8, 0) + (eyeIsSeen() ? (distance - 4) / 2 : 0) * from.w;
-        const double wide = eyeIsSeen() ? (distance + 8) / 2 : 6, high = wide / pane.aspect();
-        const vec3 away = glm::normalize(from.u + vec3(0, 0.15, 0));
-        return ortho(-wide, wide, -high, high, 1, 60) * lookAt(middle + 30.0 * away, middle, vec3(0, 1, 0)) *
-               mv::scale(1 / size, 1 / size, 1 / size);
-    }
+    CastSide fromSide(const FrameInfo& frame) const { return {sidePane(frame), eye(), distance, size}; }
 
     void annotate(const Frame& frame) override {
         drawing.begin(frame);
         const int height = std::clamp(frame.height() / 34, 8, 24);
-        const TextStyle words{height, ink, vec4(0)};
+        const TextStyle words{height, castInk, vec4(0)};
         const Pane left = picturePane(frame);
         drawing.text({6, frame.height() - 2}, title(), words);
         drawing.text({6, frame.height() - 2 - 1.2 * height},
                      rounded("pixel (%.0f, ", column()) + rounded("%.0f), the ray through its middle", row()),
-                     {height, red, vec4(0)});
+                     {height, castRed, vec4(0)});
         drawing.in(left);
         const double cell = double(left.width) / rows;
         const Plot plot{{vec2(0), vec2(left.width)}, {0, double(rows)}, {0, double(rows)}};
@@ -403,9 +394,12 @@ struct RayCast final : Demo {
         const vec2 low = plot.pixel({column(), rows - 1 - row()}), high = low + vec2(cell);
         const std::vector<vec2> marked{low, {high.x, low.y}, high, {low.x, high.y}, low};
         drawing.line(marked, {vec4(1), 4});  // under the red, which a red object would hide
-        drawing.line(marked, {red, 2});
-        if (cell < 6) drawing.line(low + vec2(5 + cell, 5 + cell), low + vec2(24, 24), {red, 2});
-        drawSide(frame, words);
+        drawing.line(marked, {castRed, 2});
+        if (cell < 6) drawing.line(low + vec2(5 + cell, 5 + cell), low + vec2(24, 24), {castRed, 2});
+        const Pane table{sidePane(frame).x, 0, sidePane(frame).width, std::max(1, sidePane(frame).y)};
+        const std::vector<Candidate> met = chosen();
+        fromSide(frame).draw(drawing, rayOf(column(), row(), rows), met, words);
+        drawCandidates(drawing, table, met, shown(), words);
         drawing.draw(frame);
     }
 
@@ -415,85 +409,6 @@ struct RayCast final : Demo {
         if (by == Maker::raster) return "triangles filled into " + cells + " pixels";
         return cells + " rays, " +
                (isThere(CastKind::teapot) ? triangles.text() + " triangles" : form.text() + ", in " + precision.text());
-    }
-
-    void drawSide(const Frame& frame, const TextStyle& words) {
-        const Pane pane = sidePane(frame);
-        const mat4 clip = clipFromSide(pane);
-        const auto at = [&](const vec3& point) {
-            return pictureFromPane({0, 0, pane.width, pane.height}, clip, point).value_or(vec2(-100));
-        };
-        const Eye from = eye();
-        const Ray ray = rayOf(column(), row(), rows);
-        const std::vector<Candidate> met = chosen();
-        drawing.in(pane);
-        drawing.line(vec2(1, 0), vec2(1, pane.height), {faint, 1});
-        drawing.text({8, pane.height - 2.0},
-                     eyeIsSeen() ? "from the side" : rounded("from the side; the eye is %.4g away", distance * size),
-                     words);
-
-        // The ray: to the nearest object, and faint beyond it
-        const vec3 start = eyeIsSeen() ? ray.origin : ray.at(size * (distance - 7)),
-                   end = ray.at(size * (distance + 5));
-        drawing.line(at(start), at(end), {vec4(red.r, red.g, red.b, 0.35), 1.5});
-        drawing.line(at(start), at(met.empty() ? end : ray.at(met.front().hit.t)), {red, 2});
-        if (eyeIsSeen()) drawEye(from, at, words);
-        for (std::size_t i = met.size(); i-- > 0;) {
-            const vec2 place = at(ray.at(met[i].hit.t));
-            drawing.point(place, i == 0 ? 11 : 8, i == 0 ? red : ink);
-            // Above and below by turns: near ones would cover each other
-            drawing.text(place + vec2(4, i % 2 == 0 ? words.height + 8.0 : -6.0), std::to_string(i + 1),
-                         {words.height, i == 0 ? red : ink, vec4(1, 1, 1, 0.5)});
-        }
-        drawTable(frame, met, words);
-    }
-
-    template <class At>
-    void drawEye(const Eye& from, const At& at, const TextStyle& words) {
-        const double before = 2 * size, half = before * from.half;
-        std::vector<vec2> corners;
-        for (const vec2& corner : {vec2(-1, -1), vec2(1, -1), vec2(1, 1), vec2(-1, 1), vec2(-1, -1)}) {
-            corners.push_back(at(from.at + half * (corner.x * from.u + corner.y * from.v) - before * from.w));
-            drawing.line(at(from.at), corners.back(), {faint, 1});
-        }
-        drawing.line(corners, {blue, 2});
-        drawing.text(corners[2] + vec2(8, 0.6 * words.height), "image plane", {words.height, blue, vec4(0)});
-        const std::vector<std::pair<const char*, vec3>> axes{{"u", from.u}, {"v", from.v}, {"w", from.w}};
-        for (const auto& [name, axis] : axes) {
-            const vec2 tip = at(from.at + 1.2 * double(size) * axis);
-            if (glm::distance(tip, at(from.at)) > 12) drawing.arrow(at(from.at), tip, {ink, 1.5});
-            drawing.textAround(
-                tip + 0.3 * (tip - at(from.at)) + (glm::distance(tip, at(from.at)) > 12 ? vec2(0) : vec2(-14, -8)),
-                name, words);
-        }
-        drawing.point(at(from.at), 8, ink);
-    }
-
-    void drawTable(const Frame& frame, const std::vector<Candidate>& met, const TextStyle& words) {
-        const Pane side = sidePane(frame), pane{side.x, 0, side.width, std::max(1, side.y)};
-        drawing.in(pane);
-        const double line = std::max(1.0, (pane.height - 12.0) / 8.5);
-        const TextStyle plain{std::clamp(static_cast<int>(line * 0.85), 6, words.height), ink, vec4(0)};
-        double top = pane.height - 4.0;
-        const auto write = [&](const std::string& order, const std::string& name, const std::string& t,
-                               const vec4& color) {
-            TextStyle style = plain;
-            style.color = color;
-            drawing.text({10, top}, order, style);
-            drawing.text({10 + 2.0 * plain.height, top}, name, style);
-            drawing.text({10 + 10.0 * plain.height, top}, t, style);
-            top -= line;
-        };
-        write("", "object", "t", faint);
-        for (std::size_t i = 0; i < met.size(); ++i) {
-            write(std::to_string(i + 1), castKindNames.at(static_cast<std::size_t>(met[i].kind)),
-                  rounded("%.7g", met[i].hit.t) + (i == 0 ? "  nearest" : ""), i == 0 ? red : ink);
-        }
-        for (const CastKind kind : shown()) {
-            if (std::ranges::find(met, kind, &Candidate::kind) == met.end()) {
-                write("-", castKindNames.at(static_cast<std::size_t>(kind)), "missed", faint);
-            }
-        }
     }
 };
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -35,8 +36,15 @@ TracePicture::Plan planOf(const Demo& demo, int columns, int rows) {
     return plan;
 }
 
-// A sequence of its own seed, of many samples; for each of the demo's seeds the same picture.
+// A sequence of its own seed, of many samples; for each of the demo's seeds the same picture. What was made is kept: who
+// tries one knob after the other asks for the same picture again and again.
 Reference ofManySamples(const Demo& demo) {
+    static std::map<std::string, Reference> made;
+    std::string of;
+    for (const char* knob : {"room", "depth", "shadows", "lamp-size", "index", "eye-turn", "eye-height"})
+        of += demo.word(knob) + " ";
+    Reference& reference = made[of];
+    if (!reference.values.empty()) return reference;
     TracePicture::Plan plan = planOf(demo, width, height);
     plan.view.fovy = halved(plan.view.fovy);
     plan.pattern = Pattern::sequence;
@@ -46,7 +54,6 @@ Reference ofManySamples(const Demo& demo) {
     picture.pass(plan, 0);
     for (int pass = TracePicture::passesOf(0); pass < TracePicture::passesOf(plan.samples); ++pass)
         picture.pass(plan, pass);
-    Reference reference;
     for (int seed = 0; seed < seeds; ++seed) {
         for (const vec3& light : picture.light()) reference.values.push_back((light.x + light.y + light.z) / 3);
     }

@@ -18,12 +18,9 @@ namespace {
 class Sweep : public testing::TestWithParam<std::string> {};
 class Floor : public testing::TestWithParam<std::string> {};
 
-// Pictures whose every point costs many rays of the processor: they are tried smaller.
-const std::set<std::string> slow{"ray-trace"};
-
 // A quarter of the points of the initial size: what a knob's end breaks does not depend on the size.
 void halve() {
-    const int by = slow.contains(stage().info().name) ? 5 : 2;
+    const int by = isSlow(stage().info().name) ? 5 : 2;
     stage().resize(stage().front().width() / by, stage().front().height() / by);
 }
 
@@ -177,8 +174,8 @@ const std::set<std::string> unseen{
 // settings below says so there, or is one of the above. The settings: each preset, and beside the first one each choice
 // and switch.
 TEST_P(Sweep, idle_knobs) {
-    const bool isSlow = slow.contains(GetParam());
-    DemoRun run(GetParam(), isSlow ? 60 : 160, isSlow ? 40 : 120);
+    const bool small = isSlow(GetParam());
+    DemoRun run(GetParam(), small ? 60 : 160, small ? 40 : 120);
     const std::vector<Knob*>& knobs = run.demo().knobs();
     std::set<std::string> seen, saidIdle;
     int cases = 0;

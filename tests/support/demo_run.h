@@ -13,6 +13,9 @@ namespace mv::test {
 // The stage of this test program, on the host named by MVGL_TEST_HOST (osmesa, egl; the program's own choice without).
 Stage& stage();
 
+// Whether every point of the demo's pictures costs many rays of the processor: what is tried in many settings is tried smaller.
+inline bool isSlow(const std::string& demo) { return demo == "ray-trace"; }
+
 // A demo on that stage, at its own size unless another is given.
 //     DemoRun run("cube-cull");
 //     const Picture back = run.set("cull", "back").picture();
