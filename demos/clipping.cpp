@@ -237,6 +237,7 @@ struct Clipping final : Demo {
         if (clippedWhere == Where::clip) ends = clipPolygon(ends, bounds);
         if (clippedWhere == Where::divided) ends = clipPolygon(ends, bounds.first(4));  // the square's four sides
         std::vector<vec2> seen;
+        seen.reserve(ends.size());
         for (const vec4& end : ends) seen.push_back(vec2(end) / end.w);
         return seen;
     }

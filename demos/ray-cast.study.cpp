@@ -260,7 +260,7 @@ Study study() {
     }
     for (const std::string form : {"textbook", "stable"}) {
         for (const std::string precision : {"float", "double"}) {
-            study.lines.push_back({.method = form + ", " + precision,
+            study.lines.push_back({.method = std::string(form).append(", ").append(precision),
                                    .settings = {{"form", form}, {"precision", precision}},
                                    .knob = "distance",
                                    .values = {"9", "100", "1000", "10000", "100000"},
@@ -271,7 +271,8 @@ Study study() {
     const std::vector<std::string> sides{"32", "128", "512"};
     std::vector<std::string> teapots;
     for (const std::string& side : sides) {
-        study.scenes.push_back({side + " x " + side + " pixels", {{"objects", "teapot"}, {"rows", side}}});
+        study.scenes.push_back(
+            {std::string(side).append(" x ").append(side).append(" pixels"), {{"objects", "teapot"}, {"rows", side}}});
         teapots.push_back(study.scenes.back().name);
     }
     for (const std::string maker : {"rays", "raster"})

@@ -269,10 +269,8 @@ std::array<vec2, 2> samplePoints(Pattern pattern, int sample, int count, std::ui
     const auto index = static_cast<std::uint32_t>(sample), all = static_cast<std::uint32_t>(count);
     const int side = static_cast<int>(std::lround(std::sqrt(double(count))));
     const auto cell = [&](std::uint32_t which, const vec2& within) {
-        return (vec2(double(which % static_cast<std::uint32_t>(side)),
-                     double(which / static_cast<std::uint32_t>(side))) +
-                within) /
-               double(side);
+        const auto cells = static_cast<std::uint32_t>(side), row = which / cells;
+        return (vec2(double(which % cells), double(row)) + within) / double(side);
     };
     switch (pattern) {
         case Pattern::regular:

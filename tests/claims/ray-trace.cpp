@@ -177,8 +177,8 @@ TEST(RayTrace, squares_averaged) {
         constexpr int side = 100;
         double light = 0;
         for (int k = 0; k < side * side; ++k) {
-            const double u = x + width * ((k % side + 0.5) / side - 0.5),
-                         v = z + width * ((k / side + 0.5) / side - 0.5);
+            const int row = k / side;
+            const double u = x + width * ((k % side + 0.5) / side - 0.5), v = z + width * ((row + 0.5) / side - 0.5);
             light += squaresAround(u, v, square, 0);
         }
         // A line between squares may stand anywhere between two places, along both axes

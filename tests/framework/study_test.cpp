@@ -260,7 +260,7 @@ TEST(StudyRun, regions_are_whole_rows) {
             return reference;
         };
         stage().open(made, 10, 10);
-        const std::string status = runStudy(stage(), study, {.timed = false}).rows.at(0).status;
+        std::string status = runStudy(stage(), study, {.timed = false}).rows.at(0).status;
         stage().close();
         return status;
     };
