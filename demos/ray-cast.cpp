@@ -12,13 +12,11 @@
 // - [raster-by-hand] The same triangles filled by the processor show, away from edges, what the rays see.
 // - [threads-agree] The picture is the same, byte for byte, by any number of threads.
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <memory>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "mv/demo/demo.h"
@@ -33,6 +31,7 @@
 #include "shared/cast_objects.h"
 #include "shared/cast_side.h"
 #include "shared/depth_raster.h"
+#include "shared/in_rows.h"
 #include "shared/ray_structures.h"
 
 using namespace mv;
@@ -161,25 +160,17 @@ struct RayCast final : Demo {
         std::ranges::stable_sort(met, {}, [](const Candidate& one) { return one.hit.t; });
         return met;
     }
-    // The first candidate of each pixel, the upper row first. Rows are shared out; who computes one changes nothing.
+    // The first candidate of each pixel, the upper row first.
     using Seen = std::vector<std::optional<Candidate>>;
     Seen cast(int side, const CastWay& way, Precision in, int workers) const {
         Seen seen(static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
         const std::vector<CastKind> of = shown();
-        std::atomic<int> next{0};
-        const auto work = [&] {
-            for (int j = next++; j < side; j = next++) {
-                for (int i = 0; i < side; ++i) {
-                    const std::vector<Candidate> met = candidates(of, rayOf(i, j, side), way, in);
-                    if (!met.empty()) seen[pixelIndex(i, j, side)] = met.front();
-                }
+        inRows(side, workers, [&](int j) {
+            for (int i = 0; i < side; ++i) {
+                const std::vector<Candidate> met = candidates(of, rayOf(i, j, side), way, in);
+                if (!met.empty()) seen[pixelIndex(i, j, side)] = met.front();
             }
-        };
-        {
-            std::vector<std::jthread> others;  // joined at the end of the block
-            for (int k = 1; k < std::min(workers, side); ++k) others.emplace_back(work);
-            work();
-        }
+        });
         return seen;
     }
     CastWay way() const { return {form, plane, starts}; }

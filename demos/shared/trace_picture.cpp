@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <functional>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <thread>
 #include <utility>
 
 #include "mv/math/color.h"
 #include "mv/math/transform.h"
+#include "shared/in_rows.h"
 
 namespace mv {
 namespace {
@@ -36,24 +35,6 @@ class Lens {
     vec3 eye_, forward_{0}, right_{0}, up_{0};
     int width_, height_;
 };
-
-// Calls `make` for each row from 0 to rows - 1, on several threads; the sum of what it returns.
-long inRows(int rows, int threads, const std::function<long(int)>& make) {
-    if (threads == 0) threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    std::atomic<int> next = 0;
-    std::atomic<long> sum = 0;
-    const auto work = [&] {
-        long own = 0;
-        for (int row = next++; row < rows; row = next++) own += make(row);
-        sum += own;
-    };
-    {
-        std::vector<std::jthread> others;
-        for (int i = 1; i < std::min(threads, rows); ++i) others.emplace_back(work);
-        work();
-    }
-    return sum;
-}
 
 }  // namespace
 
@@ -90,6 +71,7 @@ TracedScene tracedRoom(Room room, double lampSize, double index, std::shared_ptr
 }
 
 void TracePicture::pass(const Plan& plan, int number) {
+    std::atomic<long> cast = 0;
     const Lens lens(plan.view, plan.width, plan.height);
     if (number == 0) {
         width_ = plan.width;
@@ -107,7 +89,7 @@ void TracePicture::pass(const Plan& plan, int number) {
         // One ray a block, through its middle
         const int side = 16 >> number;
         const auto blocks = [side](int length) { return (length + side - 1) / side; };
-        rays_ += inRows(blocks(height_), plan.threads, [&](int row) {
+        inRows(blocks(height_), plan.threads, [&](int row) {
             long rays = 0;
             for (int column = 0; column < blocks(width_); ++column) {
                 const vec2 middle = double(side) * (vec2(column, row) + 0.5);
@@ -122,14 +104,15 @@ void TracePicture::pass(const Plan& plan, int number) {
                     }
                 }
             }
-            return rays;
+            cast += rays;
         });
+        rays_ += cast;
         return;
     }
     const int sample = number - coarsePasses;
     // Each sample stands for its part of the pixel
     const double spread = lens.spread() / std::sqrt(plan.samples);
-    rays_ += inRows(height_, plan.threads, [&](int row) {
+    inRows(height_, plan.threads, [&](int row) {
         long rays = 0;
         for (int x = 0; x < width_; ++x) {
             const std::size_t pixel = pixelIndex(x, row, width_);
@@ -145,8 +128,9 @@ void TracePicture::pass(const Plan& plan, int number) {
             cut_[pixel] = cutSum_[pixel] / (sample + 1);
             raysAt_[pixel] = raysSum_[pixel] / (sample + 1);
         }
-        return rays;
+        cast += rays;
     });
+    rays_ += cast;
 }
 
 double halved(double fovy) { return 2 * degrees(std::atan(std::tan(radians(fovy) / 2) / 2)); }
