@@ -8,7 +8,7 @@
 // - [same-t-in-both-spaces] A ray taken to an object's space, not normalized anew, meets it at the t of the world.
 // - [textbook-fails-far] In float the textbook's sphere is wrong in over a tenth of its pixels 1e4 away; the stable one in none.
 // - [newton-needs-a-start] From one start Newton's method misses parts of the flag; from a grid of 12 by 12 a tenth of them
-//   at most, at folds.
+//   at most.
 // - [raster-by-hand] The same triangles filled by the processor show, away from edges, what the rays see.
 // - [threads-agree] The picture is the same, byte for byte, by any number of threads.
 #include <algorithm>

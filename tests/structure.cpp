@@ -192,7 +192,7 @@ TEST_P(Shaders, draw_the_same_in_es) {
     const DemoInfo& info = findDemo(GetParam());
     std::map<std::string, Picture> right;
     const auto drawAll = [&](Stage& stage, const std::function<void(const std::string&, const Picture&)>& drawn) {
-        stage.open(info, test::isSlow(info.name) ? 32 : 128, test::isSlow(info.name) ? 24 : 96);
+        stage.open(info, test::hasPasses(info) ? 32 : 128, test::hasPasses(info) ? 24 : 96);
         const auto draw = [&](const std::string& setting) {
             SCOPED_TRACE(info.name + " " + setting);
             try {

@@ -20,7 +20,7 @@ class Floor : public testing::TestWithParam<std::string> {};
 
 // A quarter of the points of the initial size: what a knob's end breaks does not depend on the size.
 void halve() {
-    const int by = isSlow(stage().info().name) ? 5 : 2;
+    const int by = hasPasses(stage().info()) ? 5 : 2;
     stage().resize(stage().front().width() / by, stage().front().height() / by);
 }
 
@@ -174,7 +174,7 @@ const std::set<std::string> unseen{
 // settings below says so there, or is one of the above. The settings: each preset, and beside the first one each choice
 // and switch.
 TEST_P(Sweep, idle_knobs) {
-    const bool small = isSlow(GetParam());
+    const bool small = hasPasses(findDemo(GetParam()));
     DemoRun run(GetParam(), small ? 60 : 160, small ? 40 : 120);
     const std::vector<Knob*>& knobs = run.demo().knobs();
     std::set<std::string> seen, saidIdle;

@@ -121,10 +121,12 @@ for (const [i, demo] of demos.entries()) {
   }));
 }
 demos.forEach((demo, i) => write(`demos/${demo.name}.html`, demoPage(demo, demos[i - 1], demos[i + 1])));
-for (const file of pagesBelow('docs')) {
-  const { title, html } = lesson(file);
-  write(file.replace(/\.md$/, '.html'), page({ title, depth: file.split('/').length - 1, main: html }));
+const beside = [];
+for (const file of pagesBelow('docs').sort()) {
+  const { title, html } = lesson(file), target = file.replace(/\.md$/, '.html'), depth = target.split('/').length - 1;
+  write(target, page({ title, depth, main: html }));
+  if (depth === 1) beside.push({ file: target, title }); // a study's page is its lesson's
 }
-write('index.html', startPage(list));
+write('index.html', startPage(list, beside));
 for (const file of ['site.css', 'site.js', 'curve.js']) write(file, text(`web/${file}`));
 console.log(`${path.join(folder, 'index.html')}: ${demos.length} lessons`);

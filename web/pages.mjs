@@ -118,7 +118,8 @@ function card(demo, chapter) {
 <p>${escaped(demo.sentence)}</p></li>`;
 }
 
-export function startPage(chapters) {
+// `measured`: the pages that stand beside the lessons, { file, title }.
+export function startPage(chapters, measured) {
   const count = chapters.reduce((sum, { demos }) => sum + demos.length, 0);
   const sections = chapters.map(
     ({ chapter, demos }) => `<section class="chapter">
@@ -137,14 +138,9 @@ measured of it are on its page. To move its knobs, run it: <code>./run cube-cull
 <p class="search" hidden><label for="search">Find a lesson</label> <input id="search" type="search" autocomplete="off" placeholder="shadow, spline, Fresnel ...">
 <span role="status" id="found"></span></p>
 ${sections.join('\n')}
-<section><h2>What was measured</h2>
+<section><h2>Beside the lessons</h2>
 <ul>
-<li><a href="docs/stability.html">Extreme cases</a>: what textbook formulas do there, and what the library does</li>
-<li><a href="docs/library.html">The library's errors and times</a></li>
-<li><a href="docs/shadows-compared.html">The methods of shadows beside each other</a></li>
-<li><a href="docs/work-precision.html">Methods for moving things: work against precision</a></li>
-<li><a href="docs/needs.html">What each demo needs, and what it leaves out</a></li>
-<li><a href="docs/demos.html">All knobs and readouts</a></li>
+${measured.map(({ file, title }) => `<li><a href="${file}">${title}</a></li>`).join('\n')}
 </ul></section>
 `,
   });

@@ -59,6 +59,7 @@ for (const [file, html] of pages) {
 const demos = all(execFileSync(program, ['--list'], { encoding: 'utf8' }), /^ {2}(\S+)/gm);
 const start = pages.get('index.html');
 equal(all(start, /<a href="demos\/([^"]+)\.html"/g).join(' '), demos.join(' '), 'lessons of the start page, in order');
+for (const file of pages.keys()) expect(!/^docs\/[^/]*$/.test(file) || start.includes(`href="${file}"`), `the start page does not lead to ${file}`);
 const cases = fs.readFileSync(path.join(source, 'tests/goldens/cases.txt'), 'utf8').split('\n').map((line) => line.split(/\s+/));
 for (const demo of demos) {
   const html = pages.get(`demos/${demo}.html`) ?? '';

@@ -13,8 +13,8 @@ namespace mv::test {
 // The stage of this test program, on the host named by MVGL_TEST_HOST (osmesa, egl; the program's own choice without).
 Stage& stage();
 
-// Whether every point of the demo's pictures costs many rays of the processor: what is tried in many settings is tried smaller.
-inline bool isSlow(const std::string& demo) { return demo == "ray-trace"; }
+// Whether the demo's picture is made in passes, since it takes long: what is tried in many settings is then tried smaller.
+inline bool hasPasses(const DemoInfo& info) { return info.make()->passes(FrameInfo(1, info.width, info.height)) > 0; }
 
 // A demo on that stage, at its own size unless another is given.
 //     DemoRun run("cube-cull");
