@@ -2,15 +2,16 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <future>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <optional>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "mv/demo/demo.h"
 #include "mv/math/color.h"
+#include "shared/in_rows.h"
 #include "shared/relief.h"
 #include "shared/relief_rays.h"
 
@@ -52,18 +53,12 @@ class Seen {
     // The mean of side x side lines of sight; -1 where nothing counts.
     std::vector<double> means(int side, const std::function<void(double)>& progress = {}) const {
         std::vector<double> means(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
-        const auto everyThird = [&](int first) {
-            for (int row = first; row < height_; row += 3) {
-                for (int column = 0; column < width_; ++column)
-                    means[pixelIndex(column, row, width_)] = mean(column, row, side);
-                if (progress && first == 0) progress(double(row) / height_);
-            }
-        };
-        const auto second = std::async(std::launch::async, everyThird, 1),
-                   third = std::async(std::launch::async, everyThird, 2);
-        everyThird(0);
-        second.wait();
-        third.wait();
+        const std::thread::id here = std::this_thread::get_id();
+        inRows(height_, 0, [&](int row) {
+            for (int column = 0; column < width_; ++column)
+                means[pixelIndex(column, row, width_)] = mean(column, row, side);
+            if (progress && std::this_thread::get_id() == here) progress(double(row) / height_);
+        });
         return means;
     }
 

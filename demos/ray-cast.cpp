@@ -28,6 +28,7 @@
 #include "mv/gl/text.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
+#include "mv/threads.h"
 #include "shared/cast_objects.h"
 #include "shared/cast_side.h"
 #include "shared/depth_raster.h"
@@ -123,6 +124,7 @@ struct RayCast final : Demo {
         plane.onlyWhen([this] { return isThere(CastKind::plane); }, "there is no plane");
         starts.onlyWhen([this] { return isThere(CastKind::surface) && form == CastForm::stable; },
                         "Newton's method has no grid here");
+        threads.onlyWhen(haveThreads, "a page in a browser has one thread");
     }
 
     void init() override { program = Program("ray-cast"); }

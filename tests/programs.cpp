@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <regex>
 
 #include "mv/image/load.h"
 #include "support/demo_run.h"
@@ -30,6 +31,11 @@ void expectRefusal(const ProcessResult& result, int status, const std::string& p
     const auto line = ("\n" + result.err).find("\nerror: ");
     ASSERT_NE(line, std::string::npos) << result.err;
     EXPECT_TRUE(has(result.err.substr(line), part)) << result.err;
+}
+
+// How far a picture is, said every two seconds, depends on how busy the machine is.
+std::string withoutProgress(const std::string& said) {
+    return std::regex_replace(said, std::regex("(pass|step) [0-9]+ of [0-9]+\n"), "");
 }
 
 class Programs : public testing::TestWithParam<std::string> {};
@@ -62,7 +68,7 @@ TEST_P(Programs, same_bytes_on_every_host) {
                                  : host == std::string("egl")  ? "host      EGL surfaceless"
                                                                : "host      EGL software device"))
             << run.out;
-        EXPECT_EQ(run.err, "") << "no warning, no note";
+        EXPECT_EQ(withoutProgress(run.err), "") << "no warning, no note";
     }
     EXPECT_EQ(fileText(folder.file("osmesa.png")), fileText(folder.file("egl.png")));
     EXPECT_EQ(fileText(folder.file("osmesa.png")), fileText(folder.file("egl-device.png")));

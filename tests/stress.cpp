@@ -11,7 +11,7 @@
 
 #include "mv/gl/text.h"
 #include "mv/math/types.h"
-#include "mv/run/command_line.h"
+#include "mv/run/copyable.h"
 #include "support/covering_array.h"
 #include "support/demo_run.h"
 #include "support/live_bytes.h"

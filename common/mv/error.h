@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "mv/portable_number.h"
+
 namespace mv {
 
 // Something that can go wrong at run time: an impossible request, a missing file, a failed shader.
@@ -26,9 +28,13 @@ class Error : public std::runtime_error {
 // The shortest text that reads back as exactly the same number ("0.1", "1e+20", "nan").
 inline std::string numberText(double value) {
     if (value != value) return "nan";  // whatever its sign bit
+#ifdef __cpp_lib_to_chars
     char buffer[32];
     const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
     return {buffer, end};
+#else
+    return portable::shortestText(value);
+#endif
 }
 
 }  // namespace mv

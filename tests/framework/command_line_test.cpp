@@ -1,4 +1,5 @@
 #include "mv/run/command_line.h"
+#include "mv/run/copyable.h"
 
 #include <gtest/gtest.h>
 

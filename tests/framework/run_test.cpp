@@ -13,6 +13,7 @@
 #include "mv/error.h"
 #include "mv/run/command_line.h"
 #include "mv/run/report.h"
+#include "mv/run/sentence.h"
 
 using namespace mv;
 

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <string_view>
 #include <system_error>
+#include <type_traits>
+
+#include "mv/portable_number.h"
 
 namespace mv {
 
@@ -11,10 +14,14 @@ namespace mv {
 template <class Number>
 bool readNumber(std::string_view text, Number& number) {
     if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);  // which from_chars does not take
-    const auto end = text.data() + text.size();
-    const auto result = std::from_chars(text.data(), end, number);
-    if (result.ec != std::errc() || result.ptr != end) return false;
-    return std::isfinite(static_cast<double>(number));
+    if constexpr (portable::isNeeded && std::is_floating_point_v<Number>) {
+        return portable::readFinite(text, number);
+    } else {
+        const auto end = text.data() + text.size();
+        const auto result = std::from_chars(text.data(), end, number);
+        if (result.ec != std::errc() || result.ptr != end) return false;
+        return std::isfinite(static_cast<double>(number));
+    }
 }
 
 }  // namespace mv

@@ -8,7 +8,6 @@
 #include <glm/matrix.hpp>
 #include <limits>
 #include <string>
-#include <thread>
 
 #include "mv/error.h"
 #include "mv/geometry/bounds.h"
@@ -16,6 +15,7 @@
 #include "mv/geometry/check.h"
 #include "mv/math/require.h"
 #include "mv/math/robust.h"
+#include "mv/threads.h"
 
 namespace mv {
 namespace {
@@ -310,11 +310,10 @@ LitPicture RayCaster::lit(int width, int height, const LitOptions& options) cons
         }
         rays += scratch.rays;
     };
-    const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    const int threads = std::min(options.threads == 0 ? cores : options.threads, height);
+    const int threads = std::min(sharing(options.threads), height);
     {
-        std::vector<std::jthread> helpers;
-        for (int i = 1; i < threads; ++i) helpers.emplace_back(castRows, Progress());
+        Helpers helpers;
+        for (int i = 1; i < threads; ++i) helpers.start(castRows, Progress());
         try {
             castRows(options.progress);
         } catch (...) {

@@ -40,6 +40,13 @@ std::filesystem::path shaderFolder(const std::string& group) {
     return found != known.end() ? found->second : known[group] = findFolder(group);
 }
 
+std::optional<std::filesystem::file_time_type> writtenAt(const std::filesystem::path& path) {
+    std::error_code missing;
+    const auto written = std::filesystem::last_write_time(path, missing);
+    if (missing) return {};
+    return written;
+}
+
 bool addBuiltShader(const std::string& group, std::string name, std::string text) {
     const std::filesystem::path folder = shaderFolder(group);
     const std::string path = folder.empty() ? "" : (folder / name).string();

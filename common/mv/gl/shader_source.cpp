@@ -114,13 +114,6 @@ bool addShaderFile(std::string name, std::string text, std::string path) {
     return true;
 }
 
-std::optional<std::filesystem::file_time_type> writtenAt(const std::filesystem::path& path) {
-    std::error_code missing;
-    const auto written = std::filesystem::last_write_time(path, missing);
-    if (missing) return {};
-    return written;
-}
-
 bool hasShaderFile(const std::string& name) { return shaderFiles().count(name) != 0; }
 
 std::vector<std::string> shaderFileNames() {

@@ -20,7 +20,7 @@
 namespace mv {
 namespace {
 
-std::string controlText(const Binding& binding) {
+std::string controlCell(const Binding& binding) {
     std::string effect = "`" + binding.knob->name() + "` " + binding.knob->stepText(binding.amount, "");
     switch (binding.gesture) {
         case Gesture::key:
@@ -36,7 +36,7 @@ std::string controlText(const Binding& binding) {
     return effect;
 }
 
-std::string controlText(const Handle& handle) {
+std::string controlCell(const Handle& handle) {
     std::string knobs;
     for (const Knob* knob : handle.knobs) knobs += (knobs.empty() ? "`" : ", `") + knob->name() + "`";
     return "drag the " + handle.name + " in the picture: " + knobs +
@@ -70,8 +70,8 @@ std::string tables(const DemoInfo& info) {
     }
     std::string controls;
     const auto add = [&](const std::string& control) { controls += (controls.empty() ? "" : " · ") + control; };
-    for (const Binding& binding : demo->bindings()) add(controlText(binding));
-    for (const Handle& handle : demo->handles()) add(controlText(handle));
+    for (const Binding& binding : demo->bindings()) add(controlCell(binding));
+    for (const Handle& handle : demo->handles()) add(controlCell(handle));
     if (!controls.empty()) text += "\nControls: " + controls + ".\n";
     return text;
 }

@@ -8,6 +8,7 @@
 #include "mv/image/file.h"
 #include "mv/image/png.h"
 #include "mv/run/compare.h"
+#include "mv/run/copyable.h"
 #include "mv/run/report.h"
 
 namespace mv {

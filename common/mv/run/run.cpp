@@ -2,21 +2,19 @@
 
 #include <cstdio>
 #include <exception>
-#include <filesystem>
 #include <iostream>
-#include <new>
 #include <sstream>
-#include <stdexcept>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include "mv/demo/chapters.h"
 #include "mv/run/audit.h"
 #include "mv/run/command_line.h"
+#include "mv/run/copyable.h"
 #include "mv/run/docs.h"
 #include "mv/run/render.h"
 #include "mv/run/report.h"
+#include "mv/run/sentence.h"
 #include "mv/run/study.h"
 #include "mv/run/window_module.h"
 #include "mv/run/words.h"
@@ -122,21 +120,6 @@ void act(const Command& command) {
 }
 
 }  // namespace
-
-std::string sentenceOf(const std::exception& error, const std::string& subject) {
-    if (const auto* ours = dynamic_cast<const Error*>(&error)) return ours->what();
-    const auto* file = dynamic_cast<const std::filesystem::filesystem_error*>(&error);
-    if (file && !file->path1().empty()) {
-        return Error(file->path1().string(), "must be there and may be used", file->code().message()).what();
-    }
-    if (const auto* system = dynamic_cast<const std::system_error*>(&error)) {
-        return Error(subject, "needs what the system does not give", system->code().message()).what();
-    }
-    if (dynamic_cast<const std::bad_alloc*>(&error) || dynamic_cast<const std::length_error*>(&error)) {
-        return Error(subject, "needs more memory than there is; a smaller --size needs less").what();
-    }
-    return Error(subject, "met a fault of its own, which ended it; please report the command line").what();
-}
 
 int runMain(int count, char** arguments) {
     std::string subject = "mvgl";

@@ -1,13 +1,6 @@
 // What main() calls.
 #pragma once
-#include <exception>
-#include <string>
-
 namespace mv {
-
-// What a user is told of an exception, "subject: rule, value": an Error's own words; of all others, whose words are a
-// library's and mean nothing to him, ours. `subject` is what was being done, a demo's name say.
-std::string sentenceOf(const std::exception& error, const std::string& subject);
 
 // Runs the demos linked into this program as the command line says; returns the exit status: 0 done, 1 could not (the
 // reason is on standard error), 2 the command line is not understood.

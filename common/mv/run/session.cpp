@@ -4,7 +4,7 @@
 #include <chrono>
 
 #include "mv/gl/gl.h"
-#include "mv/run/run.h"
+#include "mv/run/sentence.h"
 
 namespace mv {
 

@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "mv/run/command_line.h"
+#include "mv/run/copyable.h"
 #include "mv/run/study.h"
 #include "mv/run/words.h"
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <thread>
 
-#include "mv/run/run.h"
+#include "mv/run/sentence.h"
 #include "mv/run/window_module.h"
 #include "mv/window/demo_screen.h"
 #include "mv/window/menu_screen.h"

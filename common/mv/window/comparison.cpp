@@ -7,7 +7,7 @@
 #include "mv/gl/text.h"
 #include "mv/image/compare.h"
 #include "mv/run/compare.h"
-#include "mv/run/run.h"
+#include "mv/run/sentence.h"
 
 namespace mv {
 namespace {

@@ -7,6 +7,7 @@
 
 #include "mv/gl/target.h"
 #include "mv/run/command_line.h"
+#include "mv/run/copyable.h"
 #include "mv/run/session.h"
 
 namespace mv {

@@ -10,7 +10,8 @@
 
 #include "mv/gl/program.h"
 #include "mv/image/png.h"
-#include "mv/run/run.h"
+#include "mv/run/copyable.h"
+#include "mv/run/sentence.h"
 #include "mv/window/keys.h"
 #include "mv/window/save.h"
 
@@ -51,8 +52,7 @@ DemoScreen::DemoScreen(Window& window, Gui& gui, Stage& stage, const Command& co
       menu_(menu),
       knobs_(gui, session_),
       study_(*command.demo, gui),
-      steps_(window, session_),
-      hand_(gui) {
+      steps_(window, session_) {
     if (command.bound) study_.ask(*command.bound);
     const bool sizeGiven = command.width > 0;
     const int width = stage_.front().width(), height = stage_.front().height();
@@ -111,7 +111,8 @@ void DemoScreen::handle(const Event& event) {
             if (event.key != GLFW_MOUSE_BUTTON_LEFT) break;
             draggingDivider_ = overDivider(event.x);
             if (overPicture(event.x) && !draggingDivider_ &&
-                !hand_.press(session_.demo(), shownFrame(), pictureInWindow(), event.x, event.y)) {
+                !hand_.press(session_.demo(), shownFrame(), pictureInWindow().pixel(event.x, event.y),
+                             handReach(gui_, pictureInWindow()))) {
                 session_.pointerDown(event.x, event.y);
             } else {
                 session_.pointerUp();
@@ -125,7 +126,7 @@ void DemoScreen::handle(const Event& event) {
             break;
         case Event::Kind::move:
             if (draggingDivider_) moveDivider(event.x);
-            if (hand_.move(session_.demo(), shownFrame(), pictureInWindow(), event.x, event.y)) session_.touch();
+            if (hand_.drag(session_.demo(), shownFrame(), pictureInWindow().pixel(event.x, event.y))) session_.touch();
             session_.pointerMove(event.x, event.y);
             break;
         case Event::Kind::wheel:
@@ -147,8 +148,9 @@ void DemoScreen::onKey(const Event& event) {
     if (event.key == GLFW_KEY_ESCAPE && knobs_.fieldOpen()) return knobs_.closeField();
     if (gui_.typing()) return;
     bool moved = false;
-    if (!gui_.popupOpen() &&
-        hand_.key(session_.demo(), shownFrame(), event.key, (event.modifiers & GLFW_MOD_SHIFT) != 0, moved)) {
+    const std::optional<Hand::Move> move = handMove(event.key);
+    if (move && !gui_.popupOpen() &&
+        hand_.key(session_.demo(), shownFrame(), *move, (event.modifiers & GLFW_MOD_SHIFT) != 0, moved)) {
         if (moved) session_.touch();
         return;
     }
@@ -234,7 +236,8 @@ void DemoScreen::draw() {
     } else {
         showOverlay();
     }
-    hand_.show(session_.demo(), shownFrame(), pictureInWindow(), overPicture(double(ImGui::GetMousePos().x)));
+    handled_ = showHand(hand_, session_.demo(), shownFrame(), pictureInWindow(),
+                        overPicture(double(ImGui::GetMousePos().x)), gui_);
     showDividerHandle();
     gui_.end();
 }

@@ -9,7 +9,7 @@
 #include "mv/run/session.h"
 #include "mv/window/comparison.h"
 #include "mv/window/gui.h"
-#include "mv/window/hand.h"
+#include "mv/window/hand_rings.h"
 #include "mv/window/knob_panel.h"
 #include "mv/window/panel_parts.h"
 #include "mv/window/screen.h"
@@ -71,6 +71,7 @@ class DemoScreen final : public Screen {
     StudySection study_;
     StepSection steps_;
     Hand hand_;
+    std::string handled_;  // what the hand is on
 
     bool panelShown_ = true;
     bool draggingDivider_ = false;

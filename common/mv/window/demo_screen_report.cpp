@@ -2,7 +2,6 @@
 #include <nlohmann/json.hpp>
 
 #include "mv/run/report.h"
-#include "mv/run/run.h"
 #include "mv/window/demo_screen.h"
 #include "mv/window/window_report.h"
 
@@ -32,7 +31,7 @@ void DemoScreen::report(const WindowState& state) {
         window["passes_done"] = session_.passesDone();
     }
     window["playing"] = session_.playback().playing();
-    window["hovered"] = hand_.hovered();
+    window["hovered"] = handled_;
     if (study_.any()) {
         window["study"] = study_.origin();
         window["here"] = study_.here(session_.demo());

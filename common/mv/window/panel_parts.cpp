@@ -86,21 +86,6 @@ void showMatrix(const mat4& matrix) {
     ImGui::Dummy({0, style.ItemSpacing.y / 2});
 }
 
-std::pair<std::string, std::string> controlText(const Binding& binding) {
-    const std::string amount = binding.knob->stepText(binding.amount, binding.knob->unit());
-    switch (binding.gesture) {
-        case Gesture::dragAcross:
-            return {"Drag right", binding.knob->name() + " " + amount + " a pixel"};
-        case Gesture::dragDown:
-            return {"Drag down", binding.knob->name() + " " + amount + " a pixel"};
-        case Gesture::wheel:
-            return {"Wheel up", binding.knob->name() + " " + amount + " a notch"};
-        case Gesture::key:
-            break;
-    }
-    return {keyName(binding.key), binding.knob->name() + (binding.text.empty() ? " " + amount : " = " + binding.text)};
-}
-
 // A button of several of which one is chosen; its place is noted under `place`.
 bool choiceButton(const char* label, const std::string& place, bool chosen) {
     if (chosen) {

@@ -4,7 +4,7 @@
 #include <charconv>
 #include <iostream>
 
-#include "mv/run/run.h"
+#include "mv/run/sentence.h"
 #include "mv/run/stage.h"
 #include "mv/run/study.h"
 #include "mv/window/study_view.h"

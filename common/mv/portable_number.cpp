@@ -1,0 +1,80 @@
+#include "mv/portable_number.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+namespace mv::portable {
+namespace {
+
+// As printf's %e says it: d.ddd, and a power of ten.
+struct Decimal {
+    std::string digits;
+    int exponent;
+};
+
+// With as few digits as read back as the same number.
+Decimal shortestDecimal(double number) {
+    char text[40];
+    for (int more = 0; more <= 16; ++more) {
+        std::snprintf(text, sizeof text, "%.*e", more, number);
+        if (std::strtod(text, nullptr) == number) break;
+    }
+    const char* exponent = std::strchr(text, 'e');
+    std::string digits(text, static_cast<std::size_t>(exponent - text));
+    std::erase(digits, '.');
+    return {digits, std::atoi(exponent + 1)};
+}
+
+std::string scientific(const Decimal& decimal) {
+    std::string text = decimal.digits.substr(0, 1);
+    if (decimal.digits.size() > 1) text.append(".").append(decimal.digits, 1);
+    char exponent[8];
+    std::snprintf(exponent, sizeof exponent, "e%+03d", decimal.exponent);
+    return text + exponent;
+}
+
+// A whole number is written out as what it is, and not with zeros in the place of its last digits.
+std::string fixed(const Decimal& decimal, double magnitude) {
+    const int digits = static_cast<int>(decimal.digits.size());
+    if (decimal.exponent + 1 >= digits) {
+        char text[400];
+        std::snprintf(text, sizeof text, "%.0f", magnitude);
+        return text;
+    }
+    if (decimal.exponent < 0)
+        return "0." + std::string(static_cast<std::size_t>(-decimal.exponent - 1), '0') + decimal.digits;
+    const auto whole = static_cast<std::size_t>(decimal.exponent + 1);
+    return decimal.digits.substr(0, whole) + "." + decimal.digits.substr(whole);
+}
+
+}  // namespace
+
+std::string shortestText(double number) {
+    if (std::isnan(number)) return std::signbit(number) ? "-nan" : "nan";
+    const std::string sign = std::signbit(number) ? "-" : "";
+    const double magnitude = std::abs(number);
+    if (std::isinf(magnitude)) return sign + "inf";
+    const Decimal decimal = shortestDecimal(magnitude);
+    const std::string one = fixed(decimal, magnitude), other = scientific(decimal);
+    return sign + (one.size() <= other.size() ? one : other);
+}
+
+bool readFinite(std::string_view text, double& number) {
+    const bool isDecimal =
+        !text.empty() && text.front() != '+' && text.find_first_not_of("0123456789.eE+-") == std::string_view::npos;
+    if (!isDecimal) return false;
+    const std::string ended(text);
+    char* end = nullptr;
+    const double read = std::strtod(ended.c_str(), &end);
+    if (end != ended.c_str() + ended.size() || !std::isfinite(read)) return false;
+    const std::string_view mantissa = text.substr(0, text.find_first_of("eE"));
+    if (read == 0 && mantissa.find_first_of("123456789") != std::string_view::npos) return false;
+    number = read;
+    return true;
+}
+
+}  // namespace mv::portable

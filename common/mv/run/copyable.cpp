@@ -1,0 +1,57 @@
+#include "mv/run/copyable.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <string_view>
+
+namespace mv {
+
+std::string quotedForShell(const std::string& text) {
+    const auto plain = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+               std::string_view("-_./=,:+@%").find(c) != std::string_view::npos;
+    };
+    if (!text.empty() && std::all_of(text.begin(), text.end(), plain)) return text;
+    std::string quoted = "'";
+    for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return quoted + "'";
+}
+
+std::string startOf(const std::string& program, const DemoInfo& info) {
+    if (program.empty()) return info.name;
+    // The program of one demo has its name, but where a script such as ./run started it under its own.
+    const bool own = catalogue().size() == 1 && std::filesystem::path(program).filename() == info.name;
+    return quotedForShell(program) + (own ? "" : " " + info.name);
+}
+
+std::string copyableCommand(const std::string& start, const DemoInfo& info, const Demo& demo, int frame, int width,
+                            int height, const ComparedKnob& compared, const Timeline* timeline,
+                            std::optional<int> until) {
+    std::string text = start;
+    const auto set = [&](const std::string& knob, const std::string& value) {
+        if (knob != compared.name) text += " --" + knob + " " + quotedForShell(value);
+    };
+    if (timeline && timeline->matters()) {
+        for (const KnobSetting& knob : timeline->beginning()) set(knob.name, knob.text);
+        for (const TimedChange& change : timeline->changesUntil(frame)) {
+            if (change.knob == compared.name) continue;
+            text += " --at " + std::to_string(change.frame) + " " + quotedForShell(change.knob + "=" + change.text);
+        }
+    } else {
+        for (const Knob* knob : demo.knobs()) {
+            if (!knob->isInitial()) set(knob->name(), knob->text());
+        }
+    }
+    if (!compared.name.empty()) {
+        text += " --compare " +
+                quotedForShell(compared.name + "=" + demo.knob(compared.name).text() + "," + compared.other);
+    }
+    if (info.animated && frame != 1) text += " --frame " + std::to_string(frame);
+    if (width != info.width || height != info.height) {
+        text += " --size " + std::to_string(width) + "x" + std::to_string(height);
+    }
+    if (until) text += " --until " + std::to_string(*until);
+    return text;
+}
+
+}  // namespace mv
