@@ -8,12 +8,17 @@ run_packages=(g++ cmake ninja-build libglfw3-dev libimgui-dev libglm-dev libeige
   libturbojpeg0-dev libcli11-dev nlohmann-json3-dev libgl-dev libegl-dev libegl1 libgl1-mesa-dri fonts-dejavu-core
   gnuplot-nox libosmesa6)
 site_packages=(nodejs cmark-gfm highlight)
-test_packages=("${site_packages[@]}" chromium git libgtest-dev libboost-dev xvfb x11-utils xdotool imagemagick clang-format clang-tidy clang libclang-rt-dev
+web_packages=(emscripten libharfbuzz-bin)
+test_packages=("${site_packages[@]}" "${web_packages[@]}" chromium git libgtest-dev libboost-dev xvfb x11-utils xdotool imagemagick clang-format clang-tidy clang libclang-rt-dev
   libembree-dev)
+# Node's own packages bring npm; Debian's has it apart.
+command -v npm >/dev/null || test_packages+=(npm)
 # What serves in the place of a package that not every distribution has.
 declare -A instead=([libosmesa6]="EGL draws the pictures instead"
   [libclang-rt-dev]="pictures and command lines are not fuzzed, and g++ builds what the sanitizers test"
   [chromium]="what the pages' scripts do is not tested"
+  [emscripten]="the pages have pictures in the place of live demos"
+  [libharfbuzz-bin]="the pages have pictures in the place of live demos"
   [libembree-dev]="mvgl-bench leaves out the rays beside it")
 
 fail() {
@@ -115,15 +120,15 @@ watched() {
   return "$status"
 }
 
-# make_at_home FOLDER: a build folder knows its place and its sources' by their paths. One that was moved or copied would
+# make_at_home FOLDER [SOURCES]: a build folder knows its place and its sources' by their paths. One that was moved or copied would
 # be configured in the old place, or build the old sources: what CMake noted in it is removed, and all is built anew.
 make_at_home() {
-  local folder=$1 sources place
+  local folder=$1 home=${2:-$root} sources place
   [ -f "$folder/CMakeCache.txt" ] || return 0
   # (Without these lines no configuring has come to its end.)
   sources=$(sed -n 's/^CMAKE_HOME_DIRECTORY:INTERNAL=//p' "$folder/CMakeCache.txt")
   place=$(sed -n 's/^CMAKE_CACHEFILE_DIR:INTERNAL=//p' "$folder/CMakeCache.txt")
-  [ -z "$sources$place" ] || { [ "$sources" -ef "$root" ] && [ "$place" -ef "$folder" ]; } && return
+  [ -z "$sources$place" ] || { [ "$sources" -ef "$home" ] && [ "$place" -ef "$folder" ]; } && return
   echo "note: $folder was made in $place, of the sources in $sources; configuring and building it anew" >&2
   rm -rf "$folder"/{CMakeCache.txt,CMakeFiles,build.ninja,.ninja_deps,.ninja_log}
 }
@@ -178,4 +183,36 @@ build_targets() {
   local folder=$1
   shift
   ninja -C "$folder" "$@" 2>&1 | show_steps >&2 || fail "building: must succeed; see above"
+}
+
+# build_web: the demos as a module for browsers, in build/web. False where this system has not what builds it, and a line says so.
+build_web() {
+  if ! command -v emcmake >/dev/null || ! command -v hb-subset >/dev/null; then
+    echo "note: the pages have pictures in the place of live demos: no emcmake or no hb-subset (packages ${web_packages[*]})" >&2
+    return 1
+  fi
+  make_at_home "$build/web" "$root/web"
+  if [ ! -f "$build/web/build.ninja" ]; then
+    mkdir -p "$build/web"
+    watched "configuring build/web" "$build/web/configure.log" emcmake cmake -S "$root/web" -B "$build/web" -G Ninja || {
+      cat "$build/web/configure.log" >&2
+      fail "configuring build/web: must succeed; see above"
+    }
+  fi
+  build_targets "$build/web" mvgl
+}
+
+# install_browser_driver: puppeteer-core, which the tests of live pages drive Chromium by, in build/npm as tests/site/package-lock.json
+# has it. False where npm cannot install it, and a line says so.
+install_browser_driver() {
+  local folder=$build/npm file same=true
+  mkdir -p "$folder"
+  for file in package.json package-lock.json .npmrc; do
+    cmp -s "$root/tests/site/$file" "$folder/$file" || { same=false && cp "$root/tests/site/$file" "$folder/$file"; }
+  done
+  $same && [ -d "$folder/node_modules/puppeteer-core" ] && return
+  (cd "$folder" && watched "installing puppeteer-core" "$folder/install.log" npm ci --no-audit --no-fund) && return
+  echo "note: npm could not install puppeteer-core ($(grep -m 1 'npm ERR\|npm error' "$folder/install.log" || echo "no npm")); live pages are not tested" >&2
+  rm -rf "$folder/node_modules"
+  return 1
 }

@@ -64,7 +64,10 @@ function draw(scene, number) {
     const point = svgTag('circle', { cx: across.at(row.ms), cy: y(valueOf(row, number)), r: row.best ? 6 : 4.5, fill: color, tabindex: 0, role: 'button', 'aria-label': words });
     point.append(svgTag('title', {}, words));
     const tell = () => (box.querySelector('.told').textContent = words);
-    const set = () => (box.querySelector('.command code').textContent = ['./run', study.demo, ...Object.entries(row.settings).flatMap(([knob, value]) => [`--${knob}`, /^[\w.,:/+-]+$/.test(value) ? value : `'${value}'`])].join(' '));
+    const set = () => {
+      box.querySelector('.command code').textContent = ['./run', study.demo, ...Object.entries(row.settings).flatMap(([knob, value]) => [`--${knob}`, /^[\w.,:/+-]+$/.test(value) ? value : `'${value}'`])].join(' ');
+      document.dispatchEvent(new CustomEvent('mvgl-settings', { detail: row.settings }));
+    };
     point.addEventListener('mouseenter', tell);
     point.addEventListener('focus', tell);
     point.addEventListener('click', set);

@@ -1,5 +1,6 @@
-// Makes the site: node web/make.mjs PROGRAM FOLDER. Each lesson becomes a page, with its pictures, curves and sources; a
-// start page finds them. All links are relative, so that the folder works at any place of any host, and from a disk.
+// Makes the site: node web/make.mjs PROGRAM FOLDER [MODULE]. Each lesson becomes a page, with its pictures, curves and sources; a
+// start page finds them. MODULE is the folder that has the demos as WebAssembly (web/CMakeLists.txt); with it they are alive in
+// their pages. All links are relative, so that the folder works at any place of any host, and from a disk.
 import { execFileSync } from 'node:child_process';
 import fs from 'node:fs';
 import path from 'node:path';
@@ -8,7 +9,7 @@ import { fold, imagesIn, linksIn, numbered, wide } from './lesson.mjs';
 import { demoPage, page, startPage } from './pages.mjs';
 
 const root = path.dirname(path.dirname(fileURLToPath(import.meta.url)));
-const [program, folder] = process.argv.slice(2);
+const [program, folder, module] = process.argv.slice(2);
 if (!program || !folder) fail('make.mjs', 'must have a program and a folder', process.argv.slice(2).join(' '));
 
 function fail(subject, rule, value = '') {
@@ -120,7 +121,7 @@ for (const [i, demo] of demos.entries()) {
     html: run('highlight', ['-O', 'html', '-f', '--syntax=c++', path.join(root, file)]),
   }));
 }
-demos.forEach((demo, i) => write(`demos/${demo.name}.html`, demoPage(demo, demos[i - 1], demos[i + 1])));
+demos.forEach((demo, i) => write(`demos/${demo.name}.html`, demoPage(demo, demos[i - 1], demos[i + 1], Boolean(module))));
 const beside = [];
 for (const file of pagesBelow('docs').sort()) {
   const { title, html } = lesson(file), target = file.replace(/\.md$/, '.html'), depth = target.split('/').length - 1;
@@ -129,4 +130,8 @@ for (const file of pagesBelow('docs').sort()) {
 }
 write('index.html', startPage(list, beside));
 for (const file of ['site.css', 'site.js', 'curve.js']) write(file, text(`web/${file}`));
+if (module) {
+  for (const file of ['live.js', 'compare.js', 'controls.js', 'edit.js', 'settings.js']) write(file, text(`web/${file}`));
+  for (const file of ['mvgl.js', 'mvgl.wasm']) write(file, fs.readFileSync(path.join(module, file)));
+}
 console.log(`${path.join(folder, 'index.html')}: ${demos.length} lessons`);

@@ -31,8 +31,9 @@ ${main}</main>
 
 // ---- a lesson
 
-// The first picture large, and below it all of them: a click shows one with the line that makes it.
-function pictures(demo) {
+// The first picture large, and below it all of them: a click shows one with the line that makes it. Where demos are alive, the
+// picture stands until the demo draws its own in its place.
+function pictures(demo, alive) {
   const here = (picture) => path.posix.relative('demos', picture.file);
   const [first] = demo.pictures;
   const lookFor = (picture) => {
@@ -45,11 +46,17 @@ function pictures(demo) {
     (picture, i) => `<li><a href="${here(picture)}"${i === 0 ? ' aria-current="true"' : ''} data-name="${path.posix.basename(picture.file, '.png')}" data-command="${escaped(picture.command)}" data-look="${escaped(lookFor(picture))}"
 ><img src="${here(picture)}" width="${picture.width}" height="${picture.height}" loading="lazy" alt="${escaped(picture.command)}"></a></li>`,
   );
+  const shown = `<img class="shown" src="${here(first)}" width="${first.width}" height="${first.height}" alt="${escaped(demo.sentence)}">`;
+  const look = `<p class="look" aria-live="polite">${escaped(lookFor(first))}</p>`;
+  const view = alive
+    ? `<div class="live${first.width > 640 ? ' is-wide' : ''}" data-demo="${demo.name}">
+<div class="view">${shown}</div>
+<div class="panel">${look}<p class="loading">The demo is coming ...</p><noscript><p>Its knobs need scripts.</p></noscript></div>
+</div>
+<script src="../live.js" type="module"></script>`
+    : `${shown}\n${look}`;
   return `<section class="stage" aria-label="Pictures">
-<figure>
-<img class="shown" src="${here(first)}" width="${first.width}" height="${first.height}" alt="${escaped(demo.sentence)}">
-<figcaption aria-live="polite"><span class="look">${escaped(lookFor(first))}</span></figcaption>
-</figure>
+${view}
 <pre class="command"><code>${escaped(first.command)}</code></pre>
 <ul class="thumbs">
 ${small.join('\n')}
@@ -89,7 +96,7 @@ ${demo.sources
 </section>
 `;
 
-export function demoPage(demo, before, after) {
+export function demoPage(demo, before, after, alive) {
   const to = (other, words, rel) => (other ? `<a rel="${rel}" href="${other.name}.html">${words} ${other.name}</a>` : '');
   const opening = demo.pictures[0].file;
   // The lesson's own first picture is the one above it.
@@ -98,7 +105,7 @@ export function demoPage(demo, before, after) {
     title: demo.title,
     depth: 1,
     nav: to(before, 'Before:', 'prev') + to(after, 'Next:', 'next'),
-    main: `<p class="sentence">${escaped(demo.sentence)}</p>\n${pictures(demo)}<article>\n${lesson}</article>\n${curve(demo)}${sources(demo)}`,
+    main: `<p class="sentence">${escaped(demo.sentence)}</p>\n${pictures(demo, alive)}<article>\n${lesson}</article>\n${curve(demo)}${sources(demo)}`,
   });
 }
 

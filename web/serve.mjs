@@ -5,7 +5,7 @@ import path from 'node:path';
 
 const [folder, port] = process.argv.slice(2);
 const kinds = { '.html': 'text/html; charset=utf-8', '.css': 'text/css', '.js': 'text/javascript', '.json': 'application/json',
-  '.csv': 'text/csv', '.svg': 'image/svg+xml', '.png': 'image/png' };
+  '.csv': 'text/csv', '.svg': 'image/svg+xml', '.png': 'image/png', '.wasm': 'application/wasm' };
 
 const server = http.createServer((request, response) => {
   const answer = (status, kind, body) => response.writeHead(status, { 'Content-Type': kind }).end(body);

@@ -56,6 +56,13 @@ for (const link of pictures) {
 addEventListener('hashchange', showLinked);
 showLinked();
 
+// From a disk browsers open no modules.
+if (location.protocol === 'file:') {
+  for (const loading of document.querySelectorAll('.loading')) {
+    loading.innerHTML = 'Its knobs move where the pages are served: <code>./run --site --serve</code>';
+  }
+}
+
 // ---- commands to copy
 
 for (const block of document.querySelectorAll('pre:not(.code)')) {

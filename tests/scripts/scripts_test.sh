@@ -27,12 +27,16 @@ tool() {
 tool dpkg-query 'echo "install ok installed"'
 tool clang-format 'exit 0'
 tool ldd 'exit 0' # the driver's libraries are large, and none of them changes here
+tool emcmake 'exec "$@"' # the module of the small project is no WebAssembly
+tool hb-subset
+tool npm 'mkdir -p node_modules/puppeteer-core'
 # Finds fault with a file that has the word FAULT, or whose header verdict.h has it.
 tool clang-tidy '[ "$1" != --version ] || exit 0' 'file=${@: -1}; echo "$file" >>"$(dirname "$0")/../analysed.log"' \
     'cd "$(dirname "$file")/.." && ! grep -n FAULT "$file" common/verdict.h'
 
 tree=$scratch/tree
 mkdir "$tree" && cp -r "$source/tests/scripts/project/." "$source/scripts" "$source/run" "$source/test" "$source/.clang-tidy" "$tree" || exit 1
+mkdir "$tree/tests/site" && cp "$source"/tests/site/{package.json,package-lock.json,.npmrc} "$tree/tests/site" || exit 1
 touch "$tree/tests/.clang-tidy"
 cd "$tree" || exit 1
 printf 'build/\nruns.log\nout\nerr\n' >.gitignore
@@ -70,10 +74,15 @@ flags() {
 # The pages appear whole or not at all, and are served where it is asked.
 site() {
     tool node 'if [ "$(basename "$1")" = serve.mjs ]; then echo "serves ${@:2}"; exit; fi' \
-        'mkdir -p "$3" && echo "$(cat words)" >"$3/index.html" && [ ! -e broken ]'
+        'mkdir -p "$3" && echo "$(cat words)" >"$3/index.html" && echo "${4:-}" >"$3/module" && [ ! -e broken ]'
     echo first >words
     ./run --site >out 2>err || fail "./run --site: $(cat err)"
-    says out "^open $tree/build/site/index.html in a browser"
+    says out "^./run --site --serve shows them"
+    equal "the module" "$tree/build/web" "$(cat build/site/module)"
+    [ -e build/web/mvgl.wasm ] || fail "no module was built"
+    # (PATH without any tool)
+    (. scripts/setup.sh && PATH=$scratch/none && build_web) >out 2>err && fail "a module without tools: $(cat out)"
+    says err "^note: the pages have pictures in the place of live demos"
     echo second >words && touch broken
     ./run --site >out 2>err && fail "a site that could not be made: $(cat out)"
     equal "the pages that stand" first "$(cat build/site/index.html)"

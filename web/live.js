@@ -1,0 +1,321 @@
+// A demo alive in its page: the module that all pages share draws it into a canvas, where the picture was.
+import openModule from './mvgl.js';
+import { comparison } from './compare.js';
+import { knobRows, matrixTables, presetButtons, readoutTable, tag } from './controls.js';
+import { shaderEditor } from './edit.js';
+import { fromAddress, fromCommand, toAddress } from './settings.js';
+
+const reach = 12; // CSS pixels: so near to a handle the pointer takes it
+const pause = 100; // milliseconds between two looks at the readouts of what moves
+
+// The module's functions, by their names in web/page.cpp. Texts come as texts, JSON as what it says.
+async function open(canvas) {
+  const module = await openModule({ canvas });
+  const kinds = { string: 'string', number: 'number', boolean: 'boolean' };
+  const call = (answer) => (name, ...given) => module.ccall(`mv${name}`, answer, given.map((one) => kinds[typeof one]), given);
+  const text = call('string');
+  return {
+    does: call('boolean'),
+    says: text,
+    tells: (name, ...given) => JSON.parse(text(name, ...given)),
+    pixels(size) {
+      const at = call('number')('Pixels');
+      return new Uint8ClampedArray(module.HEAPU8.slice(at, at + 4 * size).buffer);
+    },
+  };
+}
+
+export async function live(box) {
+  const name = box.dataset.demo, view = box.querySelector('.view'), shown = view.querySelector('.shown');
+  const canvas = tag('canvas', { id: 'canvas', tabindex: 0, 'aria-label': `${name}, drawn as its settings say`, hidden: true });
+  view.append(canvas);
+  const demo = await open(canvas);
+  const refused = tag('p', { class: 'refused', role: 'alert' }), notes = tag('p', { class: 'notes', 'aria-live': 'polite' });
+  const opening = demo.says('Open', name, '{}', 1, false);
+  if (opening) {
+    canvas.remove();
+    throw new Error(opening);
+  }
+  const what = demo.tells('Describe');
+  let values = {}, state = demo.tells('State'), size = { width: what.width, height: what.height };
+  let beside = '', comparing = false; // what is said of the picture that is compared; whether it is to be drawn anew
+  let scheduled = false, told = 0, last = performance.now(), visible = true, setBy = '';
+
+  // ---- drawing: a resting canvas draws nothing, and one that is out of sight stops
+
+  function schedule() {
+    if (scheduled || !visible) return;
+    scheduled = true;
+    requestAnimationFrame(tick);
+  }
+  function tick(now) {
+    scheduled = false;
+    demo.does('Advance', Math.min(0.1, (now - last) / 1000));
+    last = now;
+    const before = state.error;
+    const drawn = demo.does('IsDue', size.width, size.height);
+    let more = demo.does('Draw', size.width, size.height, true);
+    state = demo.tells('State');
+    beside = '';
+    if (compare.on() && (drawn || comparing)) {
+      const other = compare.draw(demo.tells('Knobs'), state.frame, size);
+      beside = other && `with ${compare.compared().knob} ${compare.compared().other}: ${other}`;
+    }
+    if (compare.on()) more = compare.more(size) || more;
+    comparing = false;
+    if (drawn && (!state.playing || now - told > pause || state.error !== before)) tellAll(now);
+    if (more || state.playing) schedule();
+  }
+  // What stands beside the picture.
+  function tellAll(now = performance.now()) {
+    told = now;
+    const report = demo.tells('Report');
+    values = report.knobs;
+    knobs.update(values, report.idle);
+    presets.update(values);
+    readouts.update(report.readouts);
+    matrices.update(report.matrices);
+    tellTime();
+    const { knob, other } = compare.compared();
+    command.textContent = demo.says('Command', knob, other);
+    say(refused, state.error || setBy || beside);
+    say(notes, state.error ? '' : report.messages.join(' '));
+    view.classList.toggle('is-refused', state.error !== '');
+    progress.hidden = state.passes === 0 || state.passesDone === state.passes;
+    progress.max = Math.max(1, state.passes);
+    progress.value = state.passesDone;
+    for (const picture of document.querySelectorAll('.thumbs [aria-current]')) picture.removeAttribute('aria-current');
+    showHandles();
+    const address = toAddress(what.knobs.map((knob) => ({ ...knob, value: values[knob.name] })), what.animated && !state.playing && state.frame !== 1 ? state.frame : undefined);
+    if (moved) history.replaceState(null, '', address === '#' ? location.pathname + location.search : address);
+  }
+  const say = (element, words) => element.textContent !== words && (element.textContent = words);
+
+  // ---- what the user does
+
+  let moved = false; // the address stays as it came until something is set
+  function after(words = '') {
+    setBy = words;
+    moved = true;
+    state = demo.tells('State');
+    schedule();
+    if (words || !demo.does('IsDue', size.width, size.height)) tellAll();
+  }
+  const settle = ({ settings, frame, compared }) => {
+    const words = demo.says('SetAll', JSON.stringify(settings));
+    if (frame !== undefined && !words) demo.says('GoTo', frame);
+    after(words);
+    return compared || compare.on() ? compare.compare(compared) : undefined;
+  };
+  const knobs = knobRows(what, {
+    set: (knob, text) => after(demo.says('Set', knob, text)),
+    press: (knob, label) => after(void demo.does('PressButton', knob, label)),
+  });
+  const presets = presetButtons(what, (preset) => settle({ settings: preset.settings }));
+  const readouts = readoutTable(what), matrices = matrixTables();
+  matrices.element.addEventListener('toggle', () => tellAll());
+  const compare = comparison(name, what, view, open, () => {
+    comparing = true;
+    after();
+  });
+
+  const play = tag('button', { type: 'button', onclick: () => after(void demo.does('Toggle')) });
+  const frame = tag('input', { type: 'number', min: 0, step: 1, 'aria-label': 'frame', onchange: () => after(void demo.does('GoTo', Math.max(0, Math.round(Number(frame.value))))) });
+  const speed = tag('input', { type: 'range', min: -10, max: 6, step: 1, value: 0, 'aria-label': 'speed', oninput: () => after(void demo.does('SetSpeed', Number((10 ** (speed.value / 10)).toFixed(1)))) });
+  const speedWords = tag('span', { class: 'unit' });
+  const time = what.animated
+    ? tag('div', { class: 'row time', role: 'group', 'aria-label': 'Time' }, play,
+        tag('button', { type: 'button', onclick: () => after(void demo.does('Step')) }, 'Step'),
+        tag('button', { type: 'button', onclick: () => after(void demo.does('Restart')) }, 'Restart'), tag('label', {}, 'frame ', frame), tag('label', {}, 'speed ', speed), speedWords)
+    : '';
+  function tellTime() {
+    play.textContent = state.playing ? 'Pause' : 'Play';
+    if (document.activeElement !== frame) frame.value = state.frame;
+    speedWords.textContent = `${state.speed} x`;
+  }
+
+  const progress = tag('progress', { 'aria-label': 'passes of the picture', hidden: true });
+  const command = box.closest('.stage').querySelector('.command code');
+  const pictureRow = tag('div', { class: 'row' },
+    tag('button', { type: 'button', onclick: () => settle({ settings: {}, frame: what.animated ? 1 : undefined }) }, 'Reset'),
+    tag('button', { type: 'button', onclick: save }, 'Save picture'),
+    tag('button', { type: 'button', onclick: () => view.requestFullscreen?.() }, 'Full screen'));
+  function picture() {
+    const copy = tag('canvas', { width: canvas.width, height: canvas.height });
+    copy.getContext('2d').putImageData(new ImageData(demo.pixels(canvas.width * canvas.height), canvas.width, canvas.height), 0, 0);
+    return copy;
+  }
+  function save() {
+    picture().toBlob((blob) => {
+      const link = tag('a', { href: URL.createObjectURL(blob), download: `${name}-${state.frame}.png` });
+      link.click();
+      setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+    });
+  }
+
+  // ---- the hand in the picture
+
+  const rings = tag('div', { class: 'rings', 'aria-hidden': 'true' });
+  const scale = () => canvas.width / canvas.clientWidth;
+  const at = (event) => {
+    const place = canvas.getBoundingClientRect();
+    return [(event.clientX - place.left) * scale(), (event.clientY - place.top) * scale()];
+  };
+  function showHandles() {
+    if (!what.handles) return;
+    rings.replaceChildren(...demo.tells('Handles').map(({ name: of, x, y, active }) => {
+      const ring = tag('span', { class: active ? 'is-active' : '', title: of });
+      ring.style.left = `${(100 * x) / canvas.width}%`;
+      ring.style.top = `${(100 * y) / canvas.height}%`;
+      return ring;
+    }));
+  }
+  const touches = new Map();
+  canvas.addEventListener('pointerdown', (event) => {
+    if (event.button !== 0) return;
+    touches.set(event.pointerId, at(event));
+    canvas.setPointerCapture(event.pointerId);
+    if (touches.size === 1) demo.does('PointerDown', ...at(event), reach * scale());
+    else demo.does('PointerUp'); // two fingers: a pinch
+  });
+  canvas.addEventListener('pointermove', (event) => {
+    const place = at(event);
+    if (!touches.has(event.pointerId)) {
+      demo.does('Hover', ...place, reach * scale());
+      return showHandles();
+    }
+    const spread = () => ((all) => Math.hypot(all[0][0] - all[1][0], all[0][1] - all[1][1]))([...touches.values()]);
+    const before = touches.size === 2 ? spread() : 0;
+    touches.set(event.pointerId, place);
+    if (touches.size === 1) demo.does('PointerMove', ...place);
+    else if (touches.size === 2 && before > 0) demo.does('Wheel', Math.log2(spread() / before) * 4);
+    after();
+  });
+  for (const kind of ['pointerup', 'pointercancel']) {
+    canvas.addEventListener(kind, (event) => {
+      touches.delete(event.pointerId);
+      demo.does('PointerUp');
+      showHandles();
+    });
+  }
+  canvas.addEventListener('pointerleave', () => {
+    demo.does('Hover', 0, 0, -1);
+    showHandles();
+  });
+  // The wheel scrolls the page until the picture has been clicked.
+  canvas.addEventListener('wheel', (event) => {
+    if (!what.wheels || document.activeElement !== canvas) return;
+    event.preventDefault();
+    demo.does('Wheel', -Math.sign(event.deltaY));
+    after();
+  }, { passive: false });
+  if (what.drags || what.handles) canvas.style.touchAction = 'none';
+
+  const hand = { Insert: 1, Delete: 2, Escape: 3, ArrowLeft: 4, ArrowRight: 5, ArrowUp: 6, ArrowDown: 7 };
+  const arrows = { ArrowLeft: 256, ArrowRight: 257, ArrowUp: 258, ArrowDown: 259 };
+  canvas.addEventListener('keydown', (event) => {
+    if (event.altKey || event.metaKey || event.ctrlKey) return;
+    const move = hand[event.key];
+    const key = arrows[event.key] ?? (/^[a-zA-Z0-9]$/.test(event.key) ? event.key.toUpperCase().charCodeAt(0) : undefined);
+    if (move !== undefined && demo.does('HandKey', move, event.shiftKey)) after();
+    else if (key !== undefined && demo.does('Press', key)) after();
+    // Tab leaves the picture, as it does any control
+    else if (event.key === 'h' && what.handles && demo.does('HandKey', 0, false)) after();
+    else if (event.key === ' ' && what.animated) after(void demo.does('Toggle'));
+    else return;
+    event.preventDefault();
+    showHandles();
+  });
+
+  // ---- what is around
+
+  // Thumbnails and the lesson's commands set the canvas.
+  for (const link of document.querySelectorAll('.thumbs a')) {
+    const given = fromCommand(link.dataset.command, name, what.knobs, what.presets);
+    if (!given) continue;
+    link.addEventListener('click', (event) => {
+      if (event.ctrlKey || event.metaKey || event.shiftKey) return;
+      event.preventDefault();
+      event.stopImmediatePropagation();
+      settle({ frame: what.animated ? 1 : undefined, ...given });
+    }, { capture: true });
+  }
+  for (const block of document.querySelectorAll('article pre')) {
+    const lines = block.textContent.trim().split('\n').map((line) => fromCommand(line, name, what.knobs, what.presets)).filter(Boolean);
+    if (lines.length !== 1) continue;
+    block.append(tag('button', { type: 'button', class: 'above', onclick: () => {
+      settle({ frame: what.animated ? 1 : undefined, ...lines[0] });
+      box.scrollIntoView({ behavior: 'smooth' });
+    } }, 'Show above'));
+  }
+  addEventListener('hashchange', () => {
+    const linked = fromAddress(location.hash, what.knobs);
+    if (linked) settle(linked);
+  });
+  new IntersectionObserver(([entry]) => {
+    visible = entry.isIntersecting;
+    last = performance.now();
+    if (visible) schedule();
+  }).observe(view);
+  view.addEventListener('fullscreenchange', () => {
+    const full = document.fullscreenElement === view;
+    size = full ? { width: Math.round(innerWidth * devicePixelRatio), height: Math.round(innerHeight * devicePixelRatio) } : { width: what.width, height: what.height };
+    schedule();
+  });
+  canvas.addEventListener('webglcontextlost', (event) => {
+    event.preventDefault();
+    visible = false;
+    say(refused, 'The browser took the picture\'s memory away. It is asked for again ...');
+    canvas.addEventListener('webglcontextrestored', () => location.reload(), { once: true });
+  });
+
+  document.addEventListener('mvgl-settings', ({ detail }) => settle({ settings: detail }));
+  const sources = [...document.querySelectorAll('.sources details')].map((one) => ({ name: one.querySelector('summary').textContent, text: one.querySelector('pre').textContent }));
+  const shaders = shaderEditor(
+    sources.filter((file) => file.name.startsWith('shaders/')).map(({ name: file, text }) => ({ name: file.slice('shaders/'.length), text })),
+    (file, text) => {
+      const mistakes = demo.says('WriteShader', file, text);
+      after();
+      return mistakes;
+    },
+  );
+
+  // ---- the page as it is from now on
+
+  const controls = tag('details', {}, tag('summary', {}, 'Keys and mouse'), tag('table', {}, ...[
+    ...what.controls,
+    ...(what.handles ? [['H, arrows', 'pick what can be dragged, and move it by a pixel (Shift: ten)']] : []),
+    ...(what.animated ? [['Space', 'pause and play']] : []),
+  ].map(([does, to]) => tag('tr', {}, tag('th', { scope: 'row' }, does), tag('td', {}, to)))), tag('p', {}, 'Keys and the wheel are the picture\'s once it has been clicked.'));
+  view.append(rings);
+  const panel = box.querySelector('.panel');
+  panel.replaceChildren(presets.element, refused, progress, knobs.element, time, readouts.element, notes, pictureRow, compare.element, matrices.element, shaders, controls);
+  const linked = fromAddress(location.hash, what.knobs);
+  const pictured = [...document.querySelectorAll('.thumbs a')].find((link) => location.hash === `#picture=${link.dataset.name}`);
+  const given = linked ?? (pictured && fromCommand(pictured.dataset.command, name, what.knobs, what.presets));
+  if (given) {
+    const words = demo.says('SetAll', JSON.stringify(given.settings));
+    if (given.frame !== undefined) demo.does('GoTo', given.frame);
+    setBy = words;
+  }
+  if (matchMedia('(prefers-reduced-motion: reduce)').matches && state.playing) demo.does('Toggle');
+  demo.does('Draw', size.width, size.height, true);
+  state = demo.tells('State');
+  shown.hidden = true;
+  canvas.hidden = false;
+  tellAll();
+  schedule();
+  box.classList.add('is-live');
+  return { demo, settle, what, state: () => state };
+}
+
+const box = document.querySelector('.live');
+if (box) {
+  live(box).then(
+    (made) => (box.live = made),
+    (error) => {
+      box.querySelector('.panel').replaceChildren(tag('p', { class: 'refused', role: 'alert' }, `The demo cannot be drawn here, so its pictures stand: ${error.message}`));
+      box.classList.add('is-still');
+    },
+  );
+}

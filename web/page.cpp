@@ -1,0 +1,261 @@
+// What a page calls: one demo on one canvas. Texts are UTF-8; an answer lives until the next call. A call that can fail answers
+// "" or a sentence that says why not.
+#include <emscripten/emscripten.h>
+#include <emscripten/html5.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "context.h"
+#include "mv/gl/gl.h"
+#include "mv/run/copyable.h"
+#include "mv/run/hand.h"
+#include "mv/run/report.h"
+#include "mv/run/sentence.h"
+#include "mv/run/session.h"
+#include "shaders.h"
+#include "widgets.h"
+
+namespace {
+
+using namespace mv;
+
+struct Page {
+    std::unique_ptr<Context> context = openWebGl();
+    Stage stage{*context, true};
+    std::unique_ptr<Session> session;
+    Hand hand;
+    Picture picture;  // that was read last
+};
+
+std::unique_ptr<Page>& page() {
+    static std::unique_ptr<Page> only;
+    return only;
+}
+Session& session() { return *page()->session; }
+Demo& demo() { return session().demo(); }
+
+FrameInfo shownFrame() {
+    const Target& target = page()->stage.front();
+    return {session().playback().frame(), target.width(), target.height()};
+}
+// From a place in pixels from the picture's upper left corner.
+vec2 placeOf(double x, double y) { return {x, page()->stage.front().height() - y}; }
+
+std::string answer;
+const char* say(std::string words) {
+    answer = std::move(words);
+    return answer.c_str();
+}
+
+// "" where it succeeds, else what is told of the exception: none of C++ leaves the module.
+template <class Action>
+const char* attempt(const Action& action) {
+    try {
+        action();
+        return say("");
+    } catch (const std::exception& error) {
+        return say(sentenceOf(error, "demo"));
+    }
+}
+
+// {"knob": "value", ...}
+std::vector<KnobSetting> settingsOf(const char* text) {
+    std::vector<KnobSetting> settings;
+    const auto json = nlohmann::ordered_json::parse(text);  // which the loop's items are of
+    for (const auto& [name, value] : json.items()) settings.push_back({name, value.get<std::string>()});
+    return settings;
+}
+
+}  // namespace
+
+extern "C" {
+
+// ---- the demo
+
+EMSCRIPTEN_KEEPALIVE const char* mvOpen(const char* demo, const char* settings, int frame, bool paused) {
+    return attempt([&] {
+        if (!page()) page() = std::make_unique<Page>();
+        const DemoInfo& info = findDemo(demo);
+        page()->session.reset();
+        page()->hand = {};
+        const SessionStart start{.width = info.width,
+                                 .height = info.height,
+                                 .knobs = settingsOf(settings),
+                                 .frame = frame,
+                                 .paused = paused};
+        page()->session = std::make_unique<Session>(page()->stage, info, start);
+    });
+}
+
+// Knobs and presets as --knobs=json says them, with "widgets", "width", "height", "animated", what each of the "readouts" says, and
+// "controls": what is done and what that does; "drags" and "wheels" where the pointer moves a knob by itself, "handles" where things
+// are dragged in the picture, "remembers" where a frame follows from the one before.
+EMSCRIPTEN_KEEPALIVE const char* mvDescribe() {
+    auto json = nlohmann::ordered_json::parse(knobsJson(session().info(), demo()));
+    const DemoInfo& info = session().info();
+    json["widgets"] = widgetsOf(demo());
+    json["width"] = info.width;
+    json["height"] = info.height;
+    json["animated"] = info.animated;
+    for (const Readout* readout : demo().readouts()) json["readouts"][readout->name()] = readout->help();
+    json["controls"] = nlohmann::ordered_json::array();
+    json["drags"] = json["wheels"] = false;
+    for (const Binding& binding : demo().bindings()) {
+        if (binding.amount == 0 && binding.text.empty()) continue;
+        const auto [does, to] = controlText(binding);
+        json["controls"].push_back(nlohmann::ordered_json::array({does, to}));
+        if (binding.gesture == Gesture::wheel) json["wheels"] = true;
+        if (binding.gesture == Gesture::dragAcross || binding.gesture == Gesture::dragDown) json["drags"] = true;
+    }
+    for (const Handle& handle : demo().handles()) {
+        std::string knobs;
+        for (const Knob* knob : handle.knobs) knobs += (knobs.empty() ? "" : ", ") + knob->name();
+        json["controls"].push_back(nlohmann::ordered_json::array({"Drag the " + handle.name, knobs}));
+    }
+    json["remembers"] = demo().memory() != nullptr;
+    json["handles"] = !demo().handles().empty();
+    return say(json.dump());
+}
+
+EMSCRIPTEN_KEEPALIVE const char* mvSet(const char* knob, const char* text) { return say(session().set(knob, text)); }
+
+// These knobs, and the others to their initial values.
+EMSCRIPTEN_KEEPALIVE const char* mvSetAll(const char* settings) {
+    return attempt([&] {
+        session().touch();
+        applyPreset(demo(), {"", "", settingsOf(settings)});
+    });
+}
+
+EMSCRIPTEN_KEEPALIVE void mvPressButton(const char* knob, const char* label) {
+    if (pressButton(demo().knob(knob), label)) session().touch();
+}
+
+// The text of a shader file, and the programs that read it anew. Where one of them is none, the last good one stays, and the answer
+// has each mistake with its file and line.
+EMSCRIPTEN_KEEPALIVE const char* mvWriteShader(const char* name, const char* text) {
+    try {
+        writeShader(name, text);
+        const Reloaded reloaded = reloadChangedPrograms();
+        if (reloaded.programs > 0) session().touch();
+        std::string errors;
+        for (const std::string& error : reloaded.standing) errors += (errors.empty() ? "" : "\n") + error;
+        return say(std::move(errors));
+    } catch (const std::exception& error) {
+        return say(sentenceOf(error, name));
+    }
+}
+
+// ---- time
+
+EMSCRIPTEN_KEEPALIVE void mvAdvance(double seconds) { session().advance(seconds); }
+EMSCRIPTEN_KEEPALIVE void mvToggle() { session().playback().toggle(); }
+EMSCRIPTEN_KEEPALIVE void mvStep() {
+    session().playback().step();
+    session().touch();
+}
+EMSCRIPTEN_KEEPALIVE void mvGoTo(int frame) {
+    session().playback().goTo(frame);
+    session().touch();
+}
+EMSCRIPTEN_KEEPALIVE void mvRestart() { session().restart(); }
+EMSCRIPTEN_KEEPALIVE void mvSetSpeed(double speed) { session().playback().setSpeed(speed); }
+
+// ---- the hand
+
+// A key of the demo's own; false: the page may take it for itself.
+EMSCRIPTEN_KEEPALIVE bool mvPress(int key) { return session().press(static_cast<Key>(key)); }
+// Places are in pixels of the picture from its upper left corner, `reach` is how near to a handle the pointer takes it.
+EMSCRIPTEN_KEEPALIVE void mvPointerDown(double x, double y, double reach) {
+    if (page()->hand.press(demo(), shownFrame(), placeOf(x, y), reach)) {
+        session().pointerUp();
+    } else {
+        session().pointerDown(x, y);
+    }
+}
+EMSCRIPTEN_KEEPALIVE void mvPointerMove(double x, double y) {
+    if (page()->hand.drag(demo(), shownFrame(), placeOf(x, y))) session().touch();
+    session().pointerMove(x, y);
+}
+EMSCRIPTEN_KEEPALIVE void mvPointerUp() {
+    page()->hand.release();
+    session().pointerUp();
+}
+// Where the pointer is while nothing is dragged; a negative reach: not over the picture.
+EMSCRIPTEN_KEEPALIVE void mvHover(double x, double y, double reach) {
+    page()->hand.hover(demo(), shownFrame(), reach < 0 ? std::nullopt : std::optional(placeOf(x, y)), reach);
+}
+// As the numbers of Hand::Move. Whether the key was for this.
+EMSCRIPTEN_KEEPALIVE bool mvHandKey(int move, bool far) {
+    bool moved = false;
+    const bool taken = page()->hand.key(demo(), shownFrame(), static_cast<Hand::Move>(move), far, moved);
+    if (moved) session().touch();
+    return taken;
+}
+// [{"name", "x", "y", "active"}] of what can be dragged, in pixels from the upper left corner.
+EMSCRIPTEN_KEEPALIVE const char* mvHandles() {
+    auto places = nlohmann::ordered_json::array();
+    for (const Hand::Place& place : page()->hand.places(demo(), shownFrame()))
+        places.push_back({{"name", place.name},
+                          {"x", place.at.x},
+                          {"y", page()->stage.front().height() - place.at.y},
+                          {"active", place.active}});
+    return say(places.dump());
+}
+EMSCRIPTEN_KEEPALIVE void mvWheel(double notches) { session().wheel(notches); }
+
+// ---- the picture
+
+// Draws where due, and shows what there is; whether there is more to draw at once, as a picture made in passes has.
+EMSCRIPTEN_KEEPALIVE bool mvDraw(int width, int height, bool readouts) {
+    if (!session().due(width, height)) return false;
+    session().draw(width, height, readouts);
+    if (session().hasPicture()) {
+        const Target& target = page()->stage.front();
+        emscripten_set_canvas_element_size(canvasName, target.width(), target.height());
+        target.blitToWindow(0, 0);
+    }
+    return session().stale();
+}
+
+EMSCRIPTEN_KEEPALIVE bool mvIsDue(int width, int height) { return session().due(width, height); }
+
+// {"knob": "value"}, of all.
+EMSCRIPTEN_KEEPALIVE const char* mvKnobs() {
+    auto values = nlohmann::ordered_json::object();
+    for (const Knob* knob : demo().knobs()) values[knob->name()] = knob->text();
+    return say(values.dump());
+}
+
+// "error", "frame", "playing", "speed", "passes", "passesDone", "milliseconds".
+EMSCRIPTEN_KEEPALIVE const char* mvState() {
+    const Session& now = session();
+    return say(nlohmann::ordered_json{{"error", now.error()},
+                                      {"frame", now.playback().frame()},
+                                      {"playing", now.playback().playing()},
+                                      {"speed", now.playback().speed()},
+                                      {"passes", now.passes()},
+                                      {"passesDone", now.passesDone()},
+                                      {"milliseconds", now.lastMilliseconds()}}
+                   .dump());
+}
+
+// As --report=json.
+EMSCRIPTEN_KEEPALIVE const char* mvReport() { return say(session().report(session().times())); }
+
+// The line that makes this picture by the native program; `knob` is compared with its value `other`, or "" for none.
+EMSCRIPTEN_KEEPALIVE const char* mvCommand(const char* knob, const char* other) {
+    const Target& target = page()->stage.front();
+    return say(copyableCommand("./run " + session().info().name, session().info(), demo(), session().drawnFrame(),
+                               target.width(), target.height(), {knob, other}, &page()->stage.timeline()));
+}
+
+// The last picture's bytes, red, green, blue, alpha, the upper row first; as many as its size says.
+EMSCRIPTEN_KEEPALIVE const unsigned char* mvPixels() {
+    page()->picture = page()->stage.picture();
+    return page()->picture.rgba.data();
+}
+
+}  // extern "C"
