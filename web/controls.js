@@ -41,10 +41,14 @@ export function knobRows(description, { set, press }) {
     const idle = tag('small', { class: 'idle' });
     const buttons = (kind.buttons ?? []).map(({ label }) => tag('button', { type: 'button', 'aria-label': `${knob.name} ${label}`, onclick: () => press(knob.name, label) }, label));
     const row = tag('div', { class: 'knob', title: knob.help }, tag('label', { for: id }, knob.name), element, ...buttons, idle);
-    return { name: knob.name, row, show, idle };
+    return { name: knob.name, row, show, idle, buttons };
   });
   return {
     element: tag('div', { class: 'knobs' }, ...rows.map(({ row }) => row)),
+    haveButtons: rows.some(({ buttons }) => buttons.length),
+    enable(widgets) {
+      for (const { name, buttons } of rows) buttons.forEach((button, i) => (button.disabled = !widgets[name].buttons[i].enabled));
+    },
     update(values, idleReasons) {
       for (const { name, row, show, idle } of rows) {
         show(values[name]);

@@ -72,6 +72,7 @@ export async function live(box) {
     const report = demo.tells('Report');
     values = report.knobs;
     knobs.update(values, report.idle);
+    if (knobs.haveButtons) knobs.enable(demo.tells('Widgets'));
     presets.update(values);
     readouts.update(report.readouts);
     matrices.update(report.matrices);
@@ -289,7 +290,7 @@ export async function live(box) {
   ].map(([does, to]) => tag('tr', {}, tag('th', { scope: 'row' }, does), tag('td', {}, to)))), tag('p', {}, 'Keys and the wheel are the picture\'s once it has been clicked.'));
   view.append(rings);
   const panel = box.querySelector('.panel');
-  panel.replaceChildren(presets.element, refused, progress, knobs.element, time, readouts.element, notes, pictureRow, compare.element, matrices.element, shaders, controls);
+  panel.replaceChildren(presets.element, refused, notes, progress, knobs.element, time, readouts.element, pictureRow, compare.element, matrices.element, shaders, controls);
   const linked = fromAddress(location.hash, what.knobs);
   const pictured = [...document.querySelectorAll('.thumbs a')].find((link) => location.hash === `#picture=${link.dataset.name}`);
   const given = linked ?? (pictured && fromCommand(pictured.dataset.command, name, what.knobs, what.presets));
@@ -301,6 +302,7 @@ export async function live(box) {
   if (matchMedia('(prefers-reduced-motion: reduce)').matches && state.playing) demo.does('Toggle');
   demo.does('Draw', size.width, size.height, true);
   state = demo.tells('State');
+  performance.mark('first-picture');
   shown.hidden = true;
   canvas.hidden = false;
   tellAll();

@@ -128,7 +128,7 @@ for (const file of pagesBelow('docs').sort()) {
   write(target, page({ title, depth, main: html }));
   if (depth === 1) beside.push({ file: target, title }); // a study's page is its lesson's
 }
-write('index.html', startPage(list, beside));
+write('index.html', startPage(list, beside, Boolean(module)));
 for (const file of ['site.css', 'site.js', 'curve.js']) write(file, text(`web/${file}`));
 if (module) {
   for (const file of ['live.js', 'compare.js', 'controls.js', 'edit.js', 'settings.js']) write(file, text(`web/${file}`));

@@ -119,6 +119,9 @@ EMSCRIPTEN_KEEPALIVE const char* mvDescribe() {
     return say(json.dump());
 }
 
+// Which buttons of knobs can be pressed now, as "widgets" has them.
+EMSCRIPTEN_KEEPALIVE const char* mvWidgets() { return say(widgetsOf(demo()).dump()); }
+
 EMSCRIPTEN_KEEPALIVE const char* mvSet(const char* knob, const char* text) { return say(session().set(knob, text)); }
 
 // These knobs, and the others to their initial values.

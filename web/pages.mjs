@@ -125,8 +125,8 @@ function card(demo, chapter) {
 <p>${escaped(demo.sentence)}</p></li>`;
 }
 
-// `measured`: the pages that stand beside the lessons, { file, title }.
-export function startPage(chapters, measured) {
+// `measured`: the pages that stand beside the lessons, { file, title }. `alive`: demos run in their pages.
+export function startPage(chapters, measured, alive) {
   const count = chapters.reduce((sum, { demos }) => sum + demos.length, 0);
   const sections = chapters.map(
     ({ chapter, demos }) => `<section class="chapter">
@@ -141,7 +141,7 @@ ${demos.map((demo) => card(demo, chapter)).join('\n')}
     heading: 'Computer graphics, one small program at a time',
     depth: 0,
     main: `<p>${count} lessons, in the order of the course. Each has a program of a few hundred lines; its pictures, its mathematics, and what was
-measured of it are on its page. To move its knobs, run it: <code>./run cube-cull</code>.</p>
+measured of it are on its page. ${alive ? 'The program itself runs there: move its knobs, drag its picture, change its shaders.' : 'To move its knobs, run it: <code>./run cube-cull</code>.'}</p>
 <p class="search" hidden><label for="search">Find a lesson</label> <input id="search" type="search" autocomplete="off" placeholder="shadow, spline, Fresnel ...">
 <span role="status" id="found"></span></p>
 ${sections.join('\n')}

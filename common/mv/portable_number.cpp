@@ -45,8 +45,10 @@ std::string fixed(const Decimal& decimal, double magnitude) {
         std::snprintf(text, sizeof text, "%.0f", magnitude);
         return text;
     }
-    if (decimal.exponent < 0)
-        return "0." + std::string(static_cast<std::size_t>(-decimal.exponent - 1), '0') + decimal.digits;
+    if (decimal.exponent < 0) {
+        const std::size_t zeros = static_cast<std::size_t>(-decimal.exponent) - 1;
+        return "0." + std::string(zeros, '0') + decimal.digits;
+    }
     const auto whole = static_cast<std::size_t>(decimal.exponent + 1);
     return decimal.digits.substr(0, whole) + "." + decimal.digits.substr(whole);
 }
