@@ -258,11 +258,13 @@ export async function live(box) {
     last = performance.now();
     if (visible) schedule();
   }).observe(view);
-  view.addEventListener('fullscreenchange', () => {
+  function fit() {
     const full = document.fullscreenElement === view;
     size = full ? { width: Math.round(innerWidth * devicePixelRatio), height: Math.round(innerHeight * devicePixelRatio) } : { width: what.width, height: what.height };
     schedule();
-  });
+  }
+  view.addEventListener('fullscreenchange', fit);
+  addEventListener('resize', fit);
   canvas.addEventListener('webglcontextlost', (event) => {
     event.preventDefault();
     visible = false;

@@ -18,7 +18,14 @@ const server = http.createServer((request, response) => {
   }
   const kind = kinds[path.extname(file)];
   if (!kind || !file.startsWith(folder + path.sep)) return answer(404, 'text/plain', 'not found');
-  fs.readFile(file, (failed, body) => (failed ? answer(404, 'text/plain', 'not found') : answer(200, kind, body)));
+  // A browser keeps what it has loaded, and asks whether it is still that.
+  fs.stat(file, (failed, found) => {
+    if (failed || !found.isFile()) return answer(404, 'text/plain', 'not found');
+    const tag = `"${found.size}-${found.mtimeMs}"`;
+    if (request.headers['if-none-match'] === tag) return response.writeHead(304).end();
+    response.setHeader('ETag', tag).setHeader('Cache-Control', 'no-cache');
+    fs.readFile(file, (unread, body) => (unread ? answer(404, 'text/plain', 'not found') : answer(200, kind, body)));
+  });
 });
 server.on('error', (error) => {
   console.error(`error: --serve: must be a free port, as in --serve=${Number(port) + 1}, ${port} (${error.code})`);

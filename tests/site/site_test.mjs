@@ -96,6 +96,9 @@ const address = (await new Promise((resolve) => server.stdout.once('data', resol
 equal(await (await fetch(address)).text(), start, 'the start page, served');
 for (const [asked, status] of [['demos/shadow.html', 200], ['demos/nothing.html', 404], ['..%2f..%2fetc/passwd', 404], ['%', 400], ['demos', 404]])
   equal((await fetch(address + asked)).status, status, asked);
+const known = (await fetch(`${address}site.css`)).headers.get('etag');
+equal((await fetch(`${address}site.css`, { headers: { 'if-none-match': known } })).status, 304, 'what the browser has already');
+equal((await fetch(`${address}site.css`, { headers: { 'if-none-match': '"else"' } })).status, 200, 'what it has of old');
 
 // ---- in a browser
 
