@@ -39,18 +39,15 @@ std::string scientific(const Decimal& decimal) {
 
 // A whole number is written out as what it is, and not with zeros in the place of its last digits.
 std::string fixed(const Decimal& decimal, double magnitude) {
-    const int digits = static_cast<int>(decimal.digits.size());
-    if (decimal.exponent + 1 >= digits) {
+    const int whole = decimal.exponent + 1;  // digits before the point
+    if (whole >= static_cast<int>(decimal.digits.size())) {
         char text[400];
         std::snprintf(text, sizeof text, "%.0f", magnitude);
         return text;
     }
-    if (decimal.exponent < 0) {
-        const std::size_t zeros = static_cast<std::size_t>(-decimal.exponent) - 1;
-        return "0." + std::string(zeros, '0') + decimal.digits;
-    }
-    const auto whole = static_cast<std::size_t>(decimal.exponent + 1);
-    return decimal.digits.substr(0, whole) + "." + decimal.digits.substr(whole);
+    if (whole <= 0) return "0." + std::string(static_cast<std::size_t>(-whole), '0') + decimal.digits;
+    const auto point = static_cast<std::size_t>(whole);
+    return decimal.digits.substr(0, point) + "." + decimal.digits.substr(point);
 }
 
 }  // namespace
