@@ -8,6 +8,7 @@
 
 #include "mv/demo/demo.h"
 #include "mv/run/command_line.h"
+#include "mv/run/copyable.h"
 
 namespace {
 

@@ -212,6 +212,7 @@ if (!named.length) {
   expect((await page.evaluate(() => location.hash)).includes('spin-y='), 'and is in the address');
   await page.focus('#canvas');
   await page.keyboard.press('ArrowUp');
+  await settled(page);
   const before = await page.evaluate(() => location.hash);
   await page.$eval('.shaders', (details) => (details.open = true));
   await page.select('.shaders select', 'cube-cull.frag');
