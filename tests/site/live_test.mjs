@@ -7,6 +7,7 @@ import { createRequire } from 'node:module';
 import os from 'node:os';
 import path from 'node:path';
 import { pathToFileURL } from 'node:url';
+import zlib from 'node:zlib';
 
 const [source, program, native, build, ...rest] = process.argv.slice(2);
 const ends = rest.includes('--ends'), onlyUser = rest.includes('--user'), named = rest.filter((word) => !word.startsWith('--'));
@@ -288,6 +289,13 @@ if (!named.length) {
   }
 }
 await browser.close();
+
+// ---- what a page loads: docs/browser.md has it by files; a guard against growing, the goal is 14 KB a demo
+if (!named.length) {
+  const loaded = fs.readdirSync(site).filter((file) => /\.(wasm|js|css)$/.test(file)).map((file) => zlib.brotliCompressSync(fs.readFileSync(path.join(site, file))).length);
+  const each = loaded.reduce((sum, bytes) => sum + bytes, 0) / 1024 / fs.readdirSync(path.join(site, 'demos')).filter((file) => file.endsWith('.html')).length;
+  expect(each <= 20, `a demo, with its part of what all load, in brotli: at most 20 KB, ${each}`);
+}
 
 // ---- without WebGL, and from a disk: pictures and a sentence
 
