@@ -138,15 +138,18 @@ run_cmake() {
   shift
   case ${1:-} in
     --preset) (cd "$root" && cmake "$@") ;;  # which has its folder from the preset
+    --web) emcmake cmake -S "$root/web" -B "$folder" -G Ninja ;;
     *) cmake -S "$root" -B "$folder" -G Ninja "$@" ;;
   esac
 }
 
-# configure FOLDER OPTION..., configure FOLDER --preset NAME OPTION...: quietly where it succeeds, but for its notes.
+# configure FOLDER OPTION..., configure FOLDER --preset NAME OPTION..., configure FOLDER --web: quietly where it succeeds, but for its
+# notes.
 configure() {
-  local folder=$1 log
+  local folder=$1 home=$root log
   shift
-  make_at_home "$folder"
+  [ "${1:-}" != --web ] || home=$root/web
+  make_at_home "$folder" "$home"
   mkdir -p "$folder"
   log=$folder/configure.log
   watched "configuring ${folder#"$root"/}" "$log" run_cmake "$folder" "$@" || {
@@ -191,14 +194,7 @@ build_web() {
     echo "note: the pages have pictures in the place of live demos: no emcmake or no hb-subset (packages ${web_packages[*]})" >&2
     return 1
   fi
-  make_at_home "$build/web" "$root/web"
-  if [ ! -f "$build/web/build.ninja" ]; then
-    mkdir -p "$build/web"
-    watched "configuring build/web" "$build/web/configure.log" emcmake cmake -S "$root/web" -B "$build/web" -G Ninja || {
-      cat "$build/web/configure.log" >&2
-      fail "configuring build/web: must succeed; see above"
-    }
-  fi
+  configure "$build/web" --web
   build_targets "$build/web" mvgl
 }
 

@@ -3,7 +3,7 @@ import { tag } from './controls.js';
 
 // `what` describes the demo, `open(canvas)` makes a module for a second one, `changed()` asks for a picture, `view` holds the first.
 export function comparison(name, what, view, open, changed) {
-  const knob = tag('select', { 'aria-label': 'knob to compare', onchange: choose }, tag('option', { value: '' }, 'nothing'));
+  const knob = tag('select', { 'aria-label': 'knob to compare', onchange: () => choose() }, tag('option', { value: '' }, 'nothing'));
   for (const { name: one } of what.knobs) knob.append(tag('option', {}, one));
   const with_ = tag('span', { class: 'row' });
   const line = tag('input', { type: 'range', class: 'divider', min: 0, max: 1000, value: 500, 'aria-label': 'line between the two pictures', oninput: divide, hidden: true });
@@ -11,22 +11,19 @@ export function comparison(name, what, view, open, changed) {
   view.append(line, ...labels);
   let canvas, second, other = '', begun = '';
 
-  async function choose() {
+  // The knob is chosen: a field for its other value, which begins with `given`, else with the far end or the first choice.
+  async function choose(given) {
     const kind = what.widgets[knob.value];
     with_.replaceChildren();
+    other = '';
     if (kind) {
-      const set = (event) => choseOther(event.target.value);
-      const known = what.knobs.find((one) => one.name === knob.value);
-      const field = kind.kind === 'choice' || kind.kind === 'switch'
-        ? tag('select', { 'aria-label': 'its other value', onchange: set }, ...(kind.options?.map(({ word }) => word) ?? ['on', 'off']).map((word) => tag('option', {}, word)))
-        : tag('input', { type: 'text', 'aria-label': 'its other value', size: 8, onchange: set, value: kind.kind === 'number' ? kind.high : known.initial });
-      with_.append('with ', field);
+      const words = kind.options?.map(({ word }) => word) ?? (kind.kind === 'switch' ? ['on', 'off'] : undefined);
+      const attributes = { 'aria-label': 'its other value', onchange: () => ((other = field.value), show()) };
+      const field = words ? tag('select', attributes, ...words.map((word) => tag('option', {}, word))) : tag('input', { type: 'text', size: 8, ...attributes });
+      field.value = given ?? words?.[0] ?? kind.high ?? what.knobs.find((one) => one.name === knob.value).initial;
       other = field.value;
+      with_.append('with ', field);
     }
-    await show();
-  }
-  async function choseOther(text) {
-    other = text;
     await show();
   }
   async function show() {
@@ -49,35 +46,32 @@ export function comparison(name, what, view, open, changed) {
 
   return {
     element: tag('details', { class: 'compare' }, tag('summary', {}, 'Compare'), tag('div', { class: 'row' }, knob, with_)),
+    second: () => second,
     on: () => knob.value !== '' && Boolean(second),
     compared: () => ({ knob: knob.value, other: knob.value ? other : '' }),
+    // That knob with that value, as --compare has it; nothing: no comparison.
     async compare(wanted) {
       knob.value = wanted?.knob ?? '';
-      await choose();
-      if (!wanted) return;
-      other = wanted.other;
-      const field = with_.querySelector('select, input');
-      if (field) field.value = other;
-      field?.closest('details').setAttribute('open', '');
-      await show();
+      if (wanted) knob.closest('details').open = true;
+      await choose(wanted?.other);
     },
-    // Draws the same settings with the other value; what is said of that.
+    // Draws the same settings with the other value. What is said where that makes no picture; else "".
     draw(values, frame, size) {
       const settings = { ...values, [knob.value]: other }, key = JSON.stringify(settings);
       // Where a frame follows from the one before, it is as if the value had been that one all the time.
-      if (!begun || (what.remembers && key !== begun)) {
-        const refused = second.says('Open', name, key, frame, true);
-        if (refused) return (begun = ''), refused;
-      } else {
-        const refused = key === begun ? '' : second.says('SetAll', key);
-        if (refused) return refused;
-        second.does('GoTo', frame);
+      const anew = !begun || (what.remembers && key !== begun);
+      let refused = '';
+      if (anew) refused = second.says('Open', name, key, frame, true);
+      else if (key !== begun) refused = second.says('SetAll', key);
+      begun = refused ? '' : key;
+      if (!refused) {
+        if (!anew) second.does('GoTo', frame);
+        second.does('Draw', size.width, size.height, false);
+        refused = second.tells('State').error;
       }
-      begun = key;
-      second.does('Draw', size.width, size.height, false);
       labels[0].textContent = `${knob.value} ${values[knob.value]}`;
       labels[1].textContent = `${knob.value} ${other}`;
-      return second.tells('State').error;
+      return refused && `with ${knob.value} ${other}: ${refused}`;
     },
     // Whether a picture made in passes has more to come.
     more: (size) => second.does('IsDue', size.width, size.height) && second.does('Draw', size.width, size.height, false),

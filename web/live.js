@@ -3,9 +3,9 @@ import openModule from './mvgl.js';
 import { comparison } from './compare.js';
 import { knobRows, matrixTables, presetButtons, readoutTable, tag } from './controls.js';
 import { shaderEditor } from './edit.js';
+import { handIn } from './hand.js';
 import { fromAddress, fromCommand, toAddress } from './settings.js';
 
-const reach = 12; // CSS pixels: so near to a handle the pointer takes it
 const pause = 100; // milliseconds between two looks at the readouts of what moves
 
 // The module's functions, by their names in web/page.cpp. Texts come as texts, JSON as what it says.
@@ -53,16 +53,12 @@ export async function live(box) {
     demo.does('Advance', Math.min(0.1, (now - last) / 1000));
     last = now;
     const before = state.error;
-    const drawn = demo.does('IsDue', size.width, size.height);
+    const drawn = demo.does('IsDue', size.width, size.height) || comparing;
     let more = demo.does('Draw', size.width, size.height, true);
     state = demo.tells('State');
-    beside = '';
-    if (compare.on() && (drawn || comparing)) {
-      const other = compare.draw(demo.tells('Knobs'), state.frame, size);
-      beside = other && `with ${compare.compared().knob} ${compare.compared().other}: ${other}`;
-    }
-    if (compare.on()) more = compare.more(size) || more;
     comparing = false;
+    if (drawn) beside = compare.on() ? compare.draw(demo.tells('Knobs'), state.frame, size) : '';
+    if (compare.on()) more = compare.more(size) || more;
     if (drawn && (!state.playing || now - told > pause || state.error !== before)) tellAll(now);
     if (more || state.playing) schedule();
   }
@@ -85,8 +81,7 @@ export async function live(box) {
     progress.hidden = state.passes === 0 || state.passesDone === state.passes;
     progress.max = Math.max(1, state.passes);
     progress.value = state.passesDone;
-    for (const picture of document.querySelectorAll('.thumbs [aria-current]')) picture.removeAttribute('aria-current');
-    showHandles();
+    hand.show();
     const address = toAddress(what.knobs.map((knob) => ({ ...knob, value: values[knob.name] })), what.animated && !state.playing && state.frame !== 1 ? state.frame : undefined);
     if (moved) history.replaceState(null, '', address === '#' ? location.pathname + location.search : address);
   }
@@ -110,7 +105,7 @@ export async function live(box) {
   };
   const knobs = knobRows(what, {
     set: (knob, text) => after(demo.says('Set', knob, text)),
-    press: (knob, label) => after(void demo.does('PressButton', knob, label)),
+    press: (knob, label) => after(demo.says('PressButton', knob, label)),
   });
   const presets = presetButtons(what, (preset) => settle({ settings: preset.settings }));
   const readouts = readoutTable(what), matrices = matrixTables();
@@ -119,6 +114,8 @@ export async function live(box) {
     comparing = true;
     after();
   });
+
+  const hand = handIn(view, canvas, demo, what, after);
 
   const play = tag('button', { type: 'button', onclick: () => after(void demo.does('Toggle')) });
   const frame = tag('input', { type: 'number', min: 0, step: 1, 'aria-label': 'frame', onchange: () => after(void demo.does('GoTo', Math.max(0, Math.round(Number(frame.value))))) });
@@ -153,80 +150,6 @@ export async function live(box) {
       setTimeout(() => URL.revokeObjectURL(link.href), 1000);
     });
   }
-
-  // ---- the hand in the picture
-
-  const rings = tag('div', { class: 'rings', 'aria-hidden': 'true' });
-  const scale = () => canvas.width / canvas.clientWidth;
-  const at = (event) => {
-    const place = canvas.getBoundingClientRect();
-    return [(event.clientX - place.left) * scale(), (event.clientY - place.top) * scale()];
-  };
-  function showHandles() {
-    if (!what.handles) return;
-    rings.replaceChildren(...demo.tells('Handles').map(({ name: of, x, y, active }) => {
-      const ring = tag('span', { class: active ? 'is-active' : '', title: of });
-      ring.style.left = `${(100 * x) / canvas.width}%`;
-      ring.style.top = `${(100 * y) / canvas.height}%`;
-      return ring;
-    }));
-  }
-  const touches = new Map();
-  canvas.addEventListener('pointerdown', (event) => {
-    if (event.button !== 0) return;
-    touches.set(event.pointerId, at(event));
-    canvas.setPointerCapture(event.pointerId);
-    if (touches.size === 1) demo.does('PointerDown', ...at(event), reach * scale());
-    else demo.does('PointerUp'); // two fingers: a pinch
-  });
-  canvas.addEventListener('pointermove', (event) => {
-    const place = at(event);
-    if (!touches.has(event.pointerId)) {
-      demo.does('Hover', ...place, reach * scale());
-      return showHandles();
-    }
-    const spread = () => ((all) => Math.hypot(all[0][0] - all[1][0], all[0][1] - all[1][1]))([...touches.values()]);
-    const before = touches.size === 2 ? spread() : 0;
-    touches.set(event.pointerId, place);
-    if (touches.size === 1) demo.does('PointerMove', ...place);
-    else if (touches.size === 2 && before > 0) demo.does('Wheel', Math.log2(spread() / before) * 4);
-    after();
-  });
-  for (const kind of ['pointerup', 'pointercancel']) {
-    canvas.addEventListener(kind, (event) => {
-      touches.delete(event.pointerId);
-      demo.does('PointerUp');
-      showHandles();
-    });
-  }
-  canvas.addEventListener('pointerleave', () => {
-    demo.does('Hover', 0, 0, -1);
-    showHandles();
-  });
-  // The wheel scrolls the page until the picture has been clicked.
-  canvas.addEventListener('wheel', (event) => {
-    if (!what.wheels || document.activeElement !== canvas) return;
-    event.preventDefault();
-    demo.does('Wheel', -Math.sign(event.deltaY));
-    after();
-  }, { passive: false });
-  if (what.drags || what.handles) canvas.style.touchAction = 'none';
-
-  const hand = { Insert: 1, Delete: 2, Escape: 3, ArrowLeft: 4, ArrowRight: 5, ArrowUp: 6, ArrowDown: 7 };
-  const arrows = { ArrowLeft: 256, ArrowRight: 257, ArrowUp: 258, ArrowDown: 259 };
-  canvas.addEventListener('keydown', (event) => {
-    if (event.altKey || event.metaKey || event.ctrlKey) return;
-    const move = hand[event.key];
-    const key = arrows[event.key] ?? (/^[a-zA-Z0-9]$/.test(event.key) ? event.key.toUpperCase().charCodeAt(0) : undefined);
-    if (move !== undefined && demo.does('HandKey', move, event.shiftKey)) after();
-    else if (key !== undefined && demo.does('Press', key)) after();
-    // Tab leaves the picture, as it does any control
-    else if (event.key === 'h' && what.handles && demo.does('HandKey', 0, false)) after();
-    else if (event.key === ' ' && what.animated) after(void demo.does('Toggle'));
-    else return;
-    event.preventDefault();
-    showHandles();
-  });
 
   // ---- what is around
 
@@ -287,10 +210,9 @@ export async function live(box) {
 
   const controls = tag('details', {}, tag('summary', {}, 'Keys and mouse'), tag('table', {}, ...[
     ...what.controls,
-    ...(what.handles ? [['H, arrows', 'pick what can be dragged, and move it by a pixel (Shift: ten)']] : []),
+    ...hand.keys,
     ...(what.animated ? [['Space', 'pause and play']] : []),
   ].map(([does, to]) => tag('tr', {}, tag('th', { scope: 'row' }, does), tag('td', {}, to)))), tag('p', {}, 'Keys and the wheel are the picture\'s once it has been clicked.'));
-  view.append(rings);
   const panel = box.querySelector('.panel');
   panel.replaceChildren(presets.element, refused, notes, progress, knobs.element, time, readouts.element, pictureRow, compare.element, matrices.element, shaders, controls);
   const linked = fromAddress(location.hash, what.knobs);
@@ -307,10 +229,11 @@ export async function live(box) {
   performance.mark('first-picture');
   shown.hidden = true;
   canvas.hidden = false;
+  document.querySelector('.thumbs [aria-current]')?.removeAttribute('aria-current'); // the canvas shows what its knobs say
   tellAll();
   schedule();
   box.classList.add('is-live');
-  return { demo, settle, what, state: () => state };
+  return { demo, settle, what, compare, state: () => state };
 }
 
 const box = document.querySelector('.live');

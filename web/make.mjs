@@ -131,7 +131,7 @@ for (const file of pagesBelow('docs').sort()) {
 write('index.html', startPage(list, beside, Boolean(module)));
 for (const file of ['site.css', 'site.js', 'curve.js']) write(file, text(`web/${file}`));
 if (module) {
-  for (const file of ['live.js', 'compare.js', 'controls.js', 'edit.js', 'settings.js']) write(file, text(`web/${file}`));
+  for (const file of ['live.js', 'compare.js', 'controls.js', 'edit.js', 'hand.js', 'settings.js']) write(file, text(`web/${file}`));
   for (const file of ['mvgl.js', 'mvgl.wasm']) write(file, fs.readFileSync(path.join(module, file)));
 }
 console.log(`${path.join(folder, 'index.html')}: ${demos.length} lessons`);

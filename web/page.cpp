@@ -3,11 +3,14 @@
 #include <emscripten/emscripten.h>
 #include <emscripten/html5.h>
 
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 
 #include "context.h"
+#include "mv/demo/controls.h"
 #include "mv/gl/gl.h"
 #include "mv/run/copyable.h"
 #include "mv/run/hand.h"
@@ -100,19 +103,11 @@ EMSCRIPTEN_KEEPALIVE const char* mvDescribe() {
     json["height"] = info.height;
     json["animated"] = info.animated;
     for (const Readout* readout : demo().readouts()) json["readouts"][readout->name()] = readout->help();
-    json["controls"] = nlohmann::ordered_json::array();
+    json["controls"] = controlsOf(demo());
     json["drags"] = json["wheels"] = false;
     for (const Binding& binding : demo().bindings()) {
-        if (binding.amount == 0 && binding.text.empty()) continue;
-        const auto [does, to] = controlText(binding);
-        json["controls"].push_back(nlohmann::ordered_json::array({does, to}));
         if (binding.gesture == Gesture::wheel) json["wheels"] = true;
         if (binding.gesture == Gesture::dragAcross || binding.gesture == Gesture::dragDown) json["drags"] = true;
-    }
-    for (const Handle& handle : demo().handles()) {
-        std::string knobs;
-        for (const Knob* knob : handle.knobs) knobs += (knobs.empty() ? "" : ", ") + knob->name();
-        json["controls"].push_back(nlohmann::ordered_json::array({"Drag the " + handle.name, knobs}));
     }
     json["remembers"] = demo().memory() != nullptr;
     json["handles"] = !demo().handles().empty();
@@ -127,13 +122,15 @@ EMSCRIPTEN_KEEPALIVE const char* mvSet(const char* knob, const char* text) { ret
 // These knobs, and the others to their initial values.
 EMSCRIPTEN_KEEPALIVE const char* mvSetAll(const char* settings) {
     return attempt([&] {
-        session().touch();
+        session().touch();  // also where one is refused: those before it are set
         applyPreset(demo(), {"", "", settingsOf(settings)});
     });
 }
 
-EMSCRIPTEN_KEEPALIVE void mvPressButton(const char* knob, const char* label) {
-    if (pressButton(demo().knob(knob), label)) session().touch();
+EMSCRIPTEN_KEEPALIVE const char* mvPressButton(const char* knob, const char* label) {
+    return attempt([&] {
+        if (pressButton(demo().knob(knob), label)) session().touch();
+    });
 }
 
 // The text of a shader file, and the programs that read it anew. Where one of them is none, the last good one stays, and the answer
@@ -168,8 +165,13 @@ EMSCRIPTEN_KEEPALIVE void mvSetSpeed(double speed) { session().playback().setSpe
 
 // ---- the hand
 
-// A key of the demo's own; false: the page may take it for itself.
-EMSCRIPTEN_KEEPALIVE bool mvPress(int key) { return session().press(static_cast<Key>(key)); }
+// A key of the demo's own, by its name ("Up", "7", "W"); false: the page may take it for itself.
+EMSCRIPTEN_KEEPALIVE bool mvPress(const char* name) {
+    for (const Binding& binding : demo().bindings()) {
+        if (binding.gesture == Gesture::key && keyName(binding.key) == name) return session().press(binding.key);
+    }
+    return false;
+}
 // Places are in pixels of the picture from its upper left corner, `reach` is how near to a handle the pointer takes it.
 EMSCRIPTEN_KEEPALIVE void mvPointerDown(double x, double y, double reach) {
     if (page()->hand.press(demo(), shownFrame(), placeOf(x, y), reach)) {
@@ -190,10 +192,16 @@ EMSCRIPTEN_KEEPALIVE void mvPointerUp() {
 EMSCRIPTEN_KEEPALIVE void mvHover(double x, double y, double reach) {
     page()->hand.hover(demo(), shownFrame(), reach < 0 ? std::nullopt : std::optional(placeOf(x, y)), reach);
 }
-// As the numbers of Hand::Move. Whether the key was for this.
-EMSCRIPTEN_KEEPALIVE bool mvHandKey(int move, bool far) {
+// What a key of that name does to what can be dragged. Whether it was for this.
+EMSCRIPTEN_KEEPALIVE bool mvHandKey(const char* name, bool far) {
+    using Move = Hand::Move;
+    static const std::map<std::string_view, Move> moves{
+        {"H", Move::next},    {"Insert", Move::more}, {"Delete", Move::less}, {"Escape", Move::letGo},
+        {"Left", Move::left}, {"Right", Move::right}, {"Up", Move::up},       {"Down", Move::down}};
+    const auto move = moves.find(name);
+    if (move == moves.end()) return false;
     bool moved = false;
-    const bool taken = page()->hand.key(demo(), shownFrame(), static_cast<Hand::Move>(move), far, moved);
+    const bool taken = page()->hand.key(demo(), shownFrame(), move->second, far, moved);
     if (moved) session().touch();
     return taken;
 }
@@ -232,7 +240,7 @@ EMSCRIPTEN_KEEPALIVE const char* mvKnobs() {
     return say(values.dump());
 }
 
-// "error", "frame", "playing", "speed", "passes", "passesDone", "milliseconds".
+// "error", "frame", "playing", "speed", "passes", "passesDone", and how many "pictures" were drawn so far.
 EMSCRIPTEN_KEEPALIVE const char* mvState() {
     const Session& now = session();
     return say(nlohmann::ordered_json{{"error", now.error()},
@@ -241,7 +249,7 @@ EMSCRIPTEN_KEEPALIVE const char* mvState() {
                                       {"speed", now.playback().speed()},
                                       {"passes", now.passes()},
                                       {"passesDone", now.passesDone()},
-                                      {"milliseconds", now.lastMilliseconds()}}
+                                      {"pictures", now.picturesDrawn()}}
                    .dump());
 }
 

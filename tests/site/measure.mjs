@@ -1,30 +1,19 @@
 // node measure.mjs SOURCE MVGL BUILD: prints docs/browser.md: what a page loads, and when its first picture stands, each in a browser
 // just started. The processor does what a GPU would: times are an upper bound, and compare pages with each other.
-import { execFileSync, spawn } from 'node:child_process';
 import fs from 'node:fs';
-import { createRequire } from 'node:module';
-import os from 'node:os';
 import path from 'node:path';
 import zlib from 'node:zlib';
+import { browserOf, made, served } from './support.mjs';
 
 const [source, program, build] = process.argv.slice(2);
-const puppeteer = createRequire(path.join(build, 'npm/package.json'))('puppeteer-core');
 const rounds = 9, demos = ['cube-cull', 'shadow-map', 'springs', 'soft-shadows', 'ray-trace'];
-
-const scratch = fs.mkdtempSync(path.join(os.tmpdir(), 'measure-'));
-const site = path.join(scratch, 'site');
-execFileSync('node', [path.join(source, 'web/make.mjs'), program, site, path.join(build, 'web')], { stdio: ['ignore', 'ignore', 'pipe'] });
-const server = spawn('node', [path.join(source, 'web/serve.mjs'), site, '0'], { stdio: ['ignore', 'pipe', 'inherit'] });
-const address = (await new Promise((resolve) => server.stdout.once('data', resolve))).toString().split(' ')[0];
-process.on('exit', () => {
-  server.kill();
-  fs.rmSync(scratch, { recursive: true, force: true });
-});
+const site = made(source, program, 'site', path.join(build, 'web'));
+const address = await served(source, site);
 
 const median = (values) => ((sorted) => (sorted.length % 2 ? sorted[(sorted.length - 1) / 2] : (sorted[sorted.length / 2 - 1] + sorted[sorted.length / 2]) / 2))([...values].sort((a, b) => a - b));
 const spread = (values) => median(values.map((value) => Math.abs(value - median(values))));
 
-const files = ['mvgl.wasm', 'mvgl.js', 'live.js', 'controls.js', 'compare.js', 'edit.js', 'settings.js', 'site.js', 'curve.js', 'site.css'].map((file) => {
+const files = ['mvgl.wasm', 'mvgl.js', 'live.js', 'controls.js', 'compare.js', 'edit.js', 'hand.js', 'settings.js', 'site.js', 'curve.js', 'site.css'].map((file) => {
   const bytes = fs.readFileSync(path.join(site, file));
   return { file, bytes: bytes.length, brotli: zlib.brotliCompressSync(bytes).length };
 });
@@ -35,7 +24,7 @@ const sum = files.reduce((total, { brotli }) => total + brotli, 0);
 const times = Object.fromEntries(demos.map((demo) => [demo, []]));
 for (let round = 0; round < rounds; ++round) {
   for (const demo of demos) {
-    const browser = await puppeteer.launch({ executablePath: '/usr/bin/chromium', args: ['--no-sandbox', '--disable-background-networking', '--use-gl=angle', '--use-angle=gl-egl', '--ignore-gpu-blocklist'] });
+    const browser = await browserOf(build);
     const page = await browser.newPage();
     await page.goto(`${address}demos/${demo}.html`);
     await page.waitForSelector('.live.is-live', { timeout: 60_000 });
@@ -47,7 +36,7 @@ for (let round = 0; round < rounds; ++round) {
 const processor = fs.readFileSync('/proc/cpuinfo', 'utf8').match(/model name\s*: (.*)/)?.[1];
 console.log(`# The demos in a browser: sizes and times
 
-<!-- Made by \`node tests/site/measure.mjs\`; a test holds the sizes. -->
+<!-- Made by \`node tests/site/measure.mjs\`; a test refuses more than 20 KB a demo. -->
 
 All ${count} demos are one module, which a browser loads once and keeps. In brotli what a page loads is ${Math.round(sum / 1024)} KB, ${(sum / 1024 / count).toFixed(1)} KB a
 demo with the library, its font and all scripts.

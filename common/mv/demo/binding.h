@@ -1,7 +1,6 @@
 // Keys, drags and wheel notches that move a knob: the controls of the WebGL originals.
 #pragma once
 #include <string>
-#include <utility>
 
 namespace mv {
 
@@ -25,7 +24,5 @@ struct Binding {
 
 // "Up", "7", "W"
 std::string keyName(Key key);
-// What is done, and what that does, for people: "Drag right", "spin-y +0.5 deg a pixel".
-std::pair<std::string, std::string> controlText(const Binding& binding);
 
 }  // namespace mv

@@ -287,19 +287,4 @@ std::string suggestion(std::string_view word, const std::vector<std::string>& ca
     return nearest.empty() ? "" : "; did you mean '" + nearest + "'?";
 }
 
-std::pair<std::string, std::string> controlText(const Binding& binding) {
-    const std::string amount = binding.knob->stepText(binding.amount, binding.knob->unit());
-    switch (binding.gesture) {
-        case Gesture::dragAcross:
-            return {"Drag right", binding.knob->name() + " " + amount + " a pixel"};
-        case Gesture::dragDown:
-            return {"Drag down", binding.knob->name() + " " + amount + " a pixel"};
-        case Gesture::wheel:
-            return {"Wheel up", binding.knob->name() + " " + amount + " a notch"};
-        case Gesture::key:
-            break;
-    }
-    return {keyName(binding.key), binding.knob->name() + (binding.text.empty() ? " " + amount : " = " + binding.text)};
-}
-
 }  // namespace mv

@@ -1,4 +1,5 @@
 #include "mv/window/panel_parts.h"
+#include "mv/demo/controls.h"
 #include "mv/run/words.h"
 
 #include <algorithm>
@@ -293,15 +294,7 @@ bool showTime(Session& session, float scale) {
 }
 
 void showControls(const Demo& demo, bool animated, bool menu, bool comparing) {
-    std::vector<std::pair<std::string, std::string>> lines;
-    for (const Binding& binding : demo.bindings()) {
-        if (binding.amount != 0 || !binding.text.empty()) lines.push_back(controlText(binding));
-    }
-    for (const Handle& handle : demo.handles()) {
-        std::string knobs;
-        for (const Knob* knob : handle.knobs) knobs += (knobs.empty() ? "" : ", ") + knob->name();
-        lines.emplace_back("Drag the " + handle.name, knobs);
-    }
+    std::vector<std::pair<std::string, std::string>> lines = controlsOf(demo);
     if (!demo.handles().empty())
         lines.emplace_back("Tab, arrows", "pick what can be dragged, and move it by a pixel (Shift: ten)");
     if (std::any_of(demo.handles().begin(), demo.handles().end(),
