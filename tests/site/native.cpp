@@ -1,7 +1,8 @@
-// native DEMO...: what a page has to show, drawn by OpenGL ES 3.0 of EGL: of each demo its presets and, with --ends before the
-// names, each end of each knob, at frame 1. JSON: {"demo": [{"settings", "frame", "sum", "knobs", "readouts", "matrices", "messages",
-// "error"}]}. The sum is FNV-1a of the picture's bytes, the upper row first.
-#include <cstdint>
+// native FOLDER DEMO [--ends]: what a page has to show, drawn by OpenGL ES 3.0 of EGL: the demo's presets at frame 1, of one that
+// moves the first at frame 30, too, and with --ends each end of each knob. JSON: [{"settings", "frame", "error", and where that is ""
+// "knobs", "idle", "readouts", "matrices", "messages", "picture"}], the last a file of FOLDER with the picture's bytes: red, green, blue,
+// alpha, the upper row first.
+#include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -17,25 +18,41 @@ using namespace mv;
 
 namespace {
 
-std::uint32_t sumOf(const Picture& picture) {
-    std::uint32_t sum = 2166136261U;
-    for (const unsigned char byte : picture.rgba) sum = (sum ^ byte) * 16777619U;
-    return sum;
+struct Case {
+    std::vector<KnobSetting> settings;
+    int frame = 1;
+};
+
+std::vector<Case> casesOf(const DemoInfo& info, bool ends) {
+    std::vector<Case> cases;
+    for (const Preset& preset : info.presets) cases.push_back({preset.settings});
+    if (info.animated) cases.push_back({{}, 30});
+    if (!ends) return cases;
+    const std::unique_ptr<Demo> demo = info.make();
+    for (const Knob* knob : demo->knobs()) {
+        for (const std::string& text : knob->sweep()) {
+            if (text != knob->initialText()) cases.push_back({{{knob->name(), text}}});
+        }
+    }
+    return cases;
 }
 
-nlohmann::ordered_json shown(Stage& stage, const DemoInfo& info, const std::vector<KnobSetting>& settings) {
-    auto json = nlohmann::ordered_json::object();
-    json["settings"] = nlohmann::ordered_json::object();
-    for (const KnobSetting& setting : settings) json["settings"][setting.name] = setting.text;
-    json["frame"] = 1;
-    const SessionStart start{.width = info.width, .height = info.height, .knobs = settings, .paused = true};
-    Session session(stage, info, start);
+nlohmann::ordered_json shown(Stage& stage, const DemoInfo& info, const Case& one, const std::string& file) {
+    auto json = nlohmann::ordered_json{{"settings", nlohmann::ordered_json::object()}, {"frame", one.frame}};
+    for (const KnobSetting& setting : one.settings) json["settings"][setting.name] = setting.text;
+    Session session(
+        stage, info,
+        {.width = info.width, .height = info.height, .knobs = one.settings, .frame = one.frame, .paused = true});
     session.finish(info.width, info.height, true);
     json["error"] = session.error();
     if (!session.error().empty()) return json;
     const auto report = nlohmann::ordered_json::parse(session.report({}));
     for (const char* part : {"knobs", "idle", "readouts", "matrices", "messages"}) json[part] = report[part];
-    json["sum"] = sumOf(stage.picture());
+    const Picture picture = stage.picture();
+    std::ofstream out(file, std::ios::binary);
+    out.write(reinterpret_cast<const char*>(picture.rgba.data()), static_cast<std::streamsize>(picture.rgba.size()));
+    if (!out.flush()) throw Error("native", "must be able to write", file);
+    json["picture"] = file.substr(file.rfind('/') + 1);
     return json;
 }
 
@@ -43,25 +60,16 @@ nlohmann::ordered_json shown(Stage& stage, const DemoInfo& info, const std::vect
 
 int main(int count, char** arguments) {
     try {
-        std::vector<std::string> names(arguments + 1, arguments + count), notes;
-        const bool ends = !names.empty() && names.front() == "--ends";
-        if (ends) names.erase(names.begin());
+        const std::vector<std::string> words(arguments + 1, arguments + count);
+        const bool ends = words.size() == 3 && words[2] == "--ends";
+        if (words.size() != 2 && !ends) throw Error("native", "must have a folder and a demo, and --ends or nothing");
+        std::vector<std::string> notes;
         const std::unique_ptr<Context> context = openHeadless(HostKind::egl, {.version = 30, .es = true}, notes);
         Stage stage(*context);
-        auto all = nlohmann::ordered_json::object();
-        for (const std::string& name : names) {
-            const DemoInfo& info = findDemo(name);
-            std::vector<std::vector<KnobSetting>> tried;
-            for (const Preset& preset : info.presets) tried.push_back(preset.settings);
-            const std::unique_ptr<Demo> demo = info.make();
-            for (const Knob* knob : demo->knobs()) {
-                for (const std::string& text : knob->sweep()) {
-                    if (ends && text != knob->initialText()) tried.push_back({{knob->name(), text}});
-                }
-            }
-            all[name] = nlohmann::ordered_json::array();
-            for (const auto& settings : tried) all[name].push_back(shown(stage, info, settings));
-        }
+        const DemoInfo& info = findDemo(words[1]);
+        auto all = nlohmann::ordered_json::array();
+        for (const Case& one : casesOf(info, ends))
+            all.push_back(shown(stage, info, one, words[0] + "/" + info.name + "-" + std::to_string(all.size())));
         std::cout << all.dump() << "\n";
         return 0;
     } catch (const std::exception& error) {

@@ -1,27 +1,14 @@
 // node site_test.mjs SOURCE MVGL: makes the site and reads it as a browser would: every link and picture is there, every
 // lesson is found, and what scripts do is done, in Chromium where there is one.
-import { execFileSync, spawn, spawnSync } from 'node:child_process';
+import { spawnSync } from 'node:child_process';
 import fs from 'node:fs';
-import os from 'node:os';
 import path from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { anchorOf, fold } from '../../web/lesson.mjs';
+import { all, chromium, counted, demosOf, equal, expect, made, scratch, served } from './support.mjs';
 
 const [source, program] = process.argv.slice(2);
-const scratch = fs.mkdtempSync(path.join(os.tmpdir(), 'site-'));
-const site = path.join(scratch, 'a folder', 'site');
-let failures = 0, checks = 0;
-const expect = (holds, says) => {
-  ++checks;
-  if (holds) return;
-  ++failures;
-  console.log(`FAILED: ${says}`);
-};
-const equal = (found, expected, what) => expect(found === expected, `${what}: expected '${expected}', found '${found}'`);
-const all = (text, pattern) => [...text.matchAll(pattern)].map((match) => match[1]);
-
-process.on('exit', () => fs.rmSync(scratch, { recursive: true, force: true }));
-execFileSync('node', [path.join(source, 'web/make.mjs'), program, site], { stdio: ['ignore', 'ignore', 'inherit'] });
+const site = made(source, program, 'a folder/site');
 const files = fs.readdirSync(site, { recursive: true }).filter((file) => fs.statSync(path.join(site, file)).isFile());
 const pages = new Map(files.filter((file) => file.endsWith('.html')).map((file) => [file, fs.readFileSync(path.join(site, file), 'utf8')]));
 
@@ -56,7 +43,7 @@ for (const [file, html] of pages) {
 
 // ---- every lesson
 
-const demos = all(execFileSync(program, ['--list'], { encoding: 'utf8' }), /^ {2}(\S+)/gm);
+const demos = demosOf(program);
 const start = pages.get('index.html');
 equal(all(start, /<a href="demos\/([^"]+)\.html"/g).join(' '), demos.join(' '), 'lessons of the start page, in order');
 for (const file of pages.keys()) expect(!/^docs\/[^/]*$/.test(file) || start.includes(`href="${file}"`), `the start page does not lead to ${file}`);
@@ -91,8 +78,7 @@ for (const args of [[], [program]]) {
 
 // ---- the server
 
-const server = spawn('node', [path.join(source, 'web/serve.mjs'), site, '0'], { stdio: ['ignore', 'pipe', 'inherit'] });
-const address = (await new Promise((resolve) => server.stdout.once('data', resolve))).toString().split(' ')[0];
+const address = await served(source, site);
 equal(await (await fetch(address)).text(), start, 'the start page, served');
 for (const [asked, status] of [['demos/shadow.html', 200], ['demos/nothing.html', 404], ['..%2f..%2fetc/passwd', 404], ['%', 400], ['demos', 404]])
   equal((await fetch(address + asked)).status, status, asked);
@@ -102,18 +88,17 @@ equal((await fetch(`${address}site.css`, { headers: { 'if-none-match': '"else"' 
 
 // ---- in a browser
 
-const browser = ['chromium', 'chromium-browser', 'google-chrome'].find((name) => !spawnSync(name, ['--version']).error);
-if (!browser) console.log('note: there is no Chromium; what scripts do is not tested');
+if (!chromium) console.log('note: there is no Chromium; what scripts do is not tested');
 // The page after its scripts have run, and what the console says.
 function opened(address) {
   const flags = ['--headless', '--disable-gpu', '--enable-logging=stderr', `--user-data-dir=${scratch}/profile`, '--virtual-time-budget=3000'];
   if (process.getuid() === 0) flags.push('--no-sandbox');
-  const run = spawnSync(browser, [...flags, '--dump-dom', address], { encoding: 'utf8', maxBuffer: 1 << 28 });
+  const run = spawnSync(chromium, [...flags, '--dump-dom', address], { encoding: 'utf8', maxBuffer: 1 << 28 });
   const said = run.stderr.split('\n').filter((line) => /CONSOLE/.test(line));
   equal(said.join('\n'), '', `${address}: the console`);
   return run.stdout;
 }
-if (browser) {
+if (chromium) {
   const found = opened(`${address}#find=${encodeURIComponent('soft lamp')}`);
   const hidden = all(found, /<li class="card" data-words="[^"]*" (hidden)/g).length;
   expect(hidden > 0 && hidden < demos.length, `a search leaves some lessons, hides ${hidden}`);
@@ -135,6 +120,5 @@ if (browser) {
   for (const row of rows) expect(studied.includes(`aria-label="${row.method}, ${row.parameter}: `), `a point of ${row.method}, ${row.parameter}`);
   for (const file of ['docs/library.html', 'demos/clipping.html']) opened(address + file);
 }
-server.kill();
-console.log(`${pages.size} pages, ${checks} checks, ${failures} failed${browser ? '' : ', without a browser'}`);
-process.exit(failures ? 1 : 0);
+console.log(`${pages.size} pages, ${counted.checks} checks, ${counted.failures} failed${chromium ? '' : ', without a browser'}`);
+process.exit(counted.failures ? 1 : 0);

@@ -1,0 +1,75 @@
+// What the tests of the pages share: checks that are counted, the site made and served, a browser that draws through Mesa.
+import { execFileSync, spawn, spawnSync } from 'node:child_process';
+import fs from 'node:fs';
+import { createRequire } from 'node:module';
+import os from 'node:os';
+import path from 'node:path';
+
+export const counted = { checks: 0, failures: 0 };
+export function expect(holds, says) {
+  ++counted.checks;
+  if (holds) return;
+  ++counted.failures;
+  console.log(`FAILED: ${says}`);
+}
+export const equal = (found, expected, what) => expect(found === expected, `${what}: expected '${expected}', found '${found}'`);
+export const all = (text, pattern) => [...text.matchAll(pattern)].map((match) => match[1]);
+
+// A folder of its own, and what stops with the process.
+export const scratch = fs.mkdtempSync(path.join(os.tmpdir(), 'site-'));
+const servers = [];
+process.on('exit', () => {
+  for (const server of servers) server.kill();
+  fs.rmSync(scratch, { recursive: true, force: true });
+});
+
+// The site in that folder, with the module of `module` where one is given; and where it is served.
+export function made(source, program, folder, module) {
+  const site = path.join(scratch, folder);
+  execFileSync('node', [path.join(source, 'web/make.mjs'), program, site, ...(module ? [module] : [])], { stdio: ['ignore', 'ignore', 'pipe'] });
+  return site;
+}
+export async function served(source, site) {
+  const server = spawn('node', [path.join(source, 'web/serve.mjs'), site, '0'], { stdio: ['ignore', 'pipe', 'inherit'] });
+  servers.push(server);
+  return (await new Promise((resolve) => server.stdout.once('data', resolve))).toString().split(' ')[0];
+}
+export const demosOf = (program) => all(execFileSync(program, ['--list'], { encoding: 'utf8' }), /^ {2}(\S+)/gm);
+
+// Chromium's name here, or undefined.
+export const chromium = ['chromium', 'chromium-browser', 'google-chrome'].find((name) => !spawnSync(name, ['--version']).error);
+
+// Ends the test as skipped, with the reason, where there is nothing to test live pages with.
+export function skipUnlessBuilt(build) {
+  const skip = (why) => {
+    console.log(`skipped: ${why}`);
+    process.exit(77);
+  };
+  if (!chromium) skip('there is no Chromium');
+  if (!fs.existsSync(path.join(build, 'web/mvgl.wasm'))) skip('the demos are not built for browsers (./test does, with emscripten)');
+  if (!fs.existsSync(path.join(build, 'npm/node_modules/puppeteer-core'))) skip('puppeteer-core is not installed (./test does, with npm)');
+}
+
+// What puppeteer-core, of BUILD/npm, starts: a browser that draws through the Mesa of the native program, or with other flags.
+export const throughMesa = ['--use-gl=angle', '--use-angle=gl-egl', '--ignore-gpu-blocklist'];
+export function browserOf(build, flags = throughMesa) {
+  const puppeteer = createRequire(path.join(build, 'npm/package.json'))('puppeteer-core');
+  const own = process.getuid() === 0 ? ['--no-sandbox'] : [];
+  return puppeteer.launch({
+    executablePath: execFileSync('which', [chromium], { encoding: 'utf8' }).trim(),
+    protocolTimeout: 120_000,
+    args: [...own, '--disable-background-networking', ...flags],
+  });
+}
+
+// The page of a demo, once it is alive; what the console says fails the test.
+export async function opened(browser, address, where, { width = 1280, height = 900 } = {}) {
+  const page = await browser.newPage();
+  page.on('console', (message) => expect(false, `${where}: the console says ${message.text()}`));
+  page.on('pageerror', (error) => expect(false, `${where}: ${error.message}`));
+  await page.setViewport({ width, height });
+  await page.goto(`${address}demos/${where}`);
+  await page.waitForSelector('.live.is-live, .live.is-still', { timeout: 120_000 });
+  equal(await page.$eval('.panel', (panel) => panel.closest('.is-still')?.textContent ?? ''), '', `${where}: why it is not alive`);
+  return page;
+}

@@ -1,0 +1,238 @@
+// node user_test.mjs SOURCE MVGL BUILD: what a user does in a live page does what it says: controls, links, refusals, drags, keys, shaders,
+// time, a comparison, a lost context, narrow and wide; what a page loads is small; and without WebGL, or from a disk, pictures stand.
+import fs from 'node:fs';
+import path from 'node:path';
+import { pathToFileURL } from 'node:url';
+import zlib from 'node:zlib';
+import { browserOf, counted, equal, expect, made, opened as openedIn, served, skipUnlessBuilt } from './support.mjs';
+
+const [source, program, build] = process.argv.slice(2);
+skipUnlessBuilt(build);
+const site = made(source, program, 'site', path.join(build, 'web'));
+const address = await served(source, site);
+const browser = await browserOf(build);
+const opened = (where, view) => openedIn(browser, address, where, view);
+
+// A canvas out of sight is not drawn.
+const settled = (page) => page.evaluate(async () => {
+  document.querySelector('.view').scrollIntoView({ behavior: 'instant' });
+  const { demo, what, state } = document.querySelector('.live').live;
+  do await new Promise(requestAnimationFrame); while (demo.does('IsDue', what.width, what.height) && !state().playing);
+  await new Promise(requestAnimationFrame);
+});
+const sumOf = async (page, which = 'first') => {
+  await settled(page);
+  return page.evaluate((which) => {
+    const { demo, what, compare } = document.querySelector('.live').live;
+    const pixels = (which === 'first' ? demo : compare.second()).pixels(what.width * what.height);
+    return pixels.reduce((sum, byte) => Math.imul(sum ^ byte, 16777619), 2166136261) >>> 0;
+  }, which);
+};
+// How many pictures are drawn while the browser shows thirty.
+const drawnMeanwhile = (page) => page.evaluate(async () => {
+  const { demo } = document.querySelector('.live').live, before = demo.tells('State').pictures;
+  for (let i = 0; i < 30; ++i) await new Promise(requestAnimationFrame);
+  return demo.tells('State').pictures - before;
+});
+const text = (page, selector) => page.$eval(selector, (element) => element.textContent);
+async function type(page, selector, words) {
+  await page.$eval(selector, (field) => (field.value = ''));
+  await page.type(selector, words);
+  await page.keyboard.press('Enter');
+}
+
+// A control, the address, a link, and back
+let page = await opened('shadow-map.html');
+const first = await sumOf(page);
+await page.select('#knob-resolution', '64');
+const coarse = await sumOf(page);
+expect(coarse !== first, 'another resolution is another picture');
+equal(await page.evaluate(() => location.hash), '#resolution=64', 'the address');
+equal(await text(page, '.command code'), './run shadow-map --resolution 64', 'the command line');
+const linked = await opened('shadow-map.html#resolution=64');
+equal(await sumOf(linked), coarse, 'the linked picture');
+equal(await linked.$eval('#knob-resolution', (select) => select.value), '64', 'the linked control');
+await linked.close();
+await page.evaluate(() => (location.hash = '#resolution=256&filter=pcf3'));
+await page.waitForFunction(() => document.querySelector('#knob-filter').value === 'pcf3'); // a link within the page
+equal(await page.$eval('#knob-resolution', (select) => select.value), '256', 'a link within the page');
+await page.evaluate(() => [...document.querySelectorAll('.panel button')].find((button) => button.textContent === 'Reset').click());
+equal(await sumOf(page), first, 'the picture after Reset');
+equal(await text(page, '.presets [aria-pressed="true"]'), 'original', 'the preset that it is');
+equal(await drawnMeanwhile(page), 0, 'pictures that a resting canvas draws');
+// The lesson's own lines, and a picture of it
+const above = await page.$$('article .above');
+expect(above.length > 0, 'lines of the lesson that can be shown above');
+await page.$$eval('article .above', (buttons) => buttons.find((button) => button.closest('pre').textContent.includes('--')).click());
+await settled(page);
+const shown = await text(page, '.command code');
+expect(shown !== './run shadow-map', `a line of the lesson, shown: ${shown}`);
+await page.$$eval('.thumbs a', (links) => links[0].click());
+equal(await sumOf(page), first, 'the first of the small pictures');
+// Two values compared: the other picture is the one that this value makes alone
+await page.select('#knob-filter', 'pcf7');
+const alone = await sumOf(page);
+await page.evaluate(() => document.querySelector('.live').live.settle({ settings: {}, compared: { knob: 'filter', other: 'pcf7' } }));
+await settled(page);
+equal(await text(page, '.command code'), './run shadow-map --compare filter=none,pcf7', 'the line of a comparison');
+equal(await text(page, '.label.is-b'), 'filter pcf7', 'what the other picture is');
+equal(await sumOf(page), first, 'the one picture');
+equal(await sumOf(page, 'second'), alone, 'the other picture');
+await page.select('#knob-resolution', '64');
+expect((await sumOf(page, 'second')) !== alone, 'a knob that is moved moves both');
+equal(await drawnMeanwhile(page), 0, 'pictures that two resting canvases draw');
+expect(await page.$eval('canvas.second', (canvas) => canvas.clientWidth > 0 && canvas.style.clipPath.startsWith('inset(0')), 'a second canvas, cut at the line');
+await page.close();
+
+// What a knob refuses, and what a demo refuses
+page = await opened('cube-persp.html');
+const good = await sumOf(page);
+await type(page, '#knob-near', '9999');
+equal(await text(page, '.refused'), "--near: must be 0.01 .. 2.4, '9999'", 'a value out of range');
+equal(await sumOf(page), good, 'the picture after it');
+await page.close();
+page = await opened('view-volume.html');
+const whole = await sumOf(page), joint = await page.evaluate(() => {
+  const { demo, what } = document.querySelector('.live').live;
+  // Ends of knobs that make no picture together
+  const numbers = what.knobs.filter(({ name }) => what.widgets[name].kind === 'number');
+  for (const one of numbers) for (const other of numbers) {
+    const settings = { [one.name]: String(what.widgets[one.name].high), [other.name]: String(what.widgets[other.name].low) };
+    if (one === other || demo.says('SetAll', JSON.stringify(settings))) continue;
+    demo.does('Draw', what.width, what.height, false);
+    if (demo.tells('State').error) return settings;
+  }
+});
+expect(joint, 'two ends of view-volume that make no picture together');
+await page.evaluate((settings) => document.querySelector('.live').live.settle({ settings }), joint);
+await settled(page);
+expect((await text(page, '.refused')).startsWith('--'), `the sentence of ${JSON.stringify(joint)}: ${await text(page, '.refused')}`);
+expect(await page.$('.view.is-refused'), 'the last good picture is dimmed');
+await page.evaluate(() => document.querySelector('.live').live.settle({ settings: {} }));
+equal(await sumOf(page), whole, 'the picture when the settings are good again');
+expect(!(await page.$('.view.is-refused')), 'it is dimmed no more');
+await page.close();
+
+// The mouse, the keys and a shader
+page = await opened('cube-cull.html');
+const straight = await sumOf(page), box = await (await page.$('#canvas')).boundingBox();
+await page.mouse.move(box.x + 200, box.y + 200);
+await page.mouse.down();
+await page.mouse.move(box.x + 260, box.y + 220, { steps: 4 });
+await page.mouse.up();
+const turned = await sumOf(page);
+expect(turned !== straight, 'a drag turns the cube');
+expect((await page.evaluate(() => location.hash)).includes('spin-y='), 'and is in the address');
+await page.focus('#canvas');
+await page.keyboard.press('ArrowUp');
+await settled(page);
+const before = await page.evaluate(() => location.hash);
+await page.$eval('.shaders', (details) => (details.open = true));
+await page.select('.shaders select', 'cube-cull.frag');
+const unedited = await sumOf(page);
+const edit = (from, to) => page.$eval('.shaders textarea', (area, a, b) => {
+  if (!area.value.includes(a)) throw new Error(`no ${a} in ${area.value}`);
+  area.value = area.value.replace(a, b);
+  area.dispatchEvent(new Event('input'));
+}, from, to);
+await edit('fragColor = vertexColor;', 'fragColor = vertexColour;');
+await page.waitForSelector('.mistakes button');
+expect(/^shaders\/cube-cull\.frag:4: .*vertexColour/.test(await text(page, '.mistakes button')), `a typo at its line: ${await text(page, '.mistakes')}`);
+equal(await text(page, '.numbers .is-wrong'), '4\n', 'its line is marked');
+equal(await sumOf(page), unedited, 'the last good shader stays');
+await edit('vertexColour;', 'vertexColor.brga;');
+await page.waitForFunction(() => !document.querySelector('.mistakes').textContent);
+expect((await sumOf(page)) !== unedited, 'a shader that compiles is seen');
+await page.evaluate(() => [...document.querySelectorAll('.shaders button')].find((button) => button.textContent === 'Put back').click());
+equal(await sumOf(page), unedited, 'the shader put back');
+equal(await page.evaluate(() => location.hash), before, 'shaders are not in the address');
+// A context that is lost comes back
+await page.evaluate(() => {
+  const lose = document.querySelector('#canvas').getContext('webgl2').getExtension('WEBGL_lose_context');
+  lose.loseContext();
+  setTimeout(() => lose.restoreContext(), 500);
+});
+await page.waitForFunction(() => document.querySelector('.refused').textContent.includes('asked for again'));
+await page.waitForFunction(() => document.querySelector('.live.is-live')?.live && !document.querySelector('.refused').textContent, { timeout: 60_000 });
+equal(await sumOf(page), unedited, 'the picture after the context was lost');
+await page.close();
+
+// Time: what moves moves on, what is paused rests
+page = await opened('frame-rate.html');
+const frame = () => page.evaluate(() => document.querySelector('.live').live.demo.tells('State').frame);
+const from = await frame();
+await page.waitForFunction((past) => document.querySelector('.live').live.demo.tells('State').frame > past, {}, from);
+await page.focus('#canvas');
+await page.keyboard.press(' ');
+await page.waitForFunction(() => !document.querySelector('.live').live.demo.tells('State').playing);
+const at = await frame();
+equal(await drawnMeanwhile(page), 0, 'pictures while it is paused');
+equal(await frame(), at, 'a paused frame');
+await page.evaluate(() => [...document.querySelectorAll('.time button')].find((button) => button.textContent === 'Step').click());
+equal(await frame(), at + 1, 'one step');
+await page.focus('#canvas');
+await page.keyboard.press(' ');
+await page.waitForFunction((past) => document.querySelector('.live').live.demo.tells('State').frame > past, {}, at + 1);
+// Out of sight it stops, and in sight it goes on
+const isMoving = (expected) => page.waitForFunction(async (expected) => {
+  const { demo } = document.querySelector('.live').live, before = demo.tells('State').pictures;
+  for (let i = 0; i < 30; ++i) await new Promise(requestAnimationFrame);
+  return demo.tells('State').pictures > before === expected;
+}, { timeout: 60_000 }, expected);
+await page.evaluate(() => document.querySelector('footer, article :last-child').scrollIntoView({ behavior: 'instant' }));
+await isMoving(false);
+await page.evaluate(() => document.querySelector('.view').scrollIntoView({ behavior: 'instant' }));
+await isMoving(true);
+await page.close();
+
+// A point that is dragged in the picture
+page = await opened('clipping.html');
+const handle = await page.$eval('.rings span', (ring) => ({ x: parseFloat(ring.style.left), y: parseFloat(ring.style.top) }));
+const untouched = await sumOf(page), place = await (await page.$('#canvas')).boundingBox();
+const [x, y] = [place.x + (place.width * handle.x) / 100, place.y + (place.height * handle.y) / 100];
+await page.mouse.move(x, y);
+await page.mouse.down();
+await page.mouse.move(x + 20, y + 15, { steps: 3 });
+await page.mouse.up();
+expect((await sumOf(page)) !== untouched, 'a dragged point changes the picture');
+await page.close();
+
+// A curve's point sets the knobs
+page = await opened('shadow-map.html');
+await page.$$eval('.curve circle', (points) => points.at(-1).dispatchEvent(new MouseEvent('click')));
+await settled(page);
+expect((await page.evaluate(() => location.hash)) !== '', 'a point of the curve sets the picture');
+await page.close();
+
+// Narrow and wide: nothing is cut off, nothing moves sideways
+for (const width of [360, 800, 1600]) {
+  for (const demo of ['shadow-map', 'springs', 'cube-cull']) {
+    page = await opened(`${demo}.html`, { width, height: 900 });
+    const beyond = await page.evaluate(() => document.scrollingElement.scrollWidth - innerWidth);
+    expect(beyond <= 0, `${demo} on ${width} pixels: ${beyond} beyond the edge`);
+    await page.close();
+  }
+}
+await browser.close();
+
+// ---- what a page loads: docs/browser.md has it by files; a guard against growing, the goal is 14 KB a demo
+
+const loaded = fs.readdirSync(site).filter((file) => /\.(wasm|js|css)$/.test(file)).map((file) => zlib.brotliCompressSync(fs.readFileSync(path.join(site, file))).length);
+const each = loaded.reduce((sum, bytes) => sum + bytes, 0) / 1024 / fs.readdirSync(path.join(site, 'demos')).filter((file) => file.endsWith('.html')).length;
+expect(each <= 20, `a demo, with its part of what all load, in brotli: at most 20 KB, ${each}`);
+
+// ---- without WebGL, and from a disk: pictures and a sentence
+
+const plain = await browserOf(build, ['--disable-3d-apis']);
+const still = await plain.newPage();
+await still.goto(`${address}demos/cube-cull.html`);
+await still.waitForSelector('.live.is-still');
+expect((await text(still, '.refused')).includes('WebGL 2: must be there'), `a sentence where there is no WebGL: ${await text(still, '.refused')}`);
+expect(await still.$eval('.shown', (picture) => picture.clientWidth > 0), 'and the picture');
+await still.goto(`${pathToFileURL(site)}/demos/cube-cull.html`);
+expect((await text(still, '.panel')).includes('./run --site --serve'), `from a disk: ${await text(still, '.panel')}`);
+expect(await still.$eval('.shown', (picture) => picture.clientWidth > 0 && picture.naturalWidth > 0), 'with the picture');
+await plain.close();
+
+console.log(`${counted.checks} checks, ${counted.failures} failed`);
+process.exit(counted.failures ? 1 : 0);
