@@ -1,10 +1,15 @@
 # Run as a script: writes OUTPUT, a C++ file that adds each of FILES to the embedded shaders.
 # STUDY, where it exists, is the committed study of the demo NAME.
 # A file in a folder called include keeps that folder in its name. GROUP names the file that says where they are edited.
+# With BARE they are without comments and indents, each line at its number.
 set(code "// Generated from shader files; do not edit.\n#include \"mv/gl/shader_folder.h\"\n\n")
 set(number 0)
 foreach(file IN LISTS FILES)
   file(READ "${file}" text)
+  if(BARE)
+    string(REGEX REPLACE "[ \t]*//[^\n]*" "" text "${text}")
+    string(REGEX REPLACE "\n[ \t]+" "\n" text "${text}")
+  endif()
   get_filename_component(name "${file}" NAME)
   get_filename_component(folder "${file}" DIRECTORY)
   get_filename_component(folder "${folder}" NAME)

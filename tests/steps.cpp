@@ -10,6 +10,7 @@
 #include "mv/run/command_line.h"
 #include "mv/run/report.h"
 #include "support/demo_run.h"
+#include "support/sanitized.h"
 
 using namespace mv;
 using namespace mv::test;
@@ -54,7 +55,9 @@ TEST_P(Steps, stop_after_every_draw) {
         ASSERT_GT(all, 0);
         // Every draw, or 12 of them, in the demo's own settings; the ends in the other presets.
         const bool initial = &preset == findDemo(GetParam()).presets.data();
-        for (const int draws : chosen(all, initial ? 12 : 1)) {  // each throws where OpenGL reports an error
+        if (sanitized && !initial) break;  // what stops a frame is the same in all
+        for (const int draws :
+             chosen(all, initial && !sanitized ? 12 : 1)) {  // each throws where OpenGL reports an error
             SCOPED_TRACE(draws);
             const FrameSteps steps = stopped(draws);
             EXPECT_EQ(steps.until, draws);

@@ -28,6 +28,10 @@ using namespace lacking;
 EM_JS(void, copyOutOfBuffer, (unsigned target, int offset, void* to, int size),
       { GLctx.getBufferSubData(target, offset, HEAPU8, to, size); });
 
+// An extension, which a page has once it has asked for it.
+EM_JS(void, clipControl, (unsigned origin, unsigned depth),
+      { GLctx.getExtension("EXT_clip_control").clipControlEXT(origin, depth); });
+
 // The canvas that the module was opened with, by the name that canvasName has for it: a page may have several, each with a module.
 EM_JS(void, nameCanvas, (), { specialHTMLTargets["!canvas"] = Module["canvas"]; });
 
@@ -57,6 +61,7 @@ void* functionOf(std::string_view name) {
 #undef X
         {"glClearDepthf", (void*)glClearDepthf},
         {"glDepthRangef", (void*)glDepthRangef},
+        {"glClipControlEXT", (void*)clipControl},
     };
     const auto found = functions.find(name);
     return found == functions.end() ? nullptr : found->second;

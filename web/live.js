@@ -5,6 +5,7 @@ import { knobRows, matrixTables, presetButtons, readoutTable, tag } from './cont
 import { shaderEditor } from './edit.js';
 import { handIn } from './hand.js';
 import { fromAddress, fromCommand, toAddress } from './settings.js';
+import { drawSteps } from './steps.js';
 
 const pause = 100; // milliseconds between two looks at the readouts of what moves
 
@@ -18,8 +19,9 @@ async function open(canvas) {
     does: call('boolean'),
     says: text,
     tells: (name, ...given) => JSON.parse(text(name, ...given)),
-    pixels(size) {
-      const at = call('number')('Pixels');
+    // The bytes of so many pixels: of the picture, or by another function's name of what that one gives.
+    pixels(size, name = 'Pixels', ...given) {
+      const at = call('number')(name, ...given);
       return new Uint8ClampedArray(module.HEAPU8.slice(at, at + 4 * size).buffer);
     },
   };
@@ -39,17 +41,17 @@ export async function live(box) {
   const what = demo.tells('Describe');
   let values = {}, state = demo.tells('State'), size = { width: what.width, height: what.height };
   let beside = '', comparing = false; // what is said of the picture that is compared; whether it is to be drawn anew
-  let scheduled = false, told = 0, last = performance.now(), visible = true, setBy = '';
+  let scheduled = false, told = 0, last = performance.now(), visible = true, asked = false, lost = false, setBy = '';
 
-  // ---- drawing: a resting canvas draws nothing, and one that is out of sight stops
+  // ---- drawing: a resting canvas draws nothing, and one that is out of sight stops, but for what the user asks for
 
   function schedule() {
-    if (scheduled || !visible) return;
+    if (scheduled || lost || !(visible || asked)) return;
     scheduled = true;
     requestAnimationFrame(tick);
   }
   function tick(now) {
-    scheduled = false;
+    scheduled = asked = false;
     demo.does('Advance', Math.min(0.1, (now - last) / 1000));
     last = now;
     const before = state.error;
@@ -82,6 +84,7 @@ export async function live(box) {
     progress.max = Math.max(1, state.passes);
     progress.value = state.passesDone;
     hand.show();
+    steps.update(report, state.pictures);
     const address = toAddress(what.knobs.map((knob) => ({ ...knob, value: values[knob.name] })), what.animated && !state.playing && state.frame !== 1 ? state.frame : undefined);
     if (moved) history.replaceState(null, '', address === '#' ? location.pathname + location.search : address);
   }
@@ -92,12 +95,13 @@ export async function live(box) {
   let moved = false; // the address stays as it came until something is set
   function after(words = '') {
     setBy = words;
-    moved = true;
+    moved = asked = true;
     state = demo.tells('State');
     schedule();
     if (words || !demo.does('IsDue', size.width, size.height)) tellAll();
   }
-  const settle = ({ settings, frame, compared }) => {
+  const settle = ({ settings, frame, compared, until }) => {
+    steps.show(until);
     const words = demo.says('SetAll', JSON.stringify(settings));
     if (frame !== undefined && !words) demo.says('GoTo', frame);
     after(words);
@@ -138,18 +142,29 @@ export async function live(box) {
     tag('button', { type: 'button', onclick: () => settle({ settings: {}, frame: what.animated ? 1 : undefined }) }, 'Reset'),
     tag('button', { type: 'button', onclick: save }, 'Save picture'),
     tag('button', { type: 'button', onclick: () => view.requestFullscreen?.() }, 'Full screen'));
-  function picture() {
-    const copy = tag('canvas', { width: canvas.width, height: canvas.height });
-    copy.getContext('2d').putImageData(new ImageData(demo.pixels(canvas.width * canvas.height), canvas.width, canvas.height), 0, 0);
+  function asCanvas(width, height, pixels) {
+    const copy = tag('canvas', { width, height });
+    copy.getContext('2d').putImageData(new ImageData(pixels, width, height), 0, 0);
     return copy;
   }
   function save() {
-    picture().toBlob((blob) => {
+    asCanvas(canvas.width, canvas.height, demo.pixels(canvas.width * canvas.height)).toBlob((blob) => {
       const link = tag('a', { href: URL.createObjectURL(blob), download: `${name}-${state.frame}.png` });
       link.click();
       setTimeout(() => URL.revokeObjectURL(link.href), 1000);
     });
   }
+
+  const steps = drawSteps({
+    stop: (draws) => after(void demo.does('StopAfter', draws ?? -1)),
+    buffer(i) {
+      const { width, height } = demo.tells('Buffers')[i];
+      if (!width || !height) return undefined;
+      const pixels = demo.pixels(width * height, 'BufferPixels', i);
+      for (let alpha = 3; alpha < pixels.length; alpha += 4) pixels[alpha] = 255; // shown is the colour
+      return asCanvas(width, height, pixels);
+    },
+  });
 
   // ---- what is around
 
@@ -190,7 +205,7 @@ export async function live(box) {
   addEventListener('resize', fit);
   canvas.addEventListener('webglcontextlost', (event) => {
     event.preventDefault();
-    visible = false;
+    lost = true;
     say(refused, 'The browser took the picture\'s memory away. It is asked for again ...');
     canvas.addEventListener('webglcontextrestored', () => location.reload(), { once: true });
   });
@@ -214,7 +229,7 @@ export async function live(box) {
     ...(what.animated ? [['Space', 'pause and play']] : []),
   ].map(([does, to]) => tag('tr', {}, tag('th', { scope: 'row' }, does), tag('td', {}, to)))), tag('p', {}, 'Keys and the wheel are the picture\'s once it has been clicked.'));
   const panel = box.querySelector('.panel');
-  panel.replaceChildren(presets.element, refused, notes, progress, knobs.element, time, readouts.element, pictureRow, compare.element, matrices.element, shaders, controls);
+  panel.replaceChildren(presets.element, refused, notes, progress, knobs.element, time, readouts.element, pictureRow, compare.element, matrices.element, steps.element, shaders, controls);
   const linked = fromAddress(location.hash, what.knobs);
   const pictured = [...document.querySelectorAll('.thumbs a')].find((link) => location.hash === `#picture=${link.dataset.name}`);
   const given = linked ?? (pictured && fromCommand(pictured.dataset.command, name, what.knobs, what.presets));

@@ -6,7 +6,7 @@ import fs from 'node:fs';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { fold, imagesIn, linksIn, numbered, wide } from './lesson.mjs';
-import { demoPage, page, startPage } from './pages.mjs';
+import { demoPage, liveParts, page, startPage } from './pages.mjs';
 
 const root = path.dirname(path.dirname(fileURLToPath(import.meta.url)));
 const [program, folder, module] = process.argv.slice(2);
@@ -131,7 +131,7 @@ for (const file of pagesBelow('docs').sort()) {
 write('index.html', startPage(list, beside, Boolean(module)));
 for (const file of ['site.css', 'site.js', 'curve.js']) write(file, text(`web/${file}`));
 if (module) {
-  for (const file of ['live.js', 'compare.js', 'controls.js', 'edit.js', 'hand.js', 'settings.js']) write(file, text(`web/${file}`));
+  for (const file of ['live.js', ...liveParts]) write(file, text(`web/${file}`));
   for (const file of ['mvgl.js', 'mvgl.wasm']) write(file, fs.readFileSync(path.join(module, file)));
 }
 console.log(`${path.join(folder, 'index.html')}: ${demos.length} lessons`);

@@ -260,13 +260,37 @@ EMSCRIPTEN_KEEPALIVE const char* mvReport() { return say(session().report(sessio
 EMSCRIPTEN_KEEPALIVE const char* mvCommand(const char* knob, const char* other) {
     const Target& target = page()->stage.front();
     return say(copyableCommand("./run " + session().info().name, session().info(), demo(), session().drawnFrame(),
-                               target.width(), target.height(), {knob, other}, &page()->stage.timeline()));
+                               target.width(), target.height(), {knob, other}, &page()->stage.timeline(),
+                               *knob ? std::nullopt : session().until()));
 }
 
 // The last picture's bytes, red, green, blue, alpha, the upper row first; as many as its size says.
 EMSCRIPTEN_KEEPALIVE const unsigned char* mvPixels() {
     page()->picture = page()->stage.picture();
     return page()->picture.rgba.data();
+}
+
+// ---- a frame draw by draw
+
+// Stops the picture after so many of its draws, a negative number: never. Where it is stopped, the report has its "draws", the number
+// "until", and what is "shown", see mv/gl/steps.h.
+EMSCRIPTEN_KEEPALIVE void mvStopAfter(int draws) {
+    session().stopAfter(draws < 0 ? std::nullopt : std::optional(draws));
+}
+
+// Of the buffers that the last of these draws drew into, in the order of "shown", the widths and heights; 0 where there is no picture.
+EMSCRIPTEN_KEEPALIVE const char* mvBuffers() {
+    auto sizes = nlohmann::ordered_json::array();
+    if (session().steps()) {
+        for (const BufferPicture& buffer : session().steps()->shown.buffers)
+            sizes.push_back({{"width", buffer.picture.width}, {"height", buffer.picture.height}});
+    }
+    return say(sizes.dump());
+}
+
+// The picture of one of them, by its number there, as mvPixels() has one; it is not to be asked for where there is none.
+EMSCRIPTEN_KEEPALIVE const unsigned char* mvBufferPixels(int index) {
+    return session().steps()->shown.buffers[static_cast<std::size_t>(index)].picture.rgba.data();
 }
 
 }  // extern "C"

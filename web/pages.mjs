@@ -5,7 +5,7 @@ const escaped = (words) => words.replace(/&/g, '&amp;').replace(/</g, '&lt;').re
 const plain = (html) => html.replace(/<[^>]*>/g, '');
 
 // A whole page, `depth` folders below the start page. `main` is HTML, `title` may hold HTML.
-export function page({ title, depth, main, heading = title, nav = '' }) {
+export function page({ title, depth, main, heading = title, nav = '', head = '' }) {
   const up = '../'.repeat(depth);
   return `<!doctype html>
 <html lang="en">
@@ -17,7 +17,7 @@ export function page({ title, depth, main, heading = title, nav = '' }) {
 <link rel="stylesheet" href="${up}site.css">
 <link rel="icon" href="data:,">
 <script src="${up}site.js" defer></script>
-</head>
+${head}</head>
 <body>
 <a class="skip" href="#content">To the content</a>
 <header><nav aria-label="Lessons"><a href="${up}index.html">All lessons</a>${nav}</nav></header>
@@ -96,6 +96,11 @@ ${demo.sources
 </section>
 `;
 
+// What a live page loads beside live.js and the module, all asked for at once instead of each file by the one before.
+export const liveParts = ['compare.js', 'controls.js', 'edit.js', 'hand.js', 'settings.js', 'steps.js'];
+const early = ['mvgl.js', ...liveParts].map((file) => `<link rel="modulepreload" href="../${file}">\n`).join('')
+  + '<link rel="preload" href="../mvgl.wasm" as="fetch" type="application/wasm" crossorigin>\n';
+
 export function demoPage(demo, before, after, alive) {
   const to = (other, words, rel) => (other ? `<a rel="${rel}" href="${other.name}.html">${words} ${other.name}</a>` : '');
   const opening = demo.pictures[0].file;
@@ -104,6 +109,7 @@ export function demoPage(demo, before, after, alive) {
   return page({
     title: demo.title,
     depth: 1,
+    head: alive ? early : '',
     nav: to(before, 'Before:', 'prev') + to(after, 'Next:', 'next'),
     main: `<p class="sentence">${escaped(demo.sentence)}</p>\n${pictures(demo, alive)}<article>\n${lesson}</article>\n${curve(demo)}${sources(demo)}`,
   });

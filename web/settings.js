@@ -24,12 +24,12 @@ function words(line) {
   return [...line.replace(/\s#.*$/, '').matchAll(/(?:'[^']*'|[^\s'])+/g)].map(([word]) => word.replace(/'/g, ''));
 }
 
-// What ./run DEMO --knob value ... sets: { settings, frame, compared: { knob, other } }. null where it is another demo's, or has a flag that is none of a picture.
+// What ./run DEMO --knob value ... sets: { settings, frame, compared: { knob, other }, until }. null where it is another demo's, or has a flag that is none of a picture.
 export function fromCommand(line, demo, knobs, presets) {
   const [run, name, ...rest] = words(line);
   if (run !== './run' || name !== demo) return null;
   const settings = {};
-  let frame, compared, start = {};
+  let frame, compared, until, start = {};
   while (rest.length) {
     let [flag, value] = rest.shift().split(/=(.*)/s);
     if (!flag.startsWith('--')) return null;
@@ -39,6 +39,7 @@ export function fromCommand(line, demo, knobs, presets) {
     if (flag === 'shot') continue; // where a picture is written to
     if (flag === 'preset') start = presets.find((one) => one.name === value)?.settings;
     else if (flag === 'frame') frame = Number(value);
+    else if (flag === 'until') until = Number(value);
     else if (flag === 'compare') {
       const [, knob, one, other] = value.match(/^([^=]*)=([^,]*),([^,]*)$/) ?? [];
       if (!knobs.some((known) => known.name === knob)) return null;
@@ -48,7 +49,7 @@ export function fromCommand(line, demo, knobs, presets) {
     else return null;
     if (!start || value === undefined) return null;
   }
-  return { settings: { ...start, ...settings }, frame, compared };
+  return { settings: { ...start, ...settings }, frame, compared, until };
 }
 
 // A slider goes from 0 to 1000, of a logarithmic knob by equal factors; where 0 is allowed beside those, it is the first step.

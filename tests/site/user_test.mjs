@@ -185,6 +185,27 @@ await page.evaluate(() => document.querySelector('.view').scrollIntoView({ behav
 await isMoving(true);
 await page.close();
 
+// A frame draw by draw: the first draw of shadow-map makes the map, the last makes the picture whole
+page = await opened('shadow-map.html');
+const complete = await sumOf(page);
+await page.$eval('.steps', (details) => (details.open = true));
+await page.waitForFunction(() => document.querySelector('.steps p').textContent.startsWith('Draw 1 of '));
+expect((await sumOf(page)) !== complete, 'after one draw there is another picture');
+equal(await text(page, '.command code'), './run shadow-map --until 1', 'the line of a stopped frame');
+expect((await text(page, '.steps p')).includes('shadow-map.depth'), `the program of the first draw: ${await text(page, '.steps p')}`);
+expect((await text(page, '.steps figcaption')).startsWith('depth of '), `what it has drawn into: ${await text(page, '.steps figcaption')}`);
+const draws = Number(await page.$eval('.steps input', (slider) => slider.max));
+for (let draw = 1; draw < draws; ++draw) {
+  await page.click('.steps [aria-label="one draw more"]');
+  await page.waitForFunction((draw) => document.querySelector('.steps p').textContent.startsWith(`Draw ${draw} of `), {}, draw + 1);
+}
+equal(await sumOf(page), complete, 'after all draws the picture is whole');
+expect((await page.$$('.steps figure canvas')).length > 0, 'the buffers of the picture');
+await page.$eval('.steps', (details) => (details.open = false));
+await page.waitForFunction(() => document.querySelector('.command code').textContent === './run shadow-map');
+equal(await sumOf(page), complete, 'the picture when the steps are closed');
+await page.close();
+
 // A point that is dragged in the picture
 page = await opened('clipping.html');
 const handle = await page.$eval('.rings span', (ring) => ({ x: parseFloat(ring.style.left), y: parseFloat(ring.style.top) }));

@@ -38,10 +38,10 @@ inline constexpr const char* all[] = {clipDistances,   clipControl,     polygonM
 // The functions of OpenGL beyond 3.3 that a feature stands for; nothing for the others.
 std::optional<Newer> newerThan33(const std::string& feature);
 
-// Whether the context has one of these. OpenGL ES has few of them; OpenGL 3.3 has all but clip control, which came with 4.5
-// (or with GL_ARB_clip_control), tessellation (4.0), compute shaders (4.3), and anisotropic filtering, which came with 4.6
-// (or with GL_EXT_texture_filter_anisotropic). A demo asks at the point where its settings need the feature. Where the
-// answer is no, the framework says so beside the picture, in the words of DemoInfo::needs.beyondEs.
+// Whether the context has one of these. OpenGL ES has few of them (clip control by GL_EXT_clip_control); OpenGL 3.3 has all but clip
+// control, which came with 4.5 (or with GL_ARB_clip_control), tessellation (4.0), compute shaders (4.3), and anisotropic filtering,
+// which came with 4.6 (or with GL_EXT_texture_filter_anisotropic). A demo asks at the point where its settings need the feature. Where
+// the answer is no, the framework says so beside the picture, in the words of DemoInfo::needs.beyondEs.
 // Error: clip control, tessellation or compute shaders are there, but the demo did not declare them.
 bool has(const char* feature);
 // The features that has() answered with no since the last call.

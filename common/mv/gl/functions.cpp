@@ -231,6 +231,7 @@ void loadFunctions(const std::function<void*(const char*)>& address) {
         esDepthRange = lookUp<PFNGLDEPTHRANGEFPROC>(address, "glDepthRangef");
         driver.ClearDepth = clearDepthInEs;
         driver.DepthRange = depthRangeInEs;
+        driver.ClipControl = lookUp<PFNGLCLIPCONTROLPROC>(address, "glClipControlEXT");
         allowVersion(33);
     }
 
@@ -256,7 +257,7 @@ void allowVersion(int newest) {
 int allowedVersion() { return allowed; }
 
 bool contextHas(Newer what) {
-    if (es) return false;
+    if (es) return what == Newer::clipControl && driver.ClipControl && hasExtension("GL_EXT_clip_control");
     GLint major = 0, minor = 0;
     glGetIntegerv(GL_MAJOR_VERSION, &major);
     glGetIntegerv(GL_MINOR_VERSION, &minor);

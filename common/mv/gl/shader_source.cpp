@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <map>
 #include <optional>
-#include <sstream>
 #include <utility>
 
 #include "mv/error.h"
@@ -56,6 +55,14 @@ std::string currentText(const ShaderFile& file, ShaderSource& source) {
     return text;
 }
 
+// Takes the first line off `rest`, without its end.
+std::string takeLine(std::string_view& rest) {
+    const std::size_t end = rest.find('\n');
+    std::string line(rest.substr(0, end));
+    rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+    return line;
+}
+
 // The file that a line `#include "x.glsl"` names.
 std::optional<std::string> includedFile(const std::string& line) {
     const auto start = line.find_first_not_of(" \t");
@@ -88,9 +95,8 @@ void append(ShaderSource& source, const std::string& shownName, std::string_view
     const auto number = std::to_string(source.files.size());
     source.files.push_back(shownName);
     source.text += "#line 1 " + number + "\n";
-    std::istringstream lines{std::string(text)};
-    std::string line;
-    for (int lineNumber = 1; std::getline(lines, line); ++lineNumber) {
+    for (int lineNumber = 1; !text.empty(); ++lineNumber) {
+        const std::string line = takeLine(text);
         const std::optional<std::string> included = includedFile(line);
         if (!included) {
             source.text += line + "\n";
@@ -150,9 +156,8 @@ ShaderSource assembleShaderText(const std::string& shownName, std::string_view t
 
 std::string readableLog(std::string_view log, const ShaderSource& source) {
     std::string readable;
-    std::istringstream lines{std::string(log)};
-    std::string line;
-    while (std::getline(lines, line)) {
+    while (!log.empty()) {
+        std::string line = takeLine(log);
         while (!line.empty() && (line.back() == '\0' || line.back() == '\r')) line.pop_back();
         if (line.empty()) continue;
         if (const auto found = parseLogLine(line); found && found->file < source.files.size()) {

@@ -1,0 +1,36 @@
+// A frame draw by draw: the picture stops after one of them, and beside it stands what that draw is made of and what it has drawn into.
+import { tag } from './controls.js';
+
+// `stop(draws)` stops the picture after so many draws, null: never; `buffer(index)` is a canvas with that buffer's picture.
+export function drawSteps({ stop, buffer }) {
+  const slider = tag('input', { type: 'range', min: 0, 'aria-label': 'draws', oninput: () => stop(Number(slider.value)) });
+  const by = (label, name, step) => tag('button', { type: 'button', 'aria-label': name, onclick: () => stop(Math.max(0, Math.min(Number(slider.max), Number(slider.value) + step))) }, label);
+  const told = tag('p', { 'aria-live': 'polite' }), state = tag('ul', { class: 'state' }), buffers = tag('div', { class: 'buffers' });
+  let first = 1; // where it is opened
+  const element = tag('details', { class: 'steps', ontoggle: () => stop(element.open ? first : null) }, tag('summary', {}, 'Draw by draw'),
+    tag('div', { class: 'row' }, by('<', 'one draw less', -1), slider, by('>', 'one draw more', 1)), told, state, buffers);
+  let shown = '';
+  return {
+    element,
+    // Opens it at so many draws, or closes it: the picture is whole again.
+    show(draws) {
+      first = draws ?? 1;
+      if (element.open && draws !== undefined) stop(draws);
+      element.open = draws !== undefined;
+    },
+    update({ draws, until, shown: target }, pictures) {
+      if (!element.open || !draws) return;
+      slider.max = draws.length;
+      slider.value = until;
+      const draw = draws[until - 1], into = ({ target: name, target_width: width, target_height: height }) => (name === 'the picture' ? name : `${name}, ${width} x ${height}`);
+      told.textContent = draw
+        ? `Draw ${until} of ${draws.length}: ${draw.mesh} by program ${draw.program}, ${draw.count} ${draw.indexed ? 'indices' : 'vertices'} as ${draw.primitive} into ${into(draw)}.`
+        : `Before draw 1 of ${draws.length}: all is as it was cleared.`;
+      state.replaceChildren(...(draw?.state ?? []).map((call) => tag('li', {}, tag('code', {}, call))));
+      if (shown === pictures) return;
+      shown = pictures;
+      const named = Object.entries(target).filter(([name]) => !name.startsWith('target'));
+      buffers.replaceChildren(...named.map(([name, range], i) => tag('figure', {}, tag('figcaption', {}, `${name} of ${into(target)}: ${range}`), buffer(i) ?? '')));
+    },
+  };
+}
