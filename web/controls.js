@@ -86,7 +86,8 @@ export function readoutTable(description) {
     element: rows.length ? tag('table', { class: 'readouts' }, ...rows.map(({ row }) => row)) : '',
     update(readouts) {
       for (const { name, value } of rows) {
-        const words = `${number(readouts[name].value)} ${readouts[name].unit}`.trim();
+        const { value: measured, unit } = readouts[name];
+        const words = measured === null ? '-' : `${number(measured)} ${unit}`.trim();
         if (value.textContent !== words) value.textContent = words;
       }
     },

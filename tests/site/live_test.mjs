@@ -17,7 +17,8 @@ skipUnlessBuilt(build);
 // ---- which demos have changed since each end of their knobs was met
 
 const record = path.join(source, 'tests/site/met.txt');
-const noted = new Map(fs.existsSync(record) ? [...fs.readFileSync(record, 'utf8').matchAll(/^([0-9a-f]{64}) (\S+)$/gm)].map(([, sum, demo]) => [demo, sum]) : []);
+const recorded = () => (fs.existsSync(record) ? [...fs.readFileSync(record, 'utf8').matchAll(/^([0-9a-f]{64}) (\S+)$/gm)].map(([, sum, demo]) => [demo, sum]) : []);
+const noted = new Map(recorded()), met = new Map();
 function sumOf(demo) {
   const sum = crypto.createHash('sha256');
   for (const folder of ['demos', 'shaders'])
@@ -71,14 +72,14 @@ const demos = demosOf(program).filter((name) => !named.length || named.includes(
 let pictures = 0, same = 0, worst = ['none', 0];
 
 // What the page shows at those settings. The native picture comes as base64, and is compared there.
-const shown = (name, { settings, frame }, expected, tolerated) => {
-  const { demo, what } = document.querySelector('.live').live;
+const shown = (name, { settings, frame, width, height }, expected, tolerated) => {
+  const { demo } = document.querySelector('.live').live;
   const opening = demo.says('Open', name, JSON.stringify(settings), frame, true);
   if (opening) return { error: opening };
-  while (demo.does('Draw', what.width, what.height, true));
+  while (demo.does('Draw', width, height, true));
   const { error } = demo.tells('State');
   if (error || !expected) return { error };
-  const pixels = demo.pixels(what.width * what.height), wanted = Uint8Array.from(atob(expected), (one) => one.charCodeAt(0));
+  const pixels = demo.pixels(width * height), wanted = Uint8Array.from(atob(expected), (one) => one.charCodeAt(0));
   let different = 0;
   for (let i = 0; i < pixels.length; i += 4) {
     let most = 0;
@@ -94,9 +95,9 @@ for (const demo of demos) {
   const cases = JSON.parse(execFileSync(native, [folder, demo, ...(full ? ['--ends'] : [])], { encoding: 'utf8', maxBuffer: 1 << 28 }));
   const page = await opened(browser, address, `${demo}.html`);
   for (const expected of cases) {
-    const { settings, frame } = expected, what = `${demo} ${JSON.stringify(settings)} at frame ${frame}`;
+    const { settings, frame, width, height } = expected, what = `${demo} ${JSON.stringify(settings)} at frame ${frame}`;
     const picture = expected.picture && fs.readFileSync(path.join(folder, expected.picture)).toString('base64');
-    const may = allowed({ demo, settings }), one = await page.evaluate(shown, demo, { settings, frame }, picture, may.levels);
+    const may = allowed({ demo, settings }), one = await page.evaluate(shown, demo, { settings, frame, width, height }, picture, may.levels);
     equal(one.error, expected.error, `${what}: its sentence`);
     if (expected.error || one.error) continue;
     ++pictures;
@@ -115,13 +116,14 @@ for (const demo of demos) {
   }
   await page.close();
   fs.rmSync(folder, { recursive: true });
-  if (full && counted.failures === before) noted.set(demo, sumOf(demo));
+  if (full && counted.failures === before) met.set(demo, sumOf(demo));
   console.log(`${demo}: ${cases.length} settings${full ? ', each end of each knob among them' : ''}, ${((Date.now() - started) / 1000).toFixed(1)} s`);
 }
 await browser.close();
 
 if (allEnds && !counted.failures) {
-  const lines = demosOf(program).filter((demo) => noted.has(demo)).map((demo) => `${noted.get(demo)} ${demo}`).join('\n');
+  const now = new Map([...recorded(), ...met]); // another run may have written meanwhile
+  const lines = demosOf(program).filter((demo) => now.has(demo)).map((demo) => `${now.get(demo)} ${demo}`).join('\n');
   const text = `# The sources of each demo when its page met each end of each knob; ./test meets what differs so, ./test --long all, and writes this.\n${lines}\n`;
   if (!fs.existsSync(record) || fs.readFileSync(record, 'utf8') !== text) {
     fs.writeFileSync(record, text);

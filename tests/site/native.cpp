@@ -1,7 +1,7 @@
 // native FOLDER DEMO [--ends]: what a page has to show, drawn by OpenGL ES 3.0 of EGL: the demo's presets at frame 1, of one that
-// moves the first at frame 30, too, and with --ends each end of each knob. JSON: [{"settings", "frame", "error", and where that is ""
-// "knobs", "idle", "readouts", "matrices", "messages", "picture"}], the last a file of FOLDER with the picture's bytes: red, green, blue,
-// alpha, the upper row first.
+// moves the first at frame 30, too, and with --ends each end of each knob (a sixteenth as large where the picture is made in passes, which
+// takes minutes in a page). JSON: [{"settings", "frame", "width", "height", "error", and where that is "" "knobs", "idle", "readouts",
+// "matrices", "messages", "picture"}], the last a file of FOLDER with the picture's bytes: red, green, blue, alpha, the upper row first.
 #include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -21,6 +21,7 @@ namespace {
 struct Case {
     std::vector<KnobSetting> settings;
     int frame = 1;
+    int smaller = 1;  // than the demo's own width and height
 };
 
 std::vector<Case> casesOf(const DemoInfo& info, bool ends) {
@@ -29,21 +30,23 @@ std::vector<Case> casesOf(const DemoInfo& info, bool ends) {
     if (info.animated) cases.push_back({{}, 30});
     if (!ends) return cases;
     const std::unique_ptr<Demo> demo = info.make();
+    const int smaller = demo->passes(FrameInfo(1, info.width, info.height)) > 0 ? 4 : 1;
     for (const Knob* knob : demo->knobs()) {
         for (const std::string& text : knob->sweep()) {
-            if (text != knob->initialText()) cases.push_back({{{knob->name(), text}}});
+            if (text != knob->initialText()) cases.push_back({{{knob->name(), text}}, 1, smaller});
         }
     }
     return cases;
 }
 
 nlohmann::ordered_json shown(Stage& stage, const DemoInfo& info, const Case& one, const std::string& file) {
-    auto json = nlohmann::ordered_json{{"settings", nlohmann::ordered_json::object()}, {"frame", one.frame}};
+    const int width = info.width / one.smaller, height = info.height / one.smaller;
+    auto json = nlohmann::ordered_json{
+        {"settings", nlohmann::ordered_json::object()}, {"frame", one.frame}, {"width", width}, {"height", height}};
     for (const KnobSetting& setting : one.settings) json["settings"][setting.name] = setting.text;
-    Session session(
-        stage, info,
-        {.width = info.width, .height = info.height, .knobs = one.settings, .frame = one.frame, .paused = true});
-    session.finish(info.width, info.height, true);
+    Session session(stage, info,
+                    {.width = width, .height = height, .knobs = one.settings, .frame = one.frame, .paused = true});
+    session.finish(width, height, true);
     json["error"] = session.error();
     if (!session.error().empty()) return json;
     const auto report = nlohmann::ordered_json::parse(session.report({}));
