@@ -3,10 +3,10 @@ import { tag } from './controls.js';
 
 // `what` describes the demo, `open(canvas)` makes a module for a second one, `changed()` asks for a picture, `view` holds the first.
 export function comparison(name, what, view, open, changed) {
-  const knob = tag('select', { 'aria-label': 'knob to compare', onchange: () => choose() }, tag('option', { value: '' }, 'nothing'));
+  const knob = tag('select', { 'aria-label': word('compareKnob'), onchange: () => choose() }, tag('option', { value: '' }, word('compareNothing')));
   for (const { name: one } of what.knobs) knob.append(tag('option', {}, one));
   const with_ = tag('span', { class: 'row' });
-  const line = tag('input', { type: 'range', class: 'divider', min: 0, max: 1000, value: 500, 'aria-label': 'line between the two pictures', oninput: divide, hidden: true });
+  const line = tag('input', { type: 'range', class: 'divider', min: 0, max: 1000, value: 500, 'aria-label': word('compareLine'), oninput: divide, hidden: true });
   const labels = [tag('span', { class: 'label is-a', hidden: true }), tag('span', { class: 'label is-b', hidden: true })];
   view.append(line, ...labels);
   let canvas, second, other = '', begun = '';
@@ -18,11 +18,11 @@ export function comparison(name, what, view, open, changed) {
     other = '';
     if (kind) {
       const words = kind.options?.map(({ word }) => word) ?? (kind.kind === 'switch' ? ['on', 'off'] : undefined);
-      const attributes = { 'aria-label': 'its other value', onchange: () => ((other = field.value), show()) };
+      const attributes = { 'aria-label': word('compareOther'), onchange: () => ((other = field.value), show()) };
       const field = words ? tag('select', attributes, ...words.map((word) => tag('option', {}, word))) : tag('input', { type: 'text', size: 8, ...attributes });
       field.value = given ?? words?.[0] ?? kind.high ?? what.knobs.find((one) => one.name === knob.value).initial;
       other = field.value;
-      with_.append('with ', field);
+      with_.append(`${word('compareWith')} `, field);
     }
     await show();
   }
@@ -45,7 +45,7 @@ export function comparison(name, what, view, open, changed) {
   }
 
   return {
-    element: tag('details', { class: 'compare' }, tag('summary', {}, 'Compare'), tag('div', { class: 'row' }, knob, with_)),
+    element: tag('details', { class: 'compare' }, tag('summary', {}, word('compare')), tag('div', { class: 'row' }, knob, with_)),
     second: () => second,
     on: () => knob.value !== '' && Boolean(second),
     compared: () => ({ knob: knob.value, other: knob.value ? other : '' }),
@@ -71,7 +71,7 @@ export function comparison(name, what, view, open, changed) {
       }
       labels[0].textContent = `${knob.value} ${values[knob.value]}`;
       labels[1].textContent = `${knob.value} ${other}`;
-      return refused && `with ${knob.value} ${other}: ${refused}`;
+      return refused && word('compareRefused', { knob: knob.value, value: other, sentence: refused });
     },
     // Whether a picture made in passes has more to come.
     more: (size) => second.does('IsDue', size.width, size.height) && second.does('Draw', size.width, size.height, false),

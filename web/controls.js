@@ -24,7 +24,7 @@ function widget(knob, kind, id, set) {
   }
   const typed = tag('input', { type: 'text', id, inputmode: kind.kind === 'number' ? 'decimal' : undefined, autocomplete: 'off', spellcheck: 'false', size: kind.kind === 'number' ? 7 : 24, onchange: () => set(typed.value) });
   if (kind.kind !== 'number') return { element: typed, show: (value) => document.activeElement !== typed && (typed.value = value) };
-  const slider = tag('input', { type: 'range', min: 0, max: kind.whole ? kind.high - kind.low : 1000, 'aria-label': `${knob.name}, slider`, oninput: () => set(kind.whole ? String(kind.low + Number(slider.value)) : fromSlider(Number(slider.value), kind)) });
+  const slider = tag('input', { type: 'range', min: 0, max: kind.whole ? kind.high - kind.low : 1000, 'aria-label': word('slider', { knob: knob.name }), oninput: () => set(kind.whole ? String(kind.low + Number(slider.value)) : fromSlider(Number(slider.value), kind)) });
   const show = (value) => {
     if (document.activeElement !== typed) typed.value = value;
     // The slider that is held says itself where it is
@@ -65,7 +65,7 @@ export function presetButtons(description, apply) {
   const buttons = description.presets.map((preset) => tag('button', { type: 'button', title: preset.lookFor, onclick: () => apply(preset) }, preset.name));
   const look = tag('p', { class: 'look', 'aria-live': 'polite' });
   return {
-    element: tag('div', { class: 'presets' }, tag('div', { class: 'row', role: 'group', 'aria-label': 'Presets' }, ...buttons), look),
+    element: tag('div', { class: 'presets' }, tag('div', { class: 'row', role: 'group', 'aria-label': word('presets') }, ...buttons), look),
     update(values) {
       const at = description.presets.findIndex((preset) => description.knobs.every((knob) => values[knob.name] === (preset.settings[knob.name] ?? knob.initial)));
       buttons.forEach((button, i) => button.setAttribute('aria-pressed', i === at));
@@ -95,7 +95,7 @@ export function readoutTable(description) {
 }
 
 export function matrixTables() {
-  const element = tag('details', { class: 'matrices' }, tag('summary', {}, 'Matrices')), box = tag('div');
+  const element = tag('details', { class: 'matrices' }, tag('summary', {}, word('matrices'))), box = tag('div');
   element.append(box);
   return {
     element,

@@ -5,7 +5,7 @@
 const box = document.querySelector('.curve');
 const study = JSON.parse(box.querySelector('script').textContent);
 const colors = ['#0072b2', '#d55e00', '#009e73', '#cc79a7', '#8c6d00', '#3b9dd8', '#7f3fbf', '#777777'];
-const numbers = { rms: 'root mean square', max: 'largest error', fraction: 'wrong, %' };
+const numbers = { rms: word('studyRms'), max: word('studyMax'), fraction: word('studyFraction') };
 const valueOf = (row, number) => row[number] * (number === 'fraction' ? 100 : 1);
 const short = (value) => (value === 0 ? '0' : Number(value.toPrecision(3)).toString());
 
@@ -30,7 +30,7 @@ function logarithmic(values, from, to) {
 function draw(scene, number) {
   const width = 720, height = 420, left = 70, right = 16, top = 14, bottom = 46, zero = 26;
   const rows = study.rows.filter((row) => row.scene === scene);
-  const svg = svgTag('svg', { viewBox: `0 0 ${width} ${height}`, role: 'group', 'aria-label': `${scene}: ${numbers[number]} against milliseconds` });
+  const svg = svgTag('svg', { viewBox: `0 0 ${width} ${height}`, role: 'group', 'aria-label': word('studyPicture', { scene, number: numbers[number] }) });
   const errors = rows.map((row) => valueOf(row, number));
   const hasZero = errors.some((value) => value === 0);
   const floor = height - bottom - (hasZero ? zero : 0);
@@ -48,7 +48,7 @@ function draw(scene, number) {
     svg.append(svgTag('text', { x: left - 8, y: at + 4, 'text-anchor': 'end' }, power(tick)));
   }
   if (hasZero) svg.append(svgTag('text', { x: left - 8, y: y(0) + 4, 'text-anchor': 'end' }, '0'));
-  svg.append(svgTag('text', { x: (left + width) / 2, y: height - 8, 'text-anchor': 'middle' }, 'milliseconds'));
+  svg.append(svgTag('text', { x: (left + width) / 2, y: height - 8, 'text-anchor': 'middle' }, word('studyTime')));
   svg.append(svgTag('text', { x: 14, y: (top + floor) / 2, 'text-anchor': 'middle', transform: `rotate(-90 14 ${(top + floor) / 2})` }, numbers[number]));
 
   const methods = [...new Set(rows.map((row) => row.method))];
@@ -60,7 +60,8 @@ function draw(scene, number) {
   // Above all lines, so that each can be pointed at
   for (const row of rows) {
     const color = colors[methods.indexOf(row.method) % colors.length];
-    const words = `${row.method}${row.parameter ? `, ${row.parameter}` : ''}: ${numbers[number]} ${short(valueOf(row, number))} in ${short(row.ms)} ms (deviation ${short(row.mad)})`;
+    const line = `${row.method}${row.parameter ? `, ${row.parameter}` : ''}`;
+    const words = word('studyPoint', { line, number: numbers[number], value: short(valueOf(row, number)), ms: short(row.ms), deviation: short(row.mad) });
     const point = svgTag('circle', { cx: across.at(row.ms), cy: y(valueOf(row, number)), r: row.best ? 6 : 4.5, fill: color, tabindex: 0, role: 'button', 'aria-label': words });
     point.append(svgTag('title', {}, words));
     const tell = () => (box.querySelector('.told').textContent = words);
@@ -99,6 +100,6 @@ let scene = study.rows[0].scene, number = study.axis;
 const redraw = () => draw(scene, number);
 const scenes = [...new Set(study.rows.map((row) => row.scene))];
 const choices = box.querySelector('.choices');
-if (scenes.length > 1) choices.append(choice('scene', scenes.map((one) => [one, one]), scene, (value) => { scene = value; redraw(); }));
-choices.append(choice('error', Object.entries(numbers), number, (value) => { number = value; redraw(); }));
+if (scenes.length > 1) choices.append(choice(word('studyScene'), scenes.map((one) => [one, one]), scene, (value) => { scene = value; redraw(); }));
+choices.append(choice(word('studyError'), Object.entries(numbers), number, (value) => { number = value; redraw(); }));
 redraw();

@@ -8,12 +8,12 @@ const quiet = 300; // milliseconds without a key before what is typed is compile
 export function shaderEditor(files, write) {
   if (!files.length) return '';
   const now = new Map(files.map(({ name, text }) => [name, text]));
-  const choice = tag('select', { 'aria-label': 'shader file', onchange: show });
+  const choice = tag('select', { 'aria-label': word('shaderFile'), onchange: show });
   for (const { name } of files) choice.append(tag('option', {}, name));
   const numbers = tag('pre', { class: 'numbers', 'aria-hidden': 'true' });
-  const text = tag('textarea', { 'aria-label': 'text of the shader', spellcheck: 'false', autocapitalize: 'off', wrap: 'off', rows: 8, oninput: typed, onscroll: () => (numbers.scrollTop = text.scrollTop) });
+  const text = tag('textarea', { 'aria-label': word('shaderText'), spellcheck: 'false', autocapitalize: 'off', wrap: 'off', rows: 8, oninput: typed, onscroll: () => (numbers.scrollTop = text.scrollTop) });
   const mistakes = tag('ul', { class: 'mistakes', role: 'status' });
-  const back = tag('button', { type: 'button', onclick: putBack }, 'Put back');
+  const back = tag('button', { type: 'button', onclick: putBack }, word('putBack'));
   let waiting = 0, told = '';
 
   function show() {
@@ -62,5 +62,5 @@ export function shaderEditor(files, write) {
     text.setSelectionRange(start, text.value.indexOf('\n', start) < 0 ? text.value.length : text.value.indexOf('\n', start));
   }
   show();
-  return tag('details', { class: 'shaders' }, tag('summary', {}, 'Shaders'), tag('div', { class: 'row' }, choice, back), tag('div', { class: 'editor' }, numbers, text), mistakes);
+  return tag('details', { class: 'shaders' }, tag('summary', {}, word('shaders')), tag('div', { class: 'row' }, choice, back), tag('div', { class: 'editor' }, numbers, text), mistakes);
 }

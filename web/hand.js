@@ -79,5 +79,5 @@ export function handIn(view, canvas, demo, what, after) {
     show();
   });
 
-  return { show, keys: what.handles ? [['H, arrows', 'pick what can be dragged, and move it by a pixel (Shift: ten)'], ['Ins, Del', 'one more of what is picked, or one less']] : [] };
+  return { show, keys: what.handles ? [[word('keyPick'), word('keyPickDoes')], [word('keyMore'), word('keyMoreDoes')]] : [] };
 }

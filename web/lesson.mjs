@@ -1,4 +1,5 @@
 // What the HTML of a lesson gets beyond Markdown.
+import { word } from './words.mjs';
 
 const isElsewhere = (link) => /^[a-z]+:/.test(link);
 const entity = { '&quot;': '"', '&amp;': '&', '&lt;': '<', '&gt;': '>' };
@@ -47,4 +48,4 @@ export function fold(html) {
 
 // A table moves sideways where the page is too narrow for it, by the keyboard, too.
 export const wide = (html) =>
-  html.replace(/<table>/g, '<div class="wide" tabindex="0" role="region" aria-label="table"><table>').replace(/<\/table>/g, '</table></div>');
+  html.replace(/<table>/g, `<div class="wide" tabindex="0" role="region" aria-label="${word('table')}"><table>`).replace(/<\/table>/g, '</table></div>');

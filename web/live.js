@@ -29,7 +29,7 @@ async function open(canvas) {
 
 export async function live(box) {
   const name = box.dataset.demo, view = box.querySelector('.view'), shown = view.querySelector('.shown');
-  const canvas = tag('canvas', { id: 'canvas', tabindex: 0, 'aria-label': `${name}, drawn as its settings say`, hidden: true });
+  const canvas = tag('canvas', { id: 'canvas', tabindex: 0, 'aria-label': word('canvas', { demo: name }), hidden: true });
   view.append(canvas);
   const demo = await open(canvas);
   const refused = tag('p', { class: 'refused', role: 'alert' }), notes = tag('p', { class: 'notes', 'aria-live': 'polite' });
@@ -122,26 +122,26 @@ export async function live(box) {
   const hand = handIn(view, canvas, demo, what, after);
 
   const play = tag('button', { type: 'button', onclick: () => after(void demo.does('Toggle')) });
-  const frame = tag('input', { type: 'number', min: 0, step: 1, 'aria-label': 'frame', onchange: () => after(void demo.does('GoTo', Math.max(0, Math.round(Number(frame.value))))) });
-  const speed = tag('input', { type: 'range', min: -10, max: 6, step: 1, value: 0, 'aria-label': 'speed', oninput: () => after(void demo.does('SetSpeed', Number((10 ** (speed.value / 10)).toFixed(1)))) });
+  const frame = tag('input', { type: 'number', min: 0, step: 1, 'aria-label': word('frame'), onchange: () => after(void demo.does('GoTo', Math.max(0, Math.round(Number(frame.value))))) });
+  const speed = tag('input', { type: 'range', min: -10, max: 6, step: 1, value: 0, 'aria-label': word('speed'), oninput: () => after(void demo.does('SetSpeed', Number((10 ** (speed.value / 10)).toFixed(1)))) });
   const speedWords = tag('span', { class: 'unit' });
   const time = what.animated
-    ? tag('div', { class: 'row time', role: 'group', 'aria-label': 'Time' }, play,
-        tag('button', { type: 'button', onclick: () => after(void demo.does('Step')) }, 'Step'),
-        tag('button', { type: 'button', onclick: () => after(void demo.does('Restart')) }, 'Restart'), tag('label', {}, 'frame ', frame), tag('label', {}, 'speed ', speed), speedWords)
+    ? tag('div', { class: 'row time', role: 'group', 'aria-label': word('time') }, play,
+        tag('button', { type: 'button', onclick: () => after(void demo.does('Step')) }, word('step')),
+        tag('button', { type: 'button', onclick: () => after(void demo.does('Restart')) }, word('restart')), tag('label', {}, `${word('frame')} `, frame), tag('label', {}, `${word('speed')} `, speed), speedWords)
     : '';
   function tellTime() {
-    play.textContent = state.playing ? 'Pause' : 'Play';
+    play.textContent = word(state.playing ? 'pause' : 'play');
     if (document.activeElement !== frame) frame.value = state.frame;
-    speedWords.textContent = `${state.speed} x`;
+    speedWords.textContent = word('times', { number: state.speed });
   }
 
-  const progress = tag('progress', { 'aria-label': 'passes of the picture', hidden: true });
+  const progress = tag('progress', { 'aria-label': word('passes'), hidden: true });
   const command = box.closest('.stage').querySelector('.command code');
   const pictureRow = tag('div', { class: 'row' },
-    tag('button', { type: 'button', onclick: () => settle({ settings: {}, frame: what.animated ? 1 : undefined }) }, 'Reset'),
-    tag('button', { type: 'button', onclick: save }, 'Save picture'),
-    tag('button', { type: 'button', onclick: () => view.requestFullscreen?.() }, 'Full screen'));
+    tag('button', { type: 'button', onclick: () => settle({ settings: {}, frame: what.animated ? 1 : undefined }) }, word('reset')),
+    tag('button', { type: 'button', onclick: save }, word('save')),
+    tag('button', { type: 'button', onclick: () => view.requestFullscreen?.() }, word('fullScreen')));
   function asCanvas(width, height, pixels) {
     const copy = tag('canvas', { width, height });
     copy.getContext('2d').putImageData(new ImageData(pixels, width, height), 0, 0);
@@ -185,7 +185,7 @@ export async function live(box) {
     block.append(tag('button', { type: 'button', class: 'above', onclick: () => {
       settle({ frame: what.animated ? 1 : undefined, ...lines[0] });
       box.scrollIntoView({ behavior: 'smooth' });
-    } }, 'Show above'));
+    } }, word('showAbove')));
   }
   addEventListener('hashchange', () => {
     const linked = fromAddress(location.hash, what.knobs);
@@ -206,7 +206,7 @@ export async function live(box) {
   canvas.addEventListener('webglcontextlost', (event) => {
     event.preventDefault();
     lost = true;
-    say(refused, 'The browser took the picture\'s memory away. It is asked for again ...');
+    say(refused, word('memoryLost'));
     canvas.addEventListener('webglcontextrestored', () => location.reload(), { once: true });
   });
 
@@ -223,11 +223,11 @@ export async function live(box) {
 
   // ---- the page as it is from now on
 
-  const controls = tag('details', {}, tag('summary', {}, 'Keys and mouse'), tag('table', {}, ...[
+  const controls = tag('details', {}, tag('summary', {}, word('keys')), tag('table', {}, ...[
     ...what.controls,
     ...hand.keys,
-    ...(what.animated ? [['Space', 'pause and play']] : []),
-  ].map(([does, to]) => tag('tr', {}, tag('th', { scope: 'row' }, does), tag('td', {}, to)))), tag('p', {}, 'Keys and the wheel are the picture\'s once it has been clicked.'));
+    ...(what.animated ? [[word('keySpace'), word('keySpaceDoes')]] : []),
+  ].map(([does, to]) => tag('tr', {}, tag('th', { scope: 'row' }, does), tag('td', {}, to)))), tag('p', {}, word('keysWhen')));
   const panel = box.querySelector('.panel');
   panel.replaceChildren(presets.element, refused, notes, progress, knobs.element, time, readouts.element, pictureRow, compare.element, matrices.element, steps.element, shaders, controls);
   const linked = fromAddress(location.hash, what.knobs);
@@ -256,7 +256,7 @@ if (box) {
   live(box).then(
     (made) => (box.live = made),
     (error) => {
-      box.querySelector('.panel').replaceChildren(tag('p', { class: 'refused', role: 'alert' }, `The demo cannot be drawn here, so its pictures stand: ${error.message}`));
+      box.querySelector('.panel').replaceChildren(tag('p', { class: 'refused', role: 'alert' }, word('still', { sentence: error.message })));
       box.classList.add('is-still');
     },
   );

@@ -7,6 +7,7 @@ import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { fold, imagesIn, linksIn, numbered, wide } from './lesson.mjs';
 import { demoPage, liveParts, page, startPage } from './pages.mjs';
+import { script } from './words.mjs';
 
 const root = path.dirname(path.dirname(fileURLToPath(import.meta.url)));
 const [program, folder, module] = process.argv.slice(2);
@@ -130,6 +131,7 @@ for (const file of pagesBelow('docs').sort()) {
 }
 write('index.html', startPage(list, beside, Boolean(module)));
 for (const file of ['site.css', 'site.js', 'curve.js']) write(file, text(`web/${file}`));
+write('words.js', script);
 if (module) {
   for (const file of ['live.js', ...liveParts]) write(file, text(`web/${file}`));
   for (const file of ['mvgl.js', 'mvgl.wasm']) write(file, fs.readFileSync(path.join(module, file)));

@@ -1,5 +1,6 @@
 // The pages around the lessons.
 import path from 'node:path';
+import { word } from './words.mjs';
 
 const escaped = (words) => words.replace(/&/g, '&amp;').replace(/</g, '&lt;').replace(/>/g, '&gt;').replace(/"/g, '&quot;');
 const plain = (html) => html.replace(/<[^>]*>/g, '');
@@ -8,7 +9,7 @@ const plain = (html) => html.replace(/<[^>]*>/g, '');
 export function page({ title, depth, main, heading = title, nav = '', head = '' }) {
   const up = '../'.repeat(depth);
   return `<!doctype html>
-<html lang="en">
+<html lang="${word('language')}">
 <head>
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
@@ -16,11 +17,12 @@ export function page({ title, depth, main, heading = title, nav = '', head = '' 
 <title>${plain(title)}</title>
 <link rel="stylesheet" href="${up}site.css">
 <link rel="icon" href="data:,">
+<script src="${up}words.js" defer></script>
 <script src="${up}site.js" defer></script>
 ${head}</head>
 <body>
-<a class="skip" href="#content">To the content</a>
-<header><nav aria-label="Lessons"><a href="${up}index.html">All lessons</a>${nav}</nav></header>
+<a class="skip" href="#content">${word('toContent')}</a>
+<header><nav aria-label="${word('lessons')}"><a href="${up}index.html">${word('allLessons')}</a>${nav}</nav></header>
 <main id="content">
 <h1>${heading}</h1>
 ${main}</main>
@@ -51,11 +53,11 @@ function pictures(demo, alive) {
   const view = alive
     ? `<div class="live${first.width > 640 ? ' is-wide' : ''}" data-demo="${demo.name}">
 <div class="view">${shown}</div>
-<div class="panel">${look}<p class="loading">The demo is coming ...</p><noscript><p>Its knobs need scripts.</p></noscript></div>
+<div class="panel">${look}<p class="loading">${word('coming')}</p><noscript><p>${word('needsScripts')}</p></noscript></div>
 </div>
 <script src="../live.js" type="module"></script>`
     : `${shown}\n${look}`;
-  return `<section class="stage" aria-label="Pictures">
+  return `<section class="stage" aria-label="${word('pictures')}">
 ${view}
 <pre class="command"><code>${escaped(first.command)}</code></pre>
 <ul class="thumbs">
@@ -74,11 +76,10 @@ function curve(demo) {
     .map(({ scene, method, parameter, settings, all, ms_median, ms_mad, best }) => ({ scene, method, parameter, settings, rms: all.rms, max: all.max, fraction: all.fraction, ms: ms_median, mad: ms_mad, best }));
   const data = JSON.stringify({ demo: demo.name, axis: demo.study.axis, rows }).replace(/</g, '\\u003c');
   return `<section class="curve">
-<h2 id="error-against-run-time">Error against run time</h2>
-<p>Compared: ${escaped(quantity)}. What is right: ${escaped(reference)}. Measured on ${escaped(renderer)}, ${escaped(processor)}; the
-<a href="../docs/errors-and-times/${demo.name}.html">table</a> has all numbers. A larger point is among the best: no other is as near without being measurably slower.</p>
+<h2 id="error-against-run-time">${word('study')}</h2>
+<p>${word('studyWhat', { quantity: escaped(quantity), reference: escaped(reference), renderer: escaped(renderer), processor: escaped(processor), table: `../docs/errors-and-times/${demo.name}.html` })}</p>
 <p class="choices"></p>
-<div class="drawn"><img src="../docs/errors-and-times/${demo.name}.svg" alt="Error against run time" loading="lazy"></div>
+<div class="drawn"><img src="../docs/errors-and-times/${demo.name}.svg" alt="${word('study')}" loading="lazy"></div>
 <ul class="legend"></ul>
 <p class="told" role="status"></p>
 <pre class="command"><code>./run ${demo.name} --study out</code></pre>
@@ -89,7 +90,7 @@ function curve(demo) {
 }
 
 const sources = (demo) => `<section class="sources">
-<h2 id="the-code">The code</h2>
+<h2 id="the-code">${word('code')}</h2>
 ${demo.sources
   .map(({ file, html }) => `<details><summary><code>${file}</code></summary>\n<pre class="code" tabindex="0"><code>${html}</code></pre>\n</details>`)
   .join('\n')}
@@ -102,7 +103,7 @@ const early = ['mvgl.js', ...liveParts].map((file) => `<link rel="modulepreload"
   + '<link rel="preload" href="../mvgl.wasm" as="fetch" type="application/wasm" crossorigin>\n';
 
 export function demoPage(demo, before, after, alive) {
-  const to = (other, words, rel) => (other ? `<a rel="${rel}" href="${other.name}.html">${words} ${other.name}</a>` : '');
+  const to = (other, key, rel) => (other ? `<a rel="${rel}" href="${other.name}.html">${word(key, { demo: other.name })}</a>` : '');
   const opening = demo.pictures[0].file;
   // The lesson's own first picture is the one above it.
   const lesson = demo.html.replace(new RegExp(`<p><img src="\\.\\./${opening}"[^>]*></p>\\s*`), '');
@@ -110,7 +111,7 @@ export function demoPage(demo, before, after, alive) {
     title: demo.title,
     depth: 1,
     head: alive ? early : '',
-    nav: to(before, 'Before:', 'prev') + to(after, 'Next:', 'next'),
+    nav: to(before, 'before', 'prev') + to(after, 'next', 'next'),
     main: `<p class="sentence">${escaped(demo.sentence)}</p>\n${pictures(demo, alive)}<article>\n${lesson}</article>\n${curve(demo)}${sources(demo)}`,
   });
 }
@@ -143,15 +144,14 @@ ${demos.map((demo) => card(demo, chapter)).join('\n')}
 </section>`,
   );
   return page({
-    title: 'mvgl: computer graphics, one small program at a time',
-    heading: 'Computer graphics, one small program at a time',
+    title: word('title'),
+    heading: word('heading'),
     depth: 0,
-    main: `<p>${count} lessons, in the order of the course. Each has a program of a few hundred lines; its pictures, its mathematics, and what was
-measured of it are on its page. ${alive ? 'The program itself runs there: move its knobs, drag its picture, change its shaders.' : 'To move its knobs, run it: <code>./run cube-cull</code>.'}</p>
-<p class="search" hidden><label for="search">Find a lesson</label> <input id="search" type="search" autocomplete="off" placeholder="shadow, spline, Fresnel ...">
+    main: `<p>${word('opening', { count })} ${alive ? word('openingAlive') : `${word('openingStill')} <code>./run cube-cull</code>`}</p>
+<p class="search" hidden><label for="search">${word('find')}</label> <input id="search" type="search" autocomplete="off" placeholder="${word('findExamples')}">
 <span role="status" id="found"></span></p>
 ${sections.join('\n')}
-<section><h2>Beside the lessons</h2>
+<section><h2>${word('beside')}</h2>
 <ul>
 ${measured.map(({ file, title }) => `<li><a href="${file}">${title}</a></li>`).join('\n')}
 </ul></section>

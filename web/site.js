@@ -14,7 +14,7 @@ if (search) {
       count += card.hidden ? 0 : 1;
     }
     for (const chapter of document.querySelectorAll('.chapter')) chapter.hidden = !chapter.querySelector('.card:not([hidden])');
-    document.querySelector('#found').textContent = !wanted.length ? '' : count ? `${count} of ${cards.length}` : 'no lesson has these words';
+    document.querySelector('#found').textContent = !wanted.length ? '' : count ? word('found', { count, all: cards.length }) : word('foundNone');
     history.replaceState(null, '', wanted.length ? `#find=${encodeURIComponent(search.value)}` : location.pathname);
   };
   search.closest('p').hidden = false;
@@ -33,7 +33,7 @@ function show(link) {
   shown.src = link.href;
   shown.setAttribute('width', small.getAttribute('width'));
   shown.setAttribute('height', small.getAttribute('height'));
-  shown.alt = `The picture of ${link.dataset.command}`;
+  shown.alt = word('pictureOf', { command: link.dataset.command });
   stage.querySelector('.look').textContent = link.dataset.look;
   stage.querySelector('.command code').textContent = link.dataset.command;
   for (const other of stage.querySelectorAll('[aria-current]')) other.removeAttribute('aria-current');
@@ -59,7 +59,7 @@ showLinked();
 // From a disk browsers open no modules.
 if (location.protocol === 'file:') {
   for (const loading of document.querySelectorAll('.loading')) {
-    loading.innerHTML = 'Its knobs move where the pages are served: <code>./run --site --serve</code>';
+    loading.innerHTML = `${word('fromDisk')} <code>./run --site --serve</code>`;
   }
 }
 
@@ -69,15 +69,15 @@ for (const block of document.querySelectorAll('pre:not(.code)')) {
   if (!block.textContent.includes('./run') || !navigator.clipboard) continue;
   const button = document.createElement('button');
   button.type = 'button';
-  button.textContent = 'Copy';
+  button.textContent = word('copy');
   button.addEventListener('click', async () => {
     try {
       await navigator.clipboard.writeText(block.querySelector('code').textContent.trim());
-      button.textContent = 'Copied';
+      button.textContent = word('copied');
     } catch {
-      button.textContent = 'The browser forbids it';
+      button.textContent = word('copyForbidden');
     }
-    setTimeout(() => (button.textContent = 'Copy'), 2000);
+    setTimeout(() => (button.textContent = word('copy')), 2000);
   });
   block.append(button);
 }

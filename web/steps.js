@@ -3,12 +3,12 @@ import { tag } from './controls.js';
 
 // `stop(draws)` stops the picture after so many draws, null: never; `buffer(index)` is a canvas with that buffer's picture.
 export function drawSteps({ stop, buffer }) {
-  const slider = tag('input', { type: 'range', min: 0, 'aria-label': 'draws', oninput: () => stop(Number(slider.value)) });
+  const slider = tag('input', { type: 'range', min: 0, 'aria-label': word('drawsSlider'), oninput: () => stop(Number(slider.value)) });
   const by = (label, name, step) => tag('button', { type: 'button', 'aria-label': name, onclick: () => stop(Math.max(0, Math.min(Number(slider.max), Number(slider.value) + step))) }, label);
   const told = tag('p', { 'aria-live': 'polite' }), state = tag('ul', { class: 'state' }), buffers = tag('div', { class: 'buffers' });
   let first = 1; // where it is opened
-  const element = tag('details', { class: 'steps', ontoggle: () => stop(element.open ? first : null) }, tag('summary', {}, 'Draw by draw'),
-    tag('div', { class: 'row' }, by('<', 'one draw less', -1), slider, by('>', 'one draw more', 1)), told, state, buffers);
+  const element = tag('details', { class: 'steps', ontoggle: () => stop(element.open ? first : null) }, tag('summary', {}, word('draws')),
+    tag('div', { class: 'row' }, by('<', word('drawLess'), -1), slider, by('>', word('drawMore'), 1)), told, state, buffers);
   let shown = '';
   return {
     element,
@@ -22,15 +22,15 @@ export function drawSteps({ stop, buffer }) {
       if (!element.open || !draws) return;
       slider.max = draws.length;
       slider.value = until;
-      const draw = draws[until - 1], into = ({ target: name, target_width: width, target_height: height }) => (name === 'the picture' ? name : `${name}, ${width} x ${height}`);
+      const draw = draws[until - 1], into = ({ target: name, target_width: width, target_height: height }) => (name === 'the picture' ? word('thePicture') : `${name}, ${width} x ${height}`);
       told.textContent = draw
-        ? `Draw ${until} of ${draws.length}: ${draw.mesh} by program ${draw.program}, ${draw.count} ${draw.indexed ? 'indices' : 'vertices'} as ${draw.primitive} into ${into(draw)}.`
-        : `Before draw 1 of ${draws.length}: all is as it was cleared.`;
+        ? word('draw', { ...draw, number: until, all: draws.length, count: word(draw.indexed ? 'indices' : 'vertices', draw), target: into(draw) })
+        : word('drawFirst', { all: draws.length });
       state.replaceChildren(...(draw?.state ?? []).map((call) => tag('li', {}, tag('code', {}, call))));
       if (shown === pictures) return;
       shown = pictures;
       const named = Object.entries(target).filter(([name]) => !name.startsWith('target'));
-      buffers.replaceChildren(...named.map(([name, range], i) => tag('figure', {}, tag('figcaption', {}, `${name} of ${into(target)}: ${range}`), buffer(i) ?? '')));
+      buffers.replaceChildren(...named.map(([name, range], i) => tag('figure', {}, tag('figcaption', {}, word('buffer', { name, target: into(target), range })), buffer(i) ?? '')));
     },
   };
 }

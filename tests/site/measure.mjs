@@ -14,7 +14,7 @@ const address = await served(source, site);
 const median = (values) => ((sorted) => (sorted.length % 2 ? sorted[(sorted.length - 1) / 2] : (sorted[sorted.length / 2 - 1] + sorted[sorted.length / 2]) / 2))([...values].sort((a, b) => a - b));
 const spread = (values) => median(values.map((value) => Math.abs(value - median(values))));
 
-const files = ['mvgl.wasm', 'mvgl.js', 'live.js', ...liveParts, 'site.js', 'curve.js', 'site.css'].map((file) => {
+const files = ['mvgl.wasm', 'mvgl.js', 'live.js', ...liveParts, 'words.js', 'site.js', 'curve.js', 'site.css'].map((file) => {
   const bytes = fs.readFileSync(path.join(site, file));
   return { file, bytes: bytes.length, brotli: zlib.brotliCompressSync(bytes).length };
 });

@@ -5,6 +5,7 @@ import fs from 'node:fs';
 import path from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { anchorOf, fold } from '../../web/lesson.mjs';
+import { keys } from '../../web/words.mjs';
 import { all, chromium, counted, demosOf, equal, expect, made, scratch, served } from './support.mjs';
 
 const [source, program] = process.argv.slice(2);
@@ -67,6 +68,11 @@ equal(anchorOf('The worst that a <code>search</code> finds, &amp; more'), 'the-w
 const folded = fold('<h2 id="q">Questions</h2>\n<p><strong>Why?</strong> So.</p>\n<pre>1</pre>\n<p><em>And?</em></p>\n<p>No.</p>\n<h2>Else</h2>\n<p><strong>Not</strong> folded.</p>');
 equal(all(folded, /<summary>(.*?)<\/summary>/g).join(' '), 'Why? And?', 'questions that are folded');
 expect(folded.includes('<p>So.</p>\n<pre>1</pre>\n</details>') && folded.includes('<p>No.</p>\n</details>'), `answers below them: ${folded}`);
+
+// All that pages say beside the lessons has its words, and no words are left over.
+const scripts = fs.readdirSync(path.join(source, 'web')).filter((file) => /\.m?js$/.test(file)).map((file) => fs.readFileSync(path.join(source, 'web', file), 'utf8')).join('\n');
+for (const key of all(scripts, /\bword\('(\w+)'/g)) expect(keys.includes(key), `web/words.json: no '${key}'`);
+for (const key of keys) expect(scripts.includes(`'${key}'`), `web/words.json: nobody says '${key}'`);
 
 // ---- refusals
 
