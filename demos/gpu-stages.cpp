@@ -95,7 +95,7 @@ struct GpuStages final : Demo {
     GpuStages() {
         bindWheel(inner, 1);
         bindKeys(Key::down, Key::up, bend, 0.05);
-        const auto only = [](const auto& where, const char* reason, const std::vector<Knob*>& knobs) {
+        const auto only = [](const auto& where, Literal reason, const std::vector<Knob*>& knobs) {
             for (Knob* knob : knobs) knob->onlyWhen(where, reason);
         };
         const auto shows = [this](Show what) { return [=, this] { return show == what; }; };

@@ -106,7 +106,7 @@ struct Keyframes final : Demo {
             if (which != Which::ball || !by.isBezierEase()) return std::nullopt;
             return easePlot(frame).pixel(handle);
         });
-        const auto only = [this](Which scene, const char* reason, std::initializer_list<Knob*> knobs) {
+        const auto only = [this](Which scene, Literal reason, std::initializer_list<Knob*> knobs) {
             for (Knob* knob : knobs) knob->onlyWhen([this, scene] { return which == scene; }, reason);
         };
         only(Which::ball, "only the ball has keys in a plane", {&keys});

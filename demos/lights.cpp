@@ -372,13 +372,19 @@ struct Lights final : Demo {
 
     static Kinds kindKnobs(Demo* owner) {
         Kinds kinds;
-        for (int i = 0; i < 8; ++i) {
-            const Kind initial = i < 4 ? static_cast<Kind>(i + 1) : Kind::off;
-            kinds.push_back(std::make_unique<Choice<Kind>>(
-                owner, "light-" + std::to_string(i + 1), initial,
-                std::vector<Option>{{"off"}, {"ambient"}, {"directional"}, {"point"}, {"spot"}},
-                "what light " + std::to_string(i + 1) + " is"));
-        }
+        const auto add = [&](Literal name, Kind initial, Literal help) {
+            const std::initializer_list<DeclaredOption> options{
+                {"off"}, {"ambient"}, {"directional"}, {"point"}, {"spot"}};
+            kinds.push_back(std::make_unique<Choice<Kind>>(owner, name, initial, options, help));
+        };
+        add("light-1", Kind::ambient, "what light 1 is");
+        add("light-2", Kind::directional, "what light 2 is");
+        add("light-3", Kind::point, "what light 3 is");
+        add("light-4", Kind::spot, "what light 4 is");
+        add("light-5", Kind::off, "what light 5 is");
+        add("light-6", Kind::off, "what light 6 is");
+        add("light-7", Kind::off, "what light 7 is");
+        add("light-8", Kind::off, "what light 8 is");
         return kinds;
     }
 };

@@ -92,7 +92,8 @@ struct PathDemo final : Demo {
                               "rule for the length"};
     Whole pieces{this, "pieces", 4, {2, 64}, "chords, parts or nodes of that rule between two keys"};
     Real start{this, "start", 42, {0, 100}, "where frame 0 is: the part of the lap, or between the poses", "%"};
-    PoseKnobs from{this, "from", {0, 40, 0}}, to{this, "to", {180, 55, 180}};
+    PoseKnobs from{this, {"from-yaw", "from-pitch", "from-roll"}, {0, 40, 0}};
+    PoseKnobs to{this, {"to-yaw", "to-pitch", "to-roll"}, {180, 55, 180}};
     Spin spin{this, 0, 0, vec2(0.5)};
 
     Readout carSpeed{this, "car-speed", "of the car now", "m/s"};

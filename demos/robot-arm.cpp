@@ -102,7 +102,7 @@ struct RobotArm final : Demo {
             if (!hasTarget() || beyond > 0) return std::nullopt;
             return pictureFromPane(paneOf(frame), projection(paneOf(frame)), target());
         });
-        const auto only = [](const char* reason, const std::function<bool()>& when, const std::vector<Knob*>& knobs) {
+        const auto only = [](Literal reason, const std::function<bool()>& when, const std::vector<Knob*>& knobs) {
             for (Knob* knob : knobs) knob->onlyWhen(when, reason);
         };
         only("two links have these angles", [this] { return isLinks(); }, {&theta1, &theta2});

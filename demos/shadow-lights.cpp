@@ -249,7 +249,7 @@ struct ShadowLights final : Demo {
     }
 };
 
-const char* const inShadow = "what is wholly in one light's shadow is known when it is drawn";
+constexpr Literal inShadow = "what is wholly in one light's shadow is known when it is drawn";
 
 const bool added = addDemo<ShadowLights>({
     .name = "shadow-lights",

@@ -251,8 +251,8 @@ struct ShadowMap final : Demo {
 };
 
 // The cube on its plane, lit from the upper left, with these settings besides.
-std::vector<KnobSetting> litCube(const std::vector<KnobSetting>& besides) {
-    std::vector<KnobSetting> settings{
+std::vector<DeclaredSetting> litCube(const std::vector<DeclaredSetting>& besides) {
+    std::vector<DeclaredSetting> settings{
         {"scene", "cube-on-plane"}, {"resolution", "1024"}, {"light-x", "-2.2"}, {"light-y", "3.6"}, {"light-z", "1.4"},
         {"target-x", "0"},          {"target-y", "0"},      {"target-z", "0"},   {"fov", "90"},      {"spin-y", "300"}};
     settings.insert(settings.end(), besides.begin(), besides.end());

@@ -278,7 +278,7 @@ struct ShadowMethods final : Demo {
     }
 };
 
-const char* const otherHalf = "each side of the line draws the whole scene, and some of it is on the other side";
+constexpr Literal otherHalf = "each side of the line draws the whole scene, and some of it is on the other side";
 
 const bool added = addDemo<ShadowMethods>({
     .name = "shadow-methods",

@@ -11,7 +11,10 @@ const pause = 100; // milliseconds between two looks at the readouts of what mov
 
 // The module's functions, by their names in web/page.cpp. Texts come as texts, JSON as what it says.
 async function open(canvas) {
-  const module = await openModule({ canvas });
+  const opening = openModule({ canvas });
+  // The browser makes its context while the module is on its way, which then asks for the same one.
+  canvas.getContext('webgl2', { alpha: false, depth: false, stencil: false, antialias: false });
+  const module = await opening;
   const kinds = { string: 'string', number: 'number', boolean: 'boolean' };
   const call = (answer) => (name, ...given) => module.ccall(`mv${name}`, answer, given.map((one) => kinds[typeof one]), given);
   const text = call('string');

@@ -58,8 +58,8 @@ const char* attempt(const Action& action) {
     try {
         action();
         return say("");
-    } catch (const std::exception& error) {
-        return say(sentenceOf(error, "demo"));
+    } catch (const std::exception&) {
+        return say(caughtSentence("demo"));
     }
 }
 
@@ -123,7 +123,8 @@ EMSCRIPTEN_KEEPALIVE const char* mvSet(const char* knob, const char* text) { ret
 EMSCRIPTEN_KEEPALIVE const char* mvSetAll(const char* settings) {
     return attempt([&] {
         session().touch();  // also where one is refused: those before it are set
-        applyPreset(demo(), {"", "", settingsOf(settings)});
+        for (Knob* knob : demo().knobs()) knob->reset();
+        applyKnobs(demo(), settingsOf(settings));
     });
 }
 
@@ -143,8 +144,8 @@ EMSCRIPTEN_KEEPALIVE const char* mvWriteShader(const char* name, const char* tex
         std::string errors;
         for (const std::string& error : reloaded.standing) errors += (errors.empty() ? "" : "\n") + error;
         return say(std::move(errors));
-    } catch (const std::exception& error) {
-        return say(sentenceOf(error, name));
+    } catch (const std::exception&) {
+        return say(caughtSentence(name));
     }
 }
 

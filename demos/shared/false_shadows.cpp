@@ -35,7 +35,7 @@ std::optional<FalseShadows> falseShadows(Probing& probing) {
     return result;
 }
 
-Probe wrongShadows(const std::string& help) {
+Probe wrongShadows(Literal help) {
     return {.numbers = {{"wrong", help, "%"}}, .measure = [](Probing& probing) -> std::vector<double> {
                 const auto found = falseShadows(probing);
                 if (!found) return {};

@@ -17,6 +17,6 @@ struct FalseShadows {
 std::optional<FalseShadows> falseShadows(Probing& probing);
 
 // The readout of a demo of shadows: the part that is wrong.
-Probe wrongShadows(const std::string& help = "part of the pixels of a coarse grid whose shadow is not what rays show");
+Probe wrongShadows(Literal help = "part of the pixels of a coarse grid whose shadow is not what rays show");
 
 }  // namespace mv

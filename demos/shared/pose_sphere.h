@@ -2,7 +2,6 @@
 #pragma once
 #include <array>
 #include <functional>
-#include <string>
 #include <vector>
 
 #include "mv/demo/demo.h"
@@ -11,9 +10,9 @@
 
 namespace mv {
 
-// A member of a demo: adds the knobs NAME-yaw, NAME-pitch and NAME-roll to it.
+// A member of a demo: adds three knobs to it, named in the order of yaw, pitch and roll.
 struct PoseKnobs {
-    PoseKnobs(Demo* owner, const std::string& name, const YawPitchRoll& initial);
+    PoseKnobs(Demo* owner, const std::array<Literal, 3>& names, const YawPitchRoll& initial);
     YawPitchRoll angles() const { return {yaw, pitch, roll}; }
     quat orientation() const { return quatFromYawPitchRoll(yaw, pitch, roll); }
 

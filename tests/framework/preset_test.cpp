@@ -73,13 +73,14 @@ TEST(Presets, are_refused_where_they_are_no_presets) {
               "--water 0 --lid off");
     EXPECT_EQ(refusal({half, empty, empty}), "preset 'empty' of kettle: must be declared once");
     EXPECT_EQ(refusal({half, {"full", ""}}), "preset 'full' of kettle: must say what to look for");
-    for (const char* name : {"", "Full", "half full", "-full", "full-", "half--full", "full_up"}) {
+    for (const Literal name :
+         std::initializer_list<Literal>{"", "Full", "half full", "-full", "full-", "half--full", "full_up"}) {
         EXPECT_EQ(
             refusal({half, {name, "It boils over."}}),
             "preset '" + std::string(name) + "' of kettle: must have a name of small letters, digits and single -");
     }
     // A demo is added with its presets checked.
-    EXPECT_EQ(refusalOf([] { addDemo(kettle({empty})); }).substr(0, 24), "preset 'empty' of kettle");
+    EXPECT_EQ(refusalOf([] { addDemo<Kettle>(kettle({empty})); }).substr(0, 24), "preset 'empty' of kettle");
     // What a preset sets is a knob, and a value of it.
     Kettle demo;
     EXPECT_EQ(refusalOf([&] {

@@ -24,8 +24,8 @@ template <class Work>
 std::string told(const Work& work) {
     try {
         work();
-    } catch (const std::exception& error) {
-        return sentenceOf(error, "cube-cull");
+    } catch (const std::exception&) {
+        return caughtSentence("cube-cull");
     }
     return "nothing was thrown";
 }

@@ -125,7 +125,7 @@ Study trapeziaStudy() {
 }
 
 template <class T>
-DemoInfo infoOf(const std::string& name, Study study) {
+DemoInfo infoOf(Literal name, Study study) {
     DemoInfo made;
     made.name = name;
     made.study = std::move(study);

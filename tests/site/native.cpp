@@ -26,7 +26,7 @@ struct Case {
 
 std::vector<Case> casesOf(const DemoInfo& info, bool ends) {
     std::vector<Case> cases;
-    for (const Preset& preset : info.presets) cases.push_back({preset.settings});
+    for (const Preset& preset : info.presets) cases.push_back({{preset.settings.begin(), preset.settings.end()}});
     if (info.animated) cases.push_back({{}, 30});
     if (!ends) return cases;
     const std::unique_ptr<Demo> demo = info.make();
@@ -75,8 +75,8 @@ int main(int count, char** arguments) {
             all.push_back(shown(stage, info, one, words[0] + "/" + info.name + "-" + std::to_string(all.size())));
         std::cout << all.dump() << "\n";
         return 0;
-    } catch (const std::exception& error) {
-        std::cerr << "error: " << sentenceOf(error, "native") << "\n";
+    } catch (const std::exception&) {
+        std::cerr << "error: " << caughtSentence("native") << "\n";
         return 1;
     }
 }

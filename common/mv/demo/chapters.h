@@ -2,7 +2,6 @@
 #pragma once
 #include <array>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "mv/demo/demo.h"
@@ -10,7 +9,7 @@
 namespace mv {
 
 // The course's chapters, in its order.
-inline constexpr std::array<std::string_view, 7> courseChapters{
+inline constexpr std::array<Literal, 7> courseChapters{
     "Viewing and projection",       "Stereo and hidden surfaces", "Shadows", "Motion", "Light, colour and texture",
     "Surfaces, mirrors and stages", "Rays, clipping and pixels",
 };

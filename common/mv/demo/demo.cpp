@@ -10,8 +10,7 @@
 
 namespace mv {
 
-Readout::Readout(Demo* owner, std::string name, std::string help, std::string unit)
-    : name_(std::move(name)), help_(std::move(help)), unit_(std::move(unit)) {
+Readout::Readout(Demo* owner, Literal name, Literal help, Literal unit) : name_(name), help_(help), unit_(unit) {
     owner->add(this);
 }
 
@@ -111,8 +110,8 @@ void Demo::bindKeys(Key less, Key more, Knob& knob, double amount) {
     bindings_.push_back({Gesture::key, more, &knob, amount});
 }
 
-void Demo::bindKey(Key key, Knob& knob, std::string text) {
-    bindings_.push_back({Gesture::key, key, &knob, 0, std::move(text)});
+void Demo::bindKey(Key key, Knob& knob, std::string_view text) {
+    bindings_.push_back({Gesture::key, key, &knob, 0, std::string(text)});
 }
 
 void Demo::bindDrag(Knob& across, double perPixelAcross, Knob& down, double perPixelDown) {
@@ -182,8 +181,8 @@ struct Measures {
     }
 };
 
-std::map<std::string, Measures>& measures() {
-    static std::map<std::string, Measures> all;
+std::map<std::string, Measures, std::less<>>& measures() {
+    static std::map<std::string, Measures, std::less<>> all;
     return all;
 }
 
@@ -233,7 +232,7 @@ bool addProbes(const std::string& name, std::vector<Probe> probes) {
     return true;
 }
 
-void addProbedReadouts(Demo& demo, const std::string& name) {
+void addProbedReadouts(Demo& demo, std::string_view name) {
     const auto found = measures().find(name);
     if (found == measures().end()) return;
     for (const Probe& probe : found->second.probes) {
@@ -242,13 +241,19 @@ void addProbedReadouts(Demo& demo, const std::string& name) {
     }
 }
 
-bool addDemo(DemoInfo info) {
+bool addDemo(DemoInfo info, std::unique_ptr<Demo> (*make)()) {
     checkPresets(info);
+    info.make = [make, name = info.name] {
+        std::unique_ptr<Demo> demo = make();
+        addProbedReadouts(*demo, name);
+        return demo;
+    };
     auto& all = demos();
     for (const DemoInfo& other : all) {
         if (other.name == info.name) throw Error("demo " + info.name, "must be added once");
     }
-    if (const auto found = measures().find(info.name); found != measures().end()) found->second.give(info);
+    if (const auto found = measures().find(std::string_view(info.name)); found != measures().end())
+        found->second.give(info);
     const auto order = [](const DemoInfo& d) { return std::pair(chapterPlace(d), d.number); };
     const auto place = std::find_if(all.begin(), all.end(), [&](const DemoInfo& d) { return order(d) > order(info); });
     all.insert(place, std::move(info));

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -92,7 +93,7 @@ class Demo {
 
     // Declared in a demo's constructor, or by a member that brings its knobs; `amount` as in Binding.
     void bindKeys(Key less, Key more, Knob& knob, double amount);
-    void bindKey(Key key, Knob& knob, std::string text);
+    void bindKey(Key key, Knob& knob, std::string_view text);
     void bindDrag(Knob& across, double perPixelAcross, Knob& down, double perPixelDown);
     void bindWheel(Knob& knob, double perNotch);
     // Something in the picture that is dragged there; `where` as in Handle.
@@ -115,14 +116,14 @@ class Demo {
     std::vector<Handle> handles_;
     AnyMemory* memory_ = nullptr;
     std::vector<std::unique_ptr<Readout>> probed_;
-    friend void addProbedReadouts(Demo& demo, const std::string& name);
+    friend void addProbedReadouts(Demo& demo, std::string_view name);
 };
 
 // Something that a demo uses and OpenGL ES 3.0, which is WebGL 2's, lacks; older OpenGL may lack it, too (clip
 // control). A demo can ask whether it is there: has() in mv/gl/beyond_es.h.
 struct BeyondEs {
-    std::string feature;    // by the name that mv/gl/beyond_es.h finds it by: "clip distances"
-    std::string otherwise;  // what the demo does without it, a clause
+    Literal feature;    // by the name that mv/gl/beyond_es.h finds it by: "clip distances"
+    Literal otherwise;  // what the demo does without it, a clause
 };
 
 // What a demo needs of the context and of its framebuffer. What is not asked for is not made.
@@ -137,17 +138,17 @@ struct Needs {
 
 // Needless work that a demo does on purpose, because its lesson is about it.
 struct DeclaredWaste {
-    std::string kind;    // as --audit names it: "no-sample"
-    std::string what;    // what --audit says of it, word for word: "draw of 'cube'"
-    std::string reason;  // one clause
+    Literal kind;    // as --audit names it: "no-sample"
+    Literal what;    // what --audit says of it, word for word: "draw of 'cube'"
+    Literal reason;  // one clause
 };
 
 // What is known of a demo before one is made.
 struct DemoInfo {
-    std::string name;               // kebab-case; the program, the page and the shaders have the same name
-    std::string sentence;           // what it shows
-    std::string lookFor;            // what to look for, one sentence
-    std::string chapter;            // the heading it stands under: one of mv/demo/chapters.h, or none
+    Literal name;                   // kebab-case; the program, the page and the shaders have the same name
+    Literal sentence;               // what it shows
+    Literal lookFor;                // what to look for, one sentence
+    Literal chapter;                // the heading it stands under: one of mv/demo/chapters.h, or none
     int number = 0;                 // its row in the course's catalogue, which orders a chapter
     int width = 512, height = 512;  // the original's canvas
     bool animated = false;          // the picture depends on the frame index; always so with a Memory
@@ -171,17 +172,10 @@ const std::vector<DemoInfo>& catalogue();
 const DemoInfo& findDemo(std::string_view name);
 // Adds a demo; called at file scope by the last line of its file. Error: two of one name, a chapter that there is not, or
 // presets that checkPresets() refuses.
-bool addDemo(DemoInfo info);
-// The numbers of that demo's probes become readouts of it, behind its own. For addDemo().
-void addProbedReadouts(Demo& demo, const std::string& name);
+bool addDemo(DemoInfo info, std::unique_ptr<Demo> (*make)());
 template <class T>
 bool addDemo(DemoInfo info) {
-    info.make = [name = info.name] {
-        auto demo = std::make_unique<T>();
-        addProbedReadouts(*demo, name);
-        return demo;
-    };
-    return addDemo(std::move(info));
+    return addDemo(std::move(info), [] { return std::unique_ptr<Demo>(new T); });
 }
 
 // Sets knobs by name. Error: no such knob, or a value that it refuses.

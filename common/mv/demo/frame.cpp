@@ -7,11 +7,11 @@
 
 namespace mv {
 
-void Frame::show(std::string name, const mat4& matrix) const { notes_->matrices.emplace_back(std::move(name), matrix); }
+void Frame::show(std::string_view name, const mat4& matrix) const { notes_->matrices.emplace_back(name, matrix); }
 
 void Frame::say(std::string message) const { notes_->messages.push_back(std::move(message)); }
 
-void Frame::count(std::string name, double amount) const { notes_->counts.emplace_back(std::move(name), amount); }
+void Frame::count(std::string_view name, double amount) const { notes_->counts.emplace_back(name, amount); }
 
 void Frame::needless(std::string what) const { notes_->needless.push_back(std::move(what)); }
 

@@ -3,6 +3,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -77,12 +78,12 @@ class Frame : public FrameInfo {
     void bindTarget() const { mode_.bindTarget(); }
 
     // Shows a matrix as a live table, under its name in the form aFromB.
-    void show(std::string name, const mat4& matrix) const;
+    void show(std::string_view name, const mat4& matrix) const;
     // One sentence that the user must see beside this picture (a shadow that cannot be, say).
     void say(std::string message) const;
     // Work done in this frame that the framework does not count itself: taps, rays, lights. Shown by --report, and beside
     // the errors of a study, since it does not depend on the machine.
-    void count(std::string name, double amount) const;
+    void count(std::string_view name, double amount) const;
     // Work in this frame that only the demo knows to be needless, for --audit; in words ("light 5, which is off").
     void needless(std::string what) const;
 

@@ -39,8 +39,7 @@ int placeOf(int number, const std::vector<int>& numbers) {
 
 }  // namespace
 
-Knob::Knob(Demo* owner, std::string name, std::string help, std::string unit)
-    : name_(std::move(name)), help_(std::move(help)), unit_(std::move(unit)) {
+Knob::Knob(Demo* owner, Literal name, Literal help, Literal unit) : name_(name), help_(help), unit_(unit) {
     owner->add(this);
 }
 
@@ -60,11 +59,8 @@ std::string Knob::stepText(double amount, const std::string& unit) const {
 
 // ---- Real
 
-Real::Real(Demo* owner, std::string name, double initial, Range range, std::string help, std::string unit)
-    : Knob(owner, std::move(name), std::move(help), std::move(unit)),
-      value_(initial),
-      initial_(initial),
-      range_(range) {
+Real::Real(Demo* owner, Literal name, double initial, Range range, Literal help, Literal unit)
+    : Knob(owner, name, help, unit), value_(initial), initial_(initial), range_(range) {
     const bool logarithmic = range.scale == Scale::logarithmic;
     if (logarithmic && !(range.low > 0)) {
         throw Error("knob " + this->name(), "must have a logarithmic range above 0", this->range());
@@ -128,8 +124,8 @@ Coordinate Real::coordinate() {
 
 // ---- Angle
 
-Angle::Angle(Demo* owner, std::string name, double initial, std::string help)
-    : Real(owner, std::move(name), initial, {-360, 360}, std::move(help), "deg") {}
+Angle::Angle(Demo* owner, Literal name, double initial, Literal help)
+    : Real(owner, name, initial, {-360, 360}, help, "deg") {}
 
 bool Angle::step(double amount) {
     if (amount == 0) return false;
@@ -145,11 +141,8 @@ Coordinate Angle::coordinate() {
 
 // ---- Whole
 
-Whole::Whole(Demo* owner, std::string name, int initial, Range range, std::string help, std::string unit)
-    : Knob(owner, std::move(name), std::move(help), std::move(unit)),
-      value_(initial),
-      initial_(initial),
-      range_(range) {
+Whole::Whole(Demo* owner, Literal name, int initial, Range range, Literal help, Literal unit)
+    : Knob(owner, name, help, unit), value_(initial), initial_(initial), range_(range) {
     if (initial < range.low || initial > range.high) throw refused(std::to_string(initial));
 }
 
@@ -180,8 +173,8 @@ bool Whole::widget(Panel& panel) { return panel.slider(*this, value_, range_.low
 
 // ---- Toggle
 
-Toggle::Toggle(Demo* owner, std::string name, bool initial, std::string help)
-    : Knob(owner, std::move(name), std::move(help), ""), value_(initial), initial_(initial) {}
+Toggle::Toggle(Demo* owner, Literal name, bool initial, Literal help)
+    : Knob(owner, name, help, ""), value_(initial), initial_(initial) {}
 
 void Toggle::parse(std::string_view text) {
     if (text != "on" && text != "off") throw refused(text);
@@ -198,13 +191,14 @@ bool Toggle::widget(Panel& panel) { return panel.checkbox(*this, value_); }
 
 // ---- Choice
 
-WordChoice::WordChoice(Demo* owner, std::string name, int initial, std::vector<Option> options, std::string help)
-    : Knob(owner, std::move(name), std::move(help), ""),
-      index_(initial),
-      initial_(initial),
-      options_(std::move(options)) {
+WordChoice::WordChoice(Demo* owner, Literal name, int initial, std::vector<Option> options, Literal help)
+    : Knob(owner, name, help, ""), index_(initial), initial_(initial), options_(std::move(options)) {
     if (initial < 0 || initial >= static_cast<int>(options_.size())) throw refused(std::to_string(initial));
 }
+
+WordChoice::WordChoice(Demo* owner, Literal name, int initial, std::initializer_list<DeclaredOption> options,
+                       Literal help)
+    : WordChoice(owner, name, initial, std::vector<Option>(options.begin(), options.end()), help) {}
 
 void WordChoice::parse(std::string_view text) {
     const auto found = std::find_if(options_.begin(), options_.end(), [&](const Option& o) { return o.word == text; });
@@ -233,10 +227,8 @@ bool WordChoice::step(double amount) {
 
 bool WordChoice::widget(Panel& panel) { return panel.choose(*this, index_, options_); }
 
-NumberChoice::NumberChoice(Demo* owner, std::string name, int initial, const std::vector<int>& numbers,
-                           std::string help)
-    : WordChoice(owner, std::move(name), placeOf(initial, numbers), wordsOf(numbers), std::move(help)),
-      numbers_(numbers) {}
+NumberChoice::NumberChoice(Demo* owner, Literal name, int initial, std::initializer_list<int> numbers, Literal help)
+    : WordChoice(owner, name, placeOf(initial, numbers), wordsOf(numbers), help), numbers_(numbers) {}
 
 void NumberChoice::parse(std::string_view text) {
     double number = 0;

@@ -3,11 +3,13 @@
 #pragma once
 #include <atomic>
 #include <functional>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "mv/demo/literal.h"
 #include "mv/demo/panel.h"
 #include "mv/error.h"
 
@@ -18,6 +20,11 @@ class Demo;
 // A knob and the value it is set to, as text.
 struct KnobSetting {
     std::string name, text;
+};
+// The same as a demo declares it.
+struct DeclaredSetting {
+    Literal name, text;
+    operator KnobSetting() const { return {name, text}; }
 };
 
 // A number of a knob that a hand in the picture moves (mv/demo/handle.h). `set` stops at the ends; an angle goes on
@@ -33,7 +40,7 @@ struct Coordinate {
 // Every way to its value calls noteRead(): a study finds out so what a reference depends on.
 class Knob {
   public:
-    Knob(Demo* owner, std::string name, std::string help, std::string unit);
+    Knob(Demo* owner, Literal name, Literal help, Literal unit);
     virtual ~Knob() = default;
     Knob& operator=(const Knob&) = delete;
 
@@ -65,9 +72,7 @@ class Knob {
 
     // Said in the demo's constructor: the knob changes nothing in the picture where `holds` is false, because of `reason`, a
     // clause: "the method keeps no map". The window greys it then, and whoever sets it is told.
-    void onlyWhen(std::function<bool()> holds, std::string reason) {
-        conditions_.push_back({std::move(holds), std::move(reason)});
-    }
+    void onlyWhen(std::function<bool()> holds, Literal reason) { conditions_.push_back({std::move(holds), reason}); }
 
     // Said in the constructor of a demo with a Memory: a change of this knob calls reset(), as a number of masses does whose
     // places are remembered. Others (a stiffness) act from the next step on.
@@ -93,7 +98,7 @@ class Knob {
     friend class Demo;
     struct Condition {
         std::function<bool()> holds;
-        std::string reason;
+        Literal reason;
     };
     std::string name_, help_, unit_;
     std::vector<Condition> conditions_;
@@ -109,7 +114,7 @@ class Knob {
 class Real : public Knob {
   public:
     using Range = NumberRange;
-    Real(Demo* owner, std::string name, double initial, Range range, std::string help, std::string unit = "");
+    Real(Demo* owner, Literal name, double initial, Range range, Literal help, Literal unit = "");
     operator double() const {
         noteRead();
         return value_;
@@ -138,7 +143,7 @@ class Real : public Knob {
 // sign kept, as % does in JavaScript.
 class Angle : public Real {
   public:
-    Angle(Demo* owner, std::string name, double initial, std::string help);
+    Angle(Demo* owner, Literal name, double initial, Literal help);
     // Between the ends, which are the same turn as 0, one that is seen.
     std::vector<std::string> sweep() const override { return {"-360", initialText(), "40", "360"}; }
     bool step(double amount) override;
@@ -151,7 +156,7 @@ class Whole : public Knob {
     struct Range {
         int low, high;
     };
-    Whole(Demo* owner, std::string name, int initial, Range range, std::string help, std::string unit = "");
+    Whole(Demo* owner, Literal name, int initial, Range range, Literal help, Literal unit = "");
     operator int() const {
         noteRead();
         return value_;
@@ -174,7 +179,7 @@ class Whole : public Knob {
 // On or off.
 class Toggle : public Knob {
   public:
-    Toggle(Demo* owner, std::string name, bool initial, std::string help);
+    Toggle(Demo* owner, Literal name, bool initial, Literal help);
     operator bool() const {
         noteRead();
         return value_;
@@ -196,7 +201,7 @@ class Toggle : public Knob {
 // One of a few words; Choice below gives it an enumeration.
 class WordChoice : public Knob {
   public:
-    WordChoice(Demo* owner, std::string name, int initial, std::vector<Option> options, std::string help);
+    WordChoice(Demo* owner, Literal name, int initial, std::initializer_list<DeclaredOption> options, Literal help);
 
     std::string text() const override { return options_[static_cast<std::size_t>(index())].word; }
     void parse(std::string_view text) override;
@@ -208,6 +213,7 @@ class WordChoice : public Knob {
     std::vector<Option> options() const override { return options_; }
 
   protected:
+    WordChoice(Demo* owner, Literal name, int initial, std::vector<Option> options, Literal help);
     int index() const {
         noteRead();
         return index_;
@@ -225,8 +231,8 @@ class WordChoice : public Knob {
 template <class Enum>
 class Choice : public WordChoice {
   public:
-    Choice(Demo* owner, std::string name, Enum initial, std::vector<Option> options, std::string help)
-        : WordChoice(owner, std::move(name), static_cast<int>(initial), std::move(options), std::move(help)) {}
+    Choice(Demo* owner, Literal name, Enum initial, std::initializer_list<DeclaredOption> options, Literal help)
+        : WordChoice(owner, name, static_cast<int>(initial), options, help) {}
     operator Enum() const { return static_cast<Enum>(index()); }
 };
 
@@ -235,7 +241,7 @@ class Choice : public WordChoice {
 // A power of ten from 1000 on is written 1e3; on the command line every way to write a number is understood.
 class NumberChoice : public WordChoice {
   public:
-    NumberChoice(Demo* owner, std::string name, int initial, const std::vector<int>& numbers, std::string help);
+    NumberChoice(Demo* owner, Literal name, int initial, std::initializer_list<int> numbers, Literal help);
     operator int() const { return numbers_[static_cast<std::size_t>(index())]; }
     void parse(std::string_view text) override;
 

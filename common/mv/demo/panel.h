@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "mv/demo/literal.h"
+
 namespace mv {
 
 class Knob;
@@ -11,6 +13,12 @@ class Knob;
 struct Option {
     std::string word;
     std::string meaning = {};
+};
+// The same as a demo declares it.
+struct DeclaredOption {
+    Literal word;
+    Literal meaning = {};
+    operator Option() const { return {word, meaning}; }
 };
 
 // How a knob goes through its range: by equal differences, or by equal factors.

@@ -8,9 +8,8 @@
 
 namespace mv {
 
-Points::Points(Demo* owner, std::string name, std::vector<vec2> initial, Limits limits, std::string help,
-               std::string unit)
-    : Knob(owner, std::move(name), std::move(help), std::move(unit)), initial_(std::move(initial)), limits_(limits) {
+Points::Points(Demo* owner, Literal name, std::vector<vec2> initial, Limits limits, Literal help, Literal unit)
+    : Knob(owner, name, help, unit), initial_(std::move(initial)), limits_(limits) {
     Points::parse(textOf(initial_));  // refused, if it is none
 }
 

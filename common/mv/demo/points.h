@@ -21,8 +21,7 @@ class Points : public Knob {
         std::size_t least, most;  // points
         double grid;              // each coordinate is a multiple of this
     };
-    Points(Demo* owner, std::string name, std::vector<vec2> initial, Limits limits, std::string help,
-           std::string unit = "");
+    Points(Demo* owner, Literal name, std::vector<vec2> initial, Limits limits, Literal help, Literal unit = "");
 
     std::size_t size() const { return points().size(); }
     const vec2& operator[](std::size_t i) const { return points()[i]; }

@@ -48,7 +48,7 @@ const Preset& findPreset(const DemoInfo& info, std::string_view name) {
 
 void applyPreset(Demo& demo, const Preset& preset) {
     for (Knob* knob : demo.knobs()) knob->reset();
-    applyKnobs(demo, preset.settings);
+    applyKnobs(demo, {preset.settings.begin(), preset.settings.end()});
 }
 
 bool isAtPreset(const Demo& demo, const Preset& preset) {

@@ -14,15 +14,15 @@ struct DemoInfo;
 
 // A readout's value that the sentence of a preset tells, and the range in which that is true.
 struct ExpectedReadout {
-    std::string readout;
+    Literal readout;
     double low, high;
 };
 
 struct Preset {
-    std::string name;                          // in kebab-case
-    std::string lookFor;                       // one sentence
-    std::vector<KnobSetting> settings = {};    // all other knobs are at their initial values
-    std::vector<ExpectedReadout> expect = {};  // in frame 1; a test looks
+    Literal name;                                // in kebab-case
+    Literal lookFor;                             // one sentence
+    std::vector<DeclaredSetting> settings = {};  // all other knobs are at their initial values
+    std::vector<ExpectedReadout> expect = {};    // in frame 1; a test looks
 };
 
 // Throws Error where presets are not as a demo's have to be: names in kebab-case, each once, each with its sentence, and

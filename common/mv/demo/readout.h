@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "mv/demo/literal.h"
 #include "mv/error.h"
 
 namespace mv {
@@ -14,7 +15,7 @@ class Demo;
 
 class Readout {
   public:
-    Readout(Demo* owner, std::string name, std::string help, std::string unit = "");
+    Readout(Demo* owner, Literal name, Literal help, Literal unit = "");
     Readout(const Readout&) = delete;
     Readout& operator=(const Readout&) = delete;
 

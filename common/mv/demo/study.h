@@ -116,7 +116,7 @@ class Probing {
 // A number about the picture that costs draws or rays of its own: a readout that the demo itself knows nothing of.
 struct Probe {
     struct Number {
-        std::string name, help, unit = {};
+        Literal name, help, unit = {};
     };
     std::vector<Number> numbers;
     // One value for each number, or none where these settings do not measure them. Asked after the picture is drawn, and

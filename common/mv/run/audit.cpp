@@ -26,7 +26,8 @@ void sortFindings(AuditReport& report, const DemoInfo& info, std::vector<Finding
     }
     for (std::size_t i = 0; i < needed.size(); ++i) {
         const DeclaredWaste& waste = info.waste[i];
-        if (std::find(std::begin(waste::all), std::end(waste::all), waste.kind) == std::end(waste::all)) {
+        if (std::find(std::begin(waste::all), std::end(waste::all), std::string_view(waste.kind)) ==
+            std::end(waste::all)) {
             throw Error(info.name, "must declare waste of a kind that --audit finds", "'" + waste.kind + "'");
         }
         if (!needed[i]) report.staleExcuses.push_back(waste.kind + ", " + waste.what);

@@ -20,7 +20,8 @@ std::string quotedForShell(const std::string& text) {
 std::string startOf(const std::string& program, const DemoInfo& info) {
     if (program.empty()) return info.name;
     // The program of one demo has its name, but where a script such as ./run started it under its own.
-    const bool own = catalogue().size() == 1 && std::filesystem::path(program).filename() == info.name;
+    const bool own =
+        catalogue().size() == 1 && std::filesystem::path(program).filename() == std::string_view(info.name);
     return quotedForShell(program) + (own ? "" : " " + info.name);
 }
 

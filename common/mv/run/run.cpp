@@ -133,8 +133,8 @@ int runMain(int count, char** arguments) {
     } catch (const UsageError& error) {
         std::cerr << "error: " << error.what() << "\n";
         return 2;
-    } catch (const std::exception& error) {
-        std::cerr << "error: " << sentenceOf(error, subject) << "\n";
+    } catch (const std::exception&) {
+        std::cerr << "error: " << caughtSentence(subject) << "\n";
         return 1;
     }
 }

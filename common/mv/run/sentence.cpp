@@ -8,20 +8,35 @@
 #include "mv/error.h"
 
 namespace mv {
+namespace {
 
-std::string sentenceOf(const std::exception& error, const std::string& subject) {
-    if (const auto* ours = dynamic_cast<const Error*>(&error)) return ours->what();
-    const auto* file = dynamic_cast<const std::filesystem::filesystem_error*>(&error);
-    if (file && !file->path1().empty()) {
-        return Error(file->path1().string(), "must be there and may be used", file->code().message()).what();
+Error needsMemory(const std::string& subject) {
+    return Error(subject, "needs more memory than there is; a smaller --size needs less");
+}
+Error needsSystem(const std::string& subject, const std::system_error& error) {
+    return Error(subject, "needs what the system does not give", error.code().message());
+}
+
+}  // namespace
+
+// Thrown again, it is told by its own catch clause, which needs no types at run time: the browser's module has none.
+std::string caughtSentence(const std::string& subject) {
+    try {
+        throw;
+    } catch (const Error& error) {
+        return error.what();
+    } catch (const std::filesystem::filesystem_error& error) {
+        if (error.path1().empty()) return needsSystem(subject, error).what();
+        return Error(error.path1().string(), "must be there and may be used", error.code().message()).what();
+    } catch (const std::system_error& error) {
+        return needsSystem(subject, error).what();
+    } catch (const std::bad_alloc&) {
+        return needsMemory(subject).what();
+    } catch (const std::length_error&) {
+        return needsMemory(subject).what();
+    } catch (const std::exception&) {
+        return Error(subject, "met a fault of its own, which ended it; please report the command line").what();
     }
-    if (const auto* system = dynamic_cast<const std::system_error*>(&error)) {
-        return Error(subject, "needs what the system does not give", system->code().message()).what();
-    }
-    if (dynamic_cast<const std::bad_alloc*>(&error) || dynamic_cast<const std::length_error*>(&error)) {
-        return Error(subject, "needs more memory than there is; a smaller --size needs less").what();
-    }
-    return Error(subject, "met a fault of its own, which ended it; please report the command line").what();
 }
 
 }  // namespace mv

@@ -85,8 +85,8 @@ void Session::draw(int width, int height, bool readouts, OtherPicture* instead) 
         drawnFrame_ = playback_.frame();
         hasPicture_ = true;
         error_.clear();
-    } catch (const std::exception& error) {
-        error_ = sentenceOf(error, info_.name);
+    } catch (const std::exception&) {
+        error_ = caughtSentence(info_.name);
         takeErrors();
     }
 }
@@ -121,8 +121,8 @@ FrameTimes Session::times(int runs) {
             const FrameTimes times = timeFrames(stage_, drawnFrame_, runs, firstMs_);
             if (until_) stage_.stopAfter(drawnFrame_, *until_);
             return times;
-        } catch (const std::exception& error) {
-            error_ = sentenceOf(error, info_.name);
+        } catch (const std::exception&) {
+            error_ = caughtSentence(info_.name);
         }
     }
     return {firstMs_, lastMs_, 0, hasPicture_ ? 1 : 0};

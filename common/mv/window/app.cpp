@@ -96,9 +96,9 @@ void runWindow(const Command& command) {
             try {
                 screen = std::make_unique<DemoScreen>(window, gui, stage, next, menu);
                 cards.selected = next.demo->name;
-            } catch (const std::exception& error) {
+            } catch (const std::exception&) {
                 if (first) throw;  // asked for by name on the command line: no menu instead
-                problem = sentenceOf(error, "mvgl");
+                problem = caughtSentence("mvgl");
             }
         }
         if (!screen) screen = std::make_unique<MenuScreen>(window, gui, stage, cards, problem, command.report);
@@ -107,9 +107,9 @@ void runWindow(const Command& command) {
         screen.reset();
         try {
             stage.close();
-        } catch (const std::exception& error) {
+        } catch (const std::exception&) {
             if (wish.kind == Wish::Kind::quit) throw;
-            problem = sentenceOf(error, "mvgl");
+            problem = caughtSentence("mvgl");
         }
         if (wish.kind == Wish::Kind::quit) return;
         next = {};

@@ -73,9 +73,9 @@ void Comparison::withOther(const std::function<void()>& action) {
     try {
         knob_->parse(other_);
         action();
-    } catch (const std::exception& error) {
+    } catch (const std::exception&) {
         knob_->parse(present);
-        throw Error("with " + labelB(), sentenceOf(error, "the picture"));
+        throw Error("with " + labelB(), caughtSentence("the picture"));
     }
     knob_->parse(present);
 }

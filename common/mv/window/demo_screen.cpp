@@ -192,8 +192,8 @@ void DemoScreen::reloadShaders() {
         Reloaded reloaded = reloadChangedPrograms();
         if (reloaded.programs > 0) session_.touch();
         errors = std::move(reloaded.standing);
-    } catch (const std::exception& error) {
-        errors = {sentenceOf(error, "shaders")};
+    } catch (const std::exception&) {
+        errors = {caughtSentence("shaders")};
     }
     if (errors == shaderErrors_) return;
     shaderErrors_ = std::move(errors);
@@ -391,8 +391,8 @@ void DemoScreen::save() {
         writePng(path, shown->read());
         saved_ = "Saved " + path.string();
         saveFailed_ = false;
-    } catch (const std::exception& error) {
-        saved_ = sentenceOf(error, "picture");
+    } catch (const std::exception&) {
+        saved_ = caughtSentence("picture");
         saveFailed_ = true;
         std::cerr << "error: " << saved_ << std::endl;
     }

@@ -93,13 +93,13 @@ void MenuScreen::makeNextPicture() {
             stage_.draw(1);
             const int side = static_cast<int>(std::lround(pictureSide * window_.contentScale()));
             card.picture = Thumbnail(window_, shrink(stage_.picture(), side, side));
-        } catch (const std::exception& error) {
-            card.error = sentenceOf(error, info.name);
+        } catch (const std::exception&) {
+            card.error = caughtSentence(info.name);
         }
         try {
             stage_.close();
-        } catch (const std::exception& error) {
-            if (card.error.empty()) card.error = sentenceOf(error, info.name);
+        } catch (const std::exception&) {
+            if (card.error.empty()) card.error = caughtSentence(info.name);
         }
         return;
     }

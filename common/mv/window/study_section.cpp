@@ -32,8 +32,8 @@ std::optional<std::pair<int, int>> stepOf(const std::string& line) {
 StudySection::StudySection(const DemoInfo& info, Gui& gui) : info_(info), gui_(gui) {
     try {
         if (auto run = committedStudy(info.name)) take(std::move(*run), false);
-    } catch (const std::exception& error) {
-        problem_ = sentenceOf(error, "study");
+    } catch (const std::exception&) {
+        problem_ = caughtSentence("study");
     }
 }
 
@@ -61,9 +61,9 @@ void StudySection::start() {
     problem_.clear();
     try {
         measurement_.emplace(info_.name);
-    } catch (const std::exception& error) {
+    } catch (const std::exception&) {
         measurement_.reset();
-        problem_ = sentenceOf(error, "study");
+        problem_ = caughtSentence("study");
     }
 }
 
@@ -96,8 +96,8 @@ void StudySection::finish(int status) {
     if (std::filesystem::exists(file, ignored)) {
         try {
             take(readStudy(readTextFile(file, largestStudy)), true);
-        } catch (const std::exception& error) {
-            problem_ = sentenceOf(error, "study");
+        } catch (const std::exception&) {
+            problem_ = caughtSentence("study");
         }
     }
     measurement_.reset();
