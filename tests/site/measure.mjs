@@ -6,7 +6,7 @@ import zlib from 'node:zlib';
 import { liveParts } from '../../web/pages.mjs';
 import { browserOf, made, served } from './support.mjs';
 
-const [source, program, build] = process.argv.slice(2);
+const [source, program, build] = process.argv.slice(2).map((one) => path.resolve(one));
 const rounds = 9, demos = ['cube-cull', 'shadow-map', 'springs', 'soft-shadows', 'ray-trace'];
 const site = made(source, program, 'site', path.join(build, 'web'));
 const address = await served(source, site);
@@ -39,7 +39,7 @@ const ratios = times['cube-cull'].map((one, round) => one / times.peer[round]);
 const processor = fs.readFileSync('/proc/cpuinfo', 'utf8').match(/model name\s*: (.*)/)?.[1];
 console.log(`# The demos in a browser: sizes and times
 
-<!-- Made by \`node tests/site/measure.mjs\`; a test refuses more than 20 KB a demo. -->
+<!-- Made by \`node tests/site/measure.mjs\`; a test refuses more than 18 KB a demo. -->
 
 All ${count} demos are one module, which a browser loads once and keeps. In brotli what a page loads is ${Math.round(sum / 1024)} KB, ${(sum / 1024 / count).toFixed(1)} KB a
 demo with the library, its font and all scripts.
