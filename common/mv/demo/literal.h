@@ -2,6 +2,7 @@
 // declaring them makes no copy: on a page of the browser, which loads all demos, copies are a tenth of the module.
 #pragma once
 #include <concepts>
+#include <iosfwd>
 #include <string>
 #include <string_view>
 
@@ -24,9 +25,9 @@ class Literal {
     }
     friend std::string operator+(std::string before, Literal text) { return before += text.text_; }
     friend std::string operator+(Literal text, std::string_view after) { return std::string(text) += after; }
-    template <class Stream>
-    friend Stream& operator<<(Stream& out, Literal text) {
-        return static_cast<Stream&>(out << text.text_);
+    template <class Traits>
+    friend std::basic_ostream<char, Traits>& operator<<(std::basic_ostream<char, Traits>& out, Literal text) {
+        return out << text.text_;
     }
 
   private:
