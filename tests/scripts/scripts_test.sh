@@ -216,6 +216,7 @@ END
     changed "a demo's page" demos/one.md "pages.one pages.one shared shared "
     changed "a page of what another page starts" demos/two.md "pages.one pages.one pages.two pages.two shared shared "
     changed "another page" README.md "shared shared "
+    changed "what only pages are made of" web/live.js "shared "
     mkdir -p docs/errors-and-times && echo '{}' >docs/errors-and-times/two.json
     echo 'It is <!--= study two; a; b; 1; rms -->0.1<!--/--> wide.' >demos/one.md
     commit
