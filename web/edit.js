@@ -8,30 +8,42 @@ const quiet = 300; // milliseconds without a key before what is typed is compile
 export function shaderEditor(files, write) {
   if (!files.length) return '';
   const now = new Map(files.map(({ name, text }) => [name, text]));
-  const choice = tag('select', { 'aria-label': word('shaderFile'), onchange: show });
+  const choice = tag('select', { 'aria-label': word('shaderFile'), onchange: choose });
   for (const { name } of files) choice.append(tag('option', {}, name));
   const numbers = tag('pre', { class: 'numbers', 'aria-hidden': 'true' });
   const text = tag('textarea', { 'aria-label': word('shaderText'), spellcheck: 'false', autocapitalize: 'off', wrap: 'off', rows: 8, oninput: typed, onscroll: () => (numbers.scrollTop = text.scrollTop) });
   const mistakes = tag('ul', { class: 'mistakes', role: 'status' });
   const back = tag('button', { type: 'button', onclick: putBack }, word('putBack'));
-  let waiting = 0, told = '';
+  let waiting = 0, typedInto = '', told = '';
 
   function show() {
     text.value = now.get(choice.value);
     text.rows = Math.min(24, text.value.split('\n').length + 1);
     tell();
   }
+  // What was typed is compiled before another file is shown.
+  function choose() {
+    if (waiting) compile();
+    show();
+  }
   function typed() {
-    now.set(choice.value, text.value);
+    typedInto = choice.value;
+    now.set(typedInto, text.value);
     number();
     clearTimeout(waiting);
     waiting = setTimeout(compile, quiet);
   }
+  function rest() {
+    clearTimeout(waiting);
+    waiting = 0;
+  }
   function compile() {
-    told = write(choice.value, text.value);
+    rest();
+    told = write(typedInto, now.get(typedInto));
     tell();
   }
   function putBack() {
+    rest();
     for (const { name, text: first } of files) {
       if (now.get(name) === first) continue;
       now.set(name, first);

@@ -81,3 +81,14 @@ for (const block of document.querySelectorAll('pre:not(.code)')) {
   });
   block.append(button);
 }
+
+// ---- on paper answers are open
+
+let folded = [];
+addEventListener('beforeprint', () => {
+  folded = [...document.querySelectorAll('article details:not([open])')];
+  for (const answer of folded) answer.open = true;
+});
+addEventListener('afterprint', () => {
+  for (const answer of folded) answer.open = false;
+});

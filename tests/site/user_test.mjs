@@ -145,6 +145,18 @@ await page.waitForFunction(() => !document.querySelector('.mistakes').textConten
 expect((await sumOf(page)) !== unedited, 'a shader that compiles is seen');
 await page.evaluate(() => [...document.querySelectorAll('.shaders button')].find((button) => button.textContent === 'Put back').click());
 equal(await sumOf(page), unedited, 'the shader put back');
+// Another file is chosen before what was typed is compiled
+await page.$eval('.shaders textarea', (area) => {
+  area.value = area.value.replace('fragColor = vertexColor;', 'fragColor = vertexColor.brga;');
+  area.dispatchEvent(new Event('input'));
+  const choice = document.querySelector('.shaders select');
+  choice.value = 'cube-cull.vert';
+  choice.dispatchEvent(new Event('change'));
+});
+expect((await sumOf(page)) !== unedited, 'a shader that is left at once is compiled');
+await page.evaluate(() => [...document.querySelectorAll('.shaders button')].find((button) => button.textContent === 'Put back').click());
+equal(await sumOf(page), unedited, 'it is put back from the other file');
+await page.select('.shaders select', 'cube-cull.frag');
 equal(await page.evaluate(() => location.hash), before, 'shaders are not in the address');
 // A context that is lost comes back
 await page.evaluate(() => {
@@ -233,6 +245,16 @@ for (const width of [360, 800, 1600]) {
     expect(beyond <= 0, `${demo} on ${width} pixels: ${beyond} beyond the edge`);
     await page.close();
   }
+}
+// On paper, as wide as a sheet between its margins: nothing is cut off, and answers are open
+for (const demo of ['shadow-map', 'springs']) {
+  page = await opened(`${demo}.html`, { width: 720, height: 1000 });
+  await page.emulateMediaType('print');
+  await page.evaluate(() => dispatchEvent(new Event('beforeprint')));
+  const cut = await page.$$eval('pre, .wide', (boxes) => boxes.filter((box) => box.scrollWidth > box.clientWidth + 1).map((box) => box.textContent.trim().slice(0, 60)));
+  equal(cut.join('; '), '', `${demo} on paper: what is cut off`);
+  equal(await page.$$eval('article details', (answers) => answers.filter((answer) => !answer.open).length), 0, `${demo} on paper: answers that are folded`);
+  await page.close();
 }
 await browser.close();
 
