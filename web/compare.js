@@ -61,8 +61,8 @@ export function comparison(name, what, view, open, changed) {
       // Where a frame follows from the one before, it is as if the value had been that one all the time.
       const anew = !begun || (what.remembers && key !== begun);
       let refused = '';
-      if (anew) refused = second.says('Open', name, key, frame, true);
-      else if (key !== begun) refused = second.says('SetAll', key);
+      if (anew) refused = second.says('Open', name, settings, frame, true);
+      else if (key !== begun) refused = second.says('SetAll', settings);
       begun = refused ? '' : key;
       if (!refused) {
         if (!anew) second.does('GoTo', frame);

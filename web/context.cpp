@@ -4,6 +4,7 @@
 #include <emscripten/em_js.h>
 #include <emscripten/html5.h>
 
+#include <array>
 #include <cstdlib>
 #include <cstring>
 #include <map>
@@ -67,6 +68,11 @@ void* functionOf(std::string_view name) {
     return found == functions.end() ? nullptr : found->second;
 }
 
+// Those that the library asks for by hasExtension(). A page has what it has enabled, and to enable all of a browser's takes longer than
+// to draw the first picture.
+constexpr std::array used = {"EXT_color_buffer_float", "EXT_float_blend", "EXT_texture_filter_anisotropic",
+                             "OES_texture_float_linear"};
+
 class WebGl final : public mv::Context {
   public:
     WebGl() {
@@ -77,6 +83,7 @@ class WebGl final : public mv::Context {
         context_ = emscripten_webgl_create_context(mv::canvasName, &wanted);
         if (context_ <= 0) throw mv::Error("WebGL 2", "must be there; this browser, or its driver, gives none");
         emscripten_webgl_make_context_current(context_);
+        for (const char* extension : used) emscripten_webgl_enable_extension(context_, extension);
     }
     ~WebGl() override { emscripten_webgl_destroy_context(context_); }
 

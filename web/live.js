@@ -9,6 +9,13 @@ import { drawSteps } from './steps.js';
 
 const pause = 100; // milliseconds between two looks at the readouts of what moves
 
+// The demo is asked for while the page is still being read; once it is read, all of it is there, its words too.
+const isRead = performance.getEntriesByType('navigation')[0].domContentLoadedEventStart > 0;
+const read = isRead || new Promise((resolve) => document.addEventListener('DOMContentLoaded', resolve, { once: true }));
+
+// Settings as the module takes them, a line for each. (A line's end within a value is refused as part of it.)
+const lines = (settings) => Object.entries(settings).map(([knob, value]) => `${knob} ${value.replaceAll('\n', '\u21b5')}\n`).join('');
+
 // The module's functions, by their names in web/page.cpp. Texts come as texts, JSON as what it says.
 async function open(canvas) {
   const opening = openModule({ canvas });
@@ -16,7 +23,10 @@ async function open(canvas) {
   canvas.getContext('webgl2', { alpha: false, depth: false, stencil: false, antialias: false });
   const module = await opening;
   const kinds = { string: 'string', number: 'number', boolean: 'boolean' };
-  const call = (answer) => (name, ...given) => module.ccall(`mv${name}`, answer, given.map((one) => kinds[typeof one]), given);
+  const call = (answer) => (name, ...given) => {
+    const passed = given.map((one) => (typeof one === 'object' ? lines(one) : one));
+    return module.ccall(`mv${name}`, answer, passed.map((one) => kinds[typeof one]), passed);
+  };
   const text = call('string');
   return {
     does: call('boolean'),
@@ -32,19 +42,41 @@ async function open(canvas) {
 
 export async function live(box) {
   const name = box.dataset.demo, view = box.querySelector('.view'), shown = view.querySelector('.shown');
-  const canvas = tag('canvas', { id: 'canvas', tabindex: 0, 'aria-label': word('canvas', { demo: name }), hidden: true });
+  const canvas = tag('canvas', { id: 'canvas', tabindex: 0, hidden: true });
   view.append(canvas);
   const demo = await open(canvas);
-  const refused = tag('p', { class: 'refused', role: 'alert' }), notes = tag('p', { class: 'notes', 'aria-live': 'polite' });
-  const opening = demo.says('Open', name, '{}', 1, false);
+  const opening = demo.says('Open', name, {}, 1, false);
   if (opening) {
     canvas.remove();
     throw new Error(opening);
   }
-  const what = demo.tells('Describe');
+  const what = { ...demo.tells('KnobsAndPresets'), ...demo.tells('Describe') };
   let values = {}, state = demo.tells('State'), size = { width: what.width, height: what.height };
   let beside = '', comparing = false; // what is said of the picture that is compared; whether it is to be drawn anew
   let scheduled = false, told = 0, last = performance.now(), visible = true, asked = false, lost = false, setBy = '';
+
+  // ---- the first picture, as the address says, before what stands beside it is made
+
+  const linked = fromAddress(location.hash, what.knobs);
+  if (location.hash.startsWith('#picture=')) await read;
+  const pictured = [...document.querySelectorAll('.thumbs a')].find((link) => location.hash === `#picture=${link.dataset.name}`);
+  const given = linked ?? (pictured && fromCommand(pictured.dataset.command, name, what.knobs, what.presets));
+  if (given) {
+    const words = demo.says('SetAll', given.settings);
+    if (given.frame !== undefined) demo.does('GoTo', given.frame);
+    setBy = words;
+  }
+  if (matchMedia('(prefers-reduced-motion: reduce)').matches && state.playing) demo.does('Toggle');
+  demo.does('Draw', size.width, size.height, true);
+  state = demo.tells('State');
+  performance.mark('first-picture');
+  shown.hidden = true;
+  canvas.hidden = false;
+  await read;
+  canvas.setAttribute('aria-label', word('canvas', { demo: name }));
+  document.querySelector('.thumbs [aria-current]')?.removeAttribute('aria-current'); // the canvas shows what its knobs say
+
+  const refused = tag('p', { class: 'refused', role: 'alert' }), notes = tag('p', { class: 'notes', 'aria-live': 'polite' });
 
   // ---- drawing: a resting canvas draws nothing, and one that is out of sight stops, but for what the user asks for
 
@@ -105,7 +137,7 @@ export async function live(box) {
   }
   const settle = ({ settings, frame, compared, until }) => {
     steps.show(until);
-    const words = demo.says('SetAll', JSON.stringify(settings));
+    const words = demo.says('SetAll', settings);
     if (frame !== undefined && !words) demo.says('GoTo', frame);
     after(words);
     return compared || compare.on() ? compare.compare(compared) : undefined;
@@ -233,21 +265,6 @@ export async function live(box) {
   ].map(([does, to]) => tag('tr', {}, tag('th', { scope: 'row' }, does), tag('td', {}, to)))), tag('p', {}, word('keysWhen')));
   const panel = box.querySelector('.panel');
   panel.replaceChildren(presets.element, refused, notes, progress, knobs.element, time, readouts.element, pictureRow, compare.element, matrices.element, steps.element, shaders, controls);
-  const linked = fromAddress(location.hash, what.knobs);
-  const pictured = [...document.querySelectorAll('.thumbs a')].find((link) => location.hash === `#picture=${link.dataset.name}`);
-  const given = linked ?? (pictured && fromCommand(pictured.dataset.command, name, what.knobs, what.presets));
-  if (given) {
-    const words = demo.says('SetAll', JSON.stringify(given.settings));
-    if (given.frame !== undefined) demo.does('GoTo', given.frame);
-    setBy = words;
-  }
-  if (matchMedia('(prefers-reduced-motion: reduce)').matches && state.playing) demo.does('Toggle');
-  demo.does('Draw', size.width, size.height, true);
-  state = demo.tells('State');
-  performance.mark('first-picture');
-  shown.hidden = true;
-  canvas.hidden = false;
-  document.querySelector('.thumbs [aria-current]')?.removeAttribute('aria-current'); // the canvas shows what its knobs say
   tellAll();
   schedule();
   box.classList.add('is-live');
@@ -258,7 +275,8 @@ const box = document.querySelector('.live');
 if (box) {
   live(box).then(
     (made) => (box.live = made),
-    (error) => {
+    async (error) => {
+      await read;
       box.querySelector('.panel').replaceChildren(tag('p', { class: 'refused', role: 'alert' }, word('still', { sentence: error.message })));
       box.classList.add('is-still');
     },

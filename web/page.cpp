@@ -3,6 +3,7 @@
 #include <emscripten/emscripten.h>
 #include <emscripten/html5.h>
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -11,6 +12,7 @@
 
 #include "context.h"
 #include "mv/demo/controls.h"
+#include "mv/error.h"
 #include "mv/gl/gl.h"
 #include "mv/run/copyable.h"
 #include "mv/run/hand.h"
@@ -63,11 +65,16 @@ const char* attempt(const Action& action) {
     }
 }
 
-// {"knob": "value", ...}
-std::vector<KnobSetting> settingsOf(const char* text) {
+// A line for each knob: its name, a space, its value.
+std::vector<KnobSetting> settingsOf(std::string_view lines) {
     std::vector<KnobSetting> settings;
-    const auto json = nlohmann::ordered_json::parse(text);  // which the loop's items are of
-    for (const auto& [name, value] : json.items()) settings.push_back({name, value.get<std::string>()});
+    while (!lines.empty()) {
+        const std::string_view line = lines.substr(0, lines.find('\n'));
+        const std::size_t space = line.find(' ');
+        if (space == line.npos) throw Error("settings", "must be lines of a knob and its value", std::string(line));
+        settings.push_back({std::string(line.substr(0, space)), std::string(line.substr(space + 1))});
+        lines.remove_prefix(std::min(lines.size(), line.size() + 1));
+    }
     return settings;
 }
 
@@ -92,11 +99,14 @@ EMSCRIPTEN_KEEPALIVE const char* mvOpen(const char* demo, const char* settings, 
     });
 }
 
-// Knobs and presets as --knobs=json says them, with "widgets", "width", "height", "animated", what each of the "readouts" says, and
-// "controls": what is done and what that does; "drags" and "wheels" where the pointer moves a knob by itself, "handles" where things
-// are dragged in the picture, "remembers" where a frame follows from the one before.
+// "knobs" and "presets", as --knobs=json says them.
+EMSCRIPTEN_KEEPALIVE const char* mvKnobsAndPresets() { return say(knobsJson(session().info(), demo())); }
+
+// "widgets", "width", "height", "animated", what each of the "readouts" says, and "controls": what is done and what that does; "drags"
+// and "wheels" where the pointer moves a knob by itself, "handles" where things are dragged in the picture, "remembers" where a frame
+// follows from the one before.
 EMSCRIPTEN_KEEPALIVE const char* mvDescribe() {
-    auto json = nlohmann::ordered_json::parse(knobsJson(session().info(), demo()));
+    nlohmann::ordered_json json;
     const DemoInfo& info = session().info();
     json["widgets"] = widgetsOf(demo());
     json["width"] = info.width;

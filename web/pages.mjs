@@ -55,7 +55,7 @@ function pictures(demo, alive) {
 <div class="view">${shown}</div>
 <div class="panel">${look}<p class="loading">${word('coming')}</p><noscript><p>${word('needsScripts')}</p></noscript></div>
 </div>
-<script src="../live.js" type="module"></script>`
+<script src="../live.js" type="module" async></script>`
     : `${shown}\n${look}`;
   return `<section class="stage" aria-label="${word('pictures')}">
 ${view}
