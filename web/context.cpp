@@ -68,8 +68,8 @@ void* functionOf(std::string_view name) {
     return found == functions.end() ? nullptr : found->second;
 }
 
-// Those that the library asks for by hasExtension(). A page has what it has enabled, and to enable all of a browser's takes longer than
-// to draw the first picture.
+// Those that the library asks for by hasExtension(), but for clip control, above: a page has what it has enabled, no more, and each
+// takes its time.
 constexpr std::array used = {"EXT_color_buffer_float", "EXT_float_blend", "EXT_texture_filter_anisotropic",
                              "OES_texture_float_linear"};
 

@@ -13,6 +13,14 @@ const site = made(source, program, 'a folder/site');
 const files = fs.readdirSync(site, { recursive: true }).filter((file) => fs.statSync(path.join(site, file)).isFile());
 const pages = new Map(files.filter((file) => file.endsWith('.html')).map((file) => [file, fs.readFileSync(path.join(site, file), 'utf8')]));
 
+// ---- the module enables each extension that the library asks for
+
+const library = path.join(source, 'common/mv'), context = fs.readFileSync(path.join(source, 'web/context.cpp'), 'utf8');
+const asked = fs.readdirSync(library, { recursive: true }).filter((file) => file.endsWith('.cpp'))
+  .flatMap((file) => all(fs.readFileSync(path.join(library, file), 'utf8'), /hasExtension\("GL_((?:EXT|OES)_\w+)"/g));
+expect(asked.length > 0, 'extensions that the library asks for');
+for (const extension of new Set(asked)) expect(context.includes(`"${extension}"`), `web/context.cpp does not enable ${extension}`);
+
 // ---- every page
 
 const titles = new Set();
