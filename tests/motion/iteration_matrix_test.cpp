@@ -1,4 +1,4 @@
-// Whatever way of eliminating the structure asks for, what comes out solves the system.
+// Whatever the structure, what comes out solves the system.
 #include "mv/motion/iteration_matrix.h"
 
 #include <gtest/gtest.h>
@@ -59,7 +59,7 @@ TEST(IterationMatrix, SolvesInEveryStructure) {
         std::size_t n, diagonals;
         bool isSparse;
     };
-    // Small, dense by blocks, bands of one and of 24 diagonals, and what is too wide for a band.
+    // Dense ones, bands of one to 40 diagonals, and a sparse one that is full.
     for (const auto& [n, diagonals, isSparse] : {Case{1, 0, false},
                                                  {3, 2, false},
                                                  {32, 31, false},
@@ -98,6 +98,22 @@ TEST(IterationMatrix, SolvesInEveryStructure) {
         EXPECT_LT(residual(jacobian, s, x, b), 1e-12);
         EXPECT_LT(residual(jacobian, z, w, c), 1e-12);
     }
+}
+
+TEST(IterationMatrix, ACopyKeepsWhatItSharesWhenItMakesMore) {
+    std::vector<double> jacobian;
+    const OdeProblem problem = banded(20, 2, true, jacobian);
+    const std::vector<double> y(20, 1.0), slope(20);
+    OdeCounts counts;
+    IterationMatrix matrix;
+    ASSERT_TRUE(matrix.evaluate(problem, 0, y, slope, 1, counts));
+    ASSERT_TRUE(matrix.factorize(3, counts));
+    IterationMatrix copy = matrix;
+    ASSERT_TRUE(copy.factorize(Complex(3, 2), counts));
+    std::vector<double> x(20, 1.0), again = x;
+    matrix.solve(x);
+    copy.solve(again);
+    EXPECT_EQ(x, again);
 }
 
 TEST(IterationMatrix, SaysWhatIsSingular) {

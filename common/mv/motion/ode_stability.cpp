@@ -138,6 +138,26 @@ void balance(Eigen::MatrixXd& matrix) {
     }
 }
 
+// Those of a block triangular matrix, whose blocks have one row, or two with a pair of conjugates.
+void copyEigenvalues(const Eigen::MatrixXd& triangular, std::vector<Complex>& into) {
+    for (Eigen::Index i = 0; i < triangular.rows(); ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        if (i + 1 == triangular.rows() || triangular(i + 1, i) == 0) {
+            into[at] = triangular(i, i);
+            continue;
+        }
+        const double b = triangular(i, i + 1), c = triangular(i + 1, i);
+        const double half = (triangular(i, i) - triangular(i + 1, i + 1)) / 2, mean = triangular(i + 1, i + 1) + half;
+        // sqrt(-(half^2 + b c)), which must not overflow.
+        const double largest = std::max({std::abs(half), std::abs(b), std::abs(c)});
+        const double imaginary =
+            largest * std::sqrt(std::abs(half / largest * (half / largest) + b / largest * (c / largest)));
+        into[at] = {mean, imaginary};
+        into[at + 1] = {mean, -imaginary};
+        ++i;
+    }
+}
+
 }  // namespace
 
 std::complex<double> stabilityFunction(OdeMethod method, std::complex<double> z) {
@@ -206,9 +226,11 @@ std::vector<std::complex<double>> eigenvalues(const OdeProblem& problem, double 
     balance(matrix);
     std::vector<Complex> result(problem.dimension);
     if (matrix.rows() > 0) {
-        const Eigen::EigenSolver<Eigen::MatrixXd> solver(matrix, false);
-        if (solver.info() != Eigen::Success) throw Error("eigenvalues", "must be found within 40 iterations for each");
-        std::copy_n(solver.eigenvalues().data(), matrix.rows(), result.begin());
+        // (Eigen's EigenSolver would bring its eigenvectors' code, which nobody needs here, and takes as long again to compile.)
+        const Eigen::RealSchur<Eigen::MatrixXd> schur(matrix, false);
+        if (schur.info() != Eigen::Success || !schur.matrixT().allFinite())
+            throw Error("eigenvalues", "must be found within 40 iterations for each");
+        copyEigenvalues(schur.matrixT(), result);
     }
     std::ranges::stable_sort(result, [](const Complex& a, const Complex& b) { return std::norm(a) > std::norm(b); });
     return result;
