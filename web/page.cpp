@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <map>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 
@@ -16,6 +15,7 @@
 #include "mv/gl/gl.h"
 #include "mv/run/copyable.h"
 #include "mv/run/hand.h"
+#include "mv/run/json_text.h"
 #include "mv/run/report.h"
 #include "mv/run/sentence.h"
 #include "mv/run/session.h"
@@ -106,26 +106,33 @@ EMSCRIPTEN_KEEPALIVE const char* mvKnobsAndPresets() { return say(knobsJson(sess
 // and "wheels" where the pointer moves a knob by itself, "handles" where things are dragged in the picture, "remembers" where a frame
 // follows from the one before.
 EMSCRIPTEN_KEEPALIVE const char* mvDescribe() {
-    nlohmann::ordered_json json;
+    JsonText json;
     const DemoInfo& info = session().info();
-    json["widgets"] = widgetsOf(demo());
-    json["width"] = info.width;
-    json["height"] = info.height;
-    json["animated"] = info.animated;
-    for (const Readout* readout : demo().readouts()) json["readouts"][readout->name()] = readout->help();
-    json["controls"] = controlsOf(demo());
-    json["drags"] = json["wheels"] = false;
+    json.object().object("widgets");
+    addWidgets(json, demo());
+    json.end().add("width", info.width).add("height", info.height).add("animated", info.animated);
+    json.object("readouts");
+    for (const Readout* readout : demo().readouts()) json.add(readout->name(), readout->help());
+    json.end().array("controls");
+    for (const auto& [does, to] : controlsOf(demo())) json.array().add({}, does).add({}, to).end();
+    json.end();
+    bool drags = false, wheels = false;
     for (const Binding& binding : demo().bindings()) {
-        if (binding.gesture == Gesture::wheel) json["wheels"] = true;
-        if (binding.gesture == Gesture::dragAcross || binding.gesture == Gesture::dragDown) json["drags"] = true;
+        wheels |= binding.gesture == Gesture::wheel;
+        drags |= binding.gesture == Gesture::dragAcross || binding.gesture == Gesture::dragDown;
     }
-    json["remembers"] = demo().memory() != nullptr;
-    json["handles"] = !demo().handles().empty();
-    return say(json.dump());
+    json.add("drags", drags).add("wheels", wheels).add("remembers", demo().memory() != nullptr);
+    json.add("handles", !demo().handles().empty());
+    return say(json.end().text());
 }
 
 // Which buttons of knobs can be pressed now, as "widgets" has them.
-EMSCRIPTEN_KEEPALIVE const char* mvWidgets() { return say(widgetsOf(demo()).dump()); }
+EMSCRIPTEN_KEEPALIVE const char* mvWidgets() {
+    JsonText json;
+    json.object();
+    addWidgets(json, demo());
+    return say(json.end().text());
+}
 
 EMSCRIPTEN_KEEPALIVE const char* mvSet(const char* knob, const char* text) { return say(session().set(knob, text)); }
 
@@ -218,13 +225,13 @@ EMSCRIPTEN_KEEPALIVE bool mvHandKey(const char* name, bool far) {
 }
 // [{"name", "x", "y", "active"}] of what can be dragged, in pixels from the upper left corner.
 EMSCRIPTEN_KEEPALIVE const char* mvHandles() {
-    auto places = nlohmann::ordered_json::array();
-    for (const Hand::Place& place : page()->hand.places(demo(), shownFrame()))
-        places.push_back({{"name", place.name},
-                          {"x", place.at.x},
-                          {"y", page()->stage.front().height() - place.at.y},
-                          {"active", place.active}});
-    return say(places.dump());
+    JsonText json;
+    json.array();
+    for (const Hand::Place& place : page()->hand.places(demo(), shownFrame())) {
+        json.object().add("name", place.name).add("x", place.at.x);
+        json.add("y", page()->stage.front().height() - place.at.y).add("active", place.active).end();
+    }
+    return say(json.end().text());
 }
 EMSCRIPTEN_KEEPALIVE void mvWheel(double notches) { session().wheel(notches); }
 
@@ -246,22 +253,20 @@ EMSCRIPTEN_KEEPALIVE bool mvIsDue(int width, int height) { return session().due(
 
 // {"knob": "value"}, of all.
 EMSCRIPTEN_KEEPALIVE const char* mvKnobs() {
-    auto values = nlohmann::ordered_json::object();
-    for (const Knob* knob : demo().knobs()) values[knob->name()] = knob->text();
-    return say(values.dump());
+    JsonText json;
+    json.object();
+    for (const Knob* knob : demo().knobs()) json.add(knob->name(), knob->text());
+    return say(json.end().text());
 }
 
 // "error", "frame", "playing", "speed", "passes", "passesDone", and how many "pictures" were drawn so far.
 EMSCRIPTEN_KEEPALIVE const char* mvState() {
     const Session& now = session();
-    return say(nlohmann::ordered_json{{"error", now.error()},
-                                      {"frame", now.playback().frame()},
-                                      {"playing", now.playback().playing()},
-                                      {"speed", now.playback().speed()},
-                                      {"passes", now.passes()},
-                                      {"passesDone", now.passesDone()},
-                                      {"pictures", now.picturesDrawn()}}
-                   .dump());
+    JsonText json;
+    json.object().add("error", now.error()).add("frame", now.playback().frame());
+    json.add("playing", now.playback().playing()).add("speed", now.playback().speed());
+    json.add("passes", now.passes()).add("passesDone", now.passesDone()).add("pictures", now.picturesDrawn());
+    return say(json.end().text());
 }
 
 // As --report=json.
@@ -291,12 +296,13 @@ EMSCRIPTEN_KEEPALIVE void mvStopAfter(int draws) {
 
 // Of the buffers that the last of these draws drew into, in the order of "shown", the widths and heights; 0 where there is no picture.
 EMSCRIPTEN_KEEPALIVE const char* mvBuffers() {
-    auto sizes = nlohmann::ordered_json::array();
+    JsonText json;
+    json.array();
     if (session().steps()) {
         for (const BufferPicture& buffer : session().steps()->shown.buffers)
-            sizes.push_back({{"width", buffer.picture.width}, {"height", buffer.picture.height}});
+            json.object().add("width", buffer.picture.width).add("height", buffer.picture.height).end();
     }
-    return say(sizes.dump());
+    return say(json.end().text());
 }
 
 // The picture of one of them, by its number there, as mvPixels() has one; it is not to be asked for where there is none.

@@ -1,47 +1,52 @@
 #include "widgets.h"
 
+#include <utility>
+#include <vector>
+
 namespace mv {
 namespace {
 
+// Writes what a knob is set by as one object.
 class Described final : public Panel {
   public:
-    nlohmann::ordered_json widget;
-
+    explicit Described(JsonText& json) : json_(json) {}
     bool slider(const Knob&, double&, const NumberRange& range) override {
-        widget["kind"] = "number";
-        widget["low"] = range.low;
-        widget["high"] = range.high;
-        widget["whole"] = false;
-        widget["logarithmic"] = range.scale == Scale::logarithmic;
-        widget["orZero"] = range.orZero;
-        return false;
+        return isNumber(range.low, range.high, false, range.scale == Scale::logarithmic, range.orZero);
     }
-    bool slider(const Knob&, int&, int low, int high) override {
-        widget["kind"] = "number";
-        widget["low"] = low;
-        widget["high"] = high;
-        widget["whole"] = true;
-        widget["logarithmic"] = widget["orZero"] = false;
-        return false;
-    }
+    bool slider(const Knob&, int&, int low, int high) override { return isNumber(low, high, true, false, false); }
     bool checkbox(const Knob&, bool&) override { return is("switch"); }
     bool words(const Knob&) override { return is("words"); }
     bool button(const Knob&, const std::string& label, bool enabled) override {
-        widget["buttons"].push_back({{"label", label}, {"enabled", enabled}});
+        buttons_.push_back({label, enabled});
         return false;
     }
     bool choose(const Knob&, int&, const std::vector<Option>& options) override {
-        widget["options"] = nlohmann::ordered_json::array();
+        json_.array("options");
         for (const Option& option : options)
-            widget["options"].push_back({{"word", option.word}, {"meaning", option.meaning}});
+            json_.object().add("word", option.word).add("meaning", option.meaning).end();
+        json_.end();
         return is("choice");
+    }
+    // What stands beside the widget itself.
+    void buttons() {
+        if (buttons_.empty()) return;
+        json_.array("buttons");
+        for (const auto& [label, enabled] : buttons_) json_.object().add("label", label).add("enabled", enabled).end();
+        json_.end();
     }
 
   private:
     bool is(const char* kind) {
-        widget["kind"] = kind;
+        json_.add("kind", kind);
         return false;
     }
+    bool isNumber(double low, double high, bool whole, bool logarithmic, bool orZero) {
+        json_.add("low", low).add("high", high).add("whole", whole);
+        json_.add("logarithmic", logarithmic).add("orZero", orZero);
+        return is("number");
+    }
+    JsonText& json_;
+    std::vector<std::pair<std::string, bool>> buttons_;
 };
 
 class Pressing final : public Panel {
@@ -60,14 +65,14 @@ class Pressing final : public Panel {
 
 }  // namespace
 
-nlohmann::ordered_json widgetsOf(Demo& demo) {
-    auto widgets = nlohmann::ordered_json::object();
+void addWidgets(JsonText& json, Demo& demo) {
     for (Knob* knob : demo.knobs()) {
-        Described described;
+        json.object(knob->name());
+        Described described(json);
         knob->widget(described);
-        widgets[knob->name()] = std::move(described.widget);
+        described.buttons();
+        json.end();
     }
-    return widgets;
 }
 
 bool pressButton(Knob& knob, const std::string& label) {

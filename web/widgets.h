@@ -1,15 +1,15 @@
 // Which widget shows each knob, for a page that makes its own of HTML.
 #pragma once
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "mv/demo/demo.h"
+#include "mv/run/json_text.h"
 
 namespace mv {
 
-// {"kind": "number" with "low", "high", "whole", "logarithmic", "orZero"; "switch"; "choice" with "options" of "word" and
+// Adds {"kind": "number" with "low", "high", "whole", "logarithmic", "orZero"; "switch"; "choice" with "options" of "word" and
 // "meaning"; or "words"; and "buttons" of "label" and "enabled"} for each knob, by its name.
-nlohmann::ordered_json widgetsOf(Demo& demo);
+void addWidgets(JsonText& json, Demo& demo);
 
 // Presses that button of the knob; whether the knob moved.
 bool pressButton(Knob& knob, const std::string& label);

@@ -1,8 +1,8 @@
 // node live_test.mjs SOURCE MVGL NATIVE BUILD [--software] [--all-ends] [DEMO...]: the demos alive in their pages, in headless Chromium
 // that draws through the same Mesa: pictures, readouts, matrices and sentences are the native program's, of each demo at its presets,
-// and of one whose sources are not as tests/site/met.txt says at each end of each knob. With --software Chromium draws by its own
-// SwiftShader, presets alone, and pictures may differ a little. --all-ends meets each end of all (./test --long does) and writes
-// that file.
+// and of one whose sources are not as tests/site/met.txt says at each end of each knob. --all-ends meets each end of all (./test --long
+// does) and writes that file. With --software Chromium draws by its own SwiftShader, and pictures may differ a little: each demo as it
+// opens, one whose sources are not as that file says at its presets, and with --all-ends all at theirs.
 import { execFileSync } from 'node:child_process';
 import crypto from 'node:crypto';
 import fs from 'node:fs';
@@ -105,9 +105,10 @@ const standsForAnother = ['displacement', 'gpu-stages', 'environment'];
 let standing = 0;
 
 for (const demo of demos) {
-  const full = !software && (allEnds || noted.get(demo) !== sumOf(demo)), before = counted.failures, started = Date.now();
+  const more = allEnds || noted.get(demo) !== sumOf(demo), full = more && !software, opening = software && !more;
+  const before = counted.failures, started = Date.now();
   const folder = fs.mkdtempSync(path.join(scratch, 'native-'));
-  const cases = JSON.parse(execFileSync(native, [folder, demo, ...(full ? ['--ends'] : [])], { encoding: 'utf8', maxBuffer: 1 << 28 }));
+  const cases = JSON.parse(execFileSync(native, [folder, demo, ...(full ? ['--ends'] : opening ? ['--opening'] : [])], { encoding: 'utf8', maxBuffer: 1 << 28 }));
   const page = await opened(browser, address, `${demo}.html`);
   for (const expected of cases) {
     const { settings, frame, width, height } = expected, what = `${demo} ${JSON.stringify(settings)} at frame ${frame}`;
@@ -138,11 +139,11 @@ for (const demo of demos) {
   await page.close();
   fs.rmSync(folder, { recursive: true });
   if (full && counted.failures === before) met.set(demo, sumOf(demo));
-  console.log(`${demo}: ${cases.length} settings${full ? ', each end of each knob among them' : ''}, ${((Date.now() - started) / 1000).toFixed(1)} s`);
+  console.log(`${demo}: ${cases.length} setting${cases.length > 1 ? 's' : ''}${full ? ', each end of each knob among them' : ''}, ${((Date.now() - started) / 1000).toFixed(1)} s`);
 }
 await browser.close();
 
-if (allEnds && !counted.failures) {
+if (allEnds && !software && !counted.failures) {
   const now = new Map([...recorded(), ...met]); // another run may have written meanwhile
   const lines = demosOf(program).filter((demo) => now.has(demo)).map((demo) => `${now.get(demo)} ${demo}`).join('\n');
   const text = `# The sources of each demo when its page met each end of each knob; ./test meets what differs so, ./test --long all, and writes this.\n${lines}\n`;

@@ -1,6 +1,6 @@
-// native FOLDER DEMO [--ends]: what a page has to show, drawn by OpenGL ES 3.0 of EGL: the demo's presets at frame 1, of one that
-// moves the first at frame 30, too, and with --ends each end of each knob (a sixteenth as large where the picture is made in passes, which
-// takes minutes in a page). JSON: [{"settings", "frame", "width", "height", "error", and where that is "" "knobs", "idle", "readouts",
+// native FOLDER DEMO [--ends | --opening]: what a page has to show, drawn by OpenGL ES 3.0 of EGL: the demo's presets at frame 1, of one
+// that moves the first at frame 30, too, and with --ends each end of each knob (a sixteenth as large where the picture is made in passes,
+// which takes minutes in a page); with --opening nothing but what it opens with. JSON: [{"settings", "frame", "width", "height", "error", and where that is "" "knobs", "idle", "readouts",
 // "matrices", "messages", "picture"}], the last a file of FOLDER with the picture's bytes: red, green, blue, alpha, the upper row first.
 #include <fstream>
 #include <iostream>
@@ -24,11 +24,12 @@ struct Case {
     int smaller = 1;  // than the demo's own width and height
 };
 
-std::vector<Case> casesOf(const DemoInfo& info, bool ends) {
+std::vector<Case> casesOf(const DemoInfo& info, const std::string& which) {
+    if (which == "--opening") return {Case()};
     std::vector<Case> cases;
     for (const Preset& preset : info.presets) cases.push_back({{preset.settings.begin(), preset.settings.end()}});
     if (info.animated) cases.push_back({{}, 30});
-    if (!ends) return cases;
+    if (which != "--ends") return cases;
     const std::unique_ptr<Demo> demo = info.make();
     const int smaller = demo->passes(FrameInfo(1, info.width, info.height)) > 0 ? 4 : 1;
     for (const Knob* knob : demo->knobs()) {
@@ -64,14 +65,15 @@ nlohmann::ordered_json shown(Stage& stage, const DemoInfo& info, const Case& one
 int main(int count, char** arguments) {
     try {
         const std::vector<std::string> words(arguments + 1, arguments + count);
-        const bool ends = words.size() == 3 && words[2] == "--ends";
-        if (words.size() != 2 && !ends) throw Error("native", "must have a folder and a demo, and --ends or nothing");
+        const std::string which = words.size() == 3 ? words[2] : "";
+        if (words.size() < 2 || words.size() > 3 || (words.size() == 3 && which != "--ends" && which != "--opening"))
+            throw Error("native", "must have a folder and a demo, and --ends, --opening or nothing");
         std::vector<std::string> notes;
         const std::unique_ptr<Context> context = openHeadless(HostKind::egl, {.version = 30, .es = true}, notes);
         Stage stage(*context);
         const DemoInfo& info = findDemo(words[1]);
         auto all = nlohmann::ordered_json::array();
-        for (const Case& one : casesOf(info, ends))
+        for (const Case& one : casesOf(info, which))
             all.push_back(shown(stage, info, one, words[0] + "/" + info.name + "-" + std::to_string(all.size())));
         std::cout << all.dump() << "\n";
         return 0;

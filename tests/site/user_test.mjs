@@ -90,6 +90,9 @@ const good = await sumOf(page);
 await type(page, '#knob-near', '9999');
 equal(await text(page, '.refused'), "--near: must be 0.01 .. 2.4, '9999'", 'a value out of range');
 equal(await sumOf(page), good, 'the picture after it');
+await page.evaluate(() => (location.hash = '#near=0.5%0Afar 2'));
+await page.waitForFunction(() => document.querySelector('.refused').textContent.includes('\u21b5'));
+equal(await text(page, '.refused'), "--near: must be 0.01 .. 2.4, '0.5\u21b5far 2'", "a line's end in an address is part of the value, and sets nothing else");
 await page.close();
 page = await opened('view-volume.html');
 const whole = await sumOf(page), joint = await page.evaluate(() => {

@@ -1,12 +1,13 @@
 #include "mv/run/report.h"
-#include "mv/run/words.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 #include <vector>
+
+#include "mv/run/json_text.h"
+#include "mv/run/words.h"
 
 namespace mv {
 namespace {
@@ -103,65 +104,70 @@ std::string reportText(Stage& stage, int index, const FrameTimes& times) {
 }
 
 std::string reportJson(Stage& stage, int index, const FrameTimes& times) {
-    nlohmann::ordered_json json;
-    json["demo"] = stage.info().name;
-    json["frame"] = index;
-    json["width"] = stage.front().width();
-    json["height"] = stage.front().height();
-    json["host"] = stage.driver().host;
-    json["renderer"] = stage.driver().renderer;
-    json["opengl"] = stage.driver().version;
-    json["knobs"] = nlohmann::ordered_json::object();
-    for (const Knob* knob : stage.demo().knobs()) json["knobs"][knob->name()] = knob->text();
-    json["idle"] = nlohmann::ordered_json::object();
+    JsonText json;
+    json.object();
+    json.add("demo", stage.info().name);
+    json.add("frame", index);
+    json.add("width", stage.front().width());
+    json.add("height", stage.front().height());
+    json.add("host", stage.driver().host);
+    json.add("renderer", stage.driver().renderer);
+    json.add("opengl", stage.driver().version);
+    json.object("knobs");
+    for (const Knob* knob : stage.demo().knobs()) json.add(knob->name(), knob->text());
+    json.end().object("idle");
     for (const Knob* knob : stage.demo().knobs()) {
         const std::string reason = stage.demo().idleReason(*knob);
-        if (!reason.empty()) json["idle"][knob->name()] = reason;
+        if (!reason.empty()) json.add(knob->name(), reason);
     }
-    json["readouts"] = nlohmann::ordered_json::object();
+    json.end().object("readouts");
     for (const Readout* readout : stage.demo().readouts()) {
-        auto& entry = json["readouts"][readout->name()];
-        entry["value"] = readout->value() ? nlohmann::ordered_json(*readout->value()) : nlohmann::ordered_json();
-        entry["unit"] = readout->unit();
+        json.object(readout->name());
+        readout->value() ? json.add("value", *readout->value()) : json.addNull("value");
+        json.add("unit", readout->unit()).end();
     }
-    json["counters"] = {{"draws", stage.frameCounters().draws},
-                        {"triangles", stage.frameCounters().triangles},
-                        {"vertices", stage.frameCounters().vertices},
-                        {"passes", stage.frameCounters().passes}};
-    for (const auto& [name, amount] : stage.notes().counts) json["counters"][name] = amount;
-    json["buffers"] = {{"depth", stage.info().needs.depth},
-                       {"stencil", stage.info().needs.stencil},
-                       {"samples", stage.info().needs.samples}};
-    json["milliseconds"] = {
-        {"first", times.firstMs}, {"median", times.medianMs}, {"mad", times.madMs}, {"runs", times.runs}};
-    json["matrices"] = nlohmann::ordered_json::object();
+    json.end().object("counters");
+    json.add("draws", stage.frameCounters().draws);
+    json.add("triangles", stage.frameCounters().triangles);
+    json.add("vertices", stage.frameCounters().vertices);
+    json.add("passes", stage.frameCounters().passes);
+    for (const auto& [name, amount] : stage.notes().counts) json.add(name, amount);
+    json.end().object("buffers");
+    json.add("depth", stage.info().needs.depth);
+    json.add("stencil", stage.info().needs.stencil);
+    json.add("samples", stage.info().needs.samples);
+    json.end().object("milliseconds");
+    json.add("first", times.firstMs).add("median", times.medianMs).add("mad", times.madMs).add("runs", times.runs);
+    json.end().object("matrices");
     for (const auto& [name, matrix] : stage.notes().matrices) {
+        json.array(name);
         for (int row = 0; row < 4; ++row) {
-            json["matrices"][name].push_back({matrix[0][row], matrix[1][row], matrix[2][row], matrix[3][row]});
+            json.array();
+            for (int column = 0; column < 4; ++column) json.add({}, matrix[column][row]);
+            json.end();
         }
+        json.end();
     }
-    json["messages"] = stage.notes().messages;
+    json.end().addAll("messages", stage.notes().messages);
     if (stage.steps()) {
         const FrameSteps& steps = *stage.steps();
-        json["until"] = steps.until;
-        json["draws"] = nlohmann::ordered_json::array();
+        const auto into = [&](bool isPicture, const std::string& target, int width, int height) {
+            json.add("target", isPicture ? "the picture" : target);
+            json.add("target_width", width).add("target_height", height);
+        };
+        json.add("until", steps.until).array("draws");
         for (const DrawStep& draw : steps.draws) {
-            json["draws"].push_back({{"mesh", draw.mesh},
-                                     {"program", draw.program},
-                                     {"primitive", draw.primitive},
-                                     {"count", draw.count},
-                                     {"indexed", draw.indexed},
-                                     {"target", draw.inPicture ? "the picture" : draw.target},
-                                     {"target_width", draw.width},
-                                     {"target_height", draw.height},
-                                     {"state", draw.state}});
+            json.object().add("mesh", draw.mesh).add("program", draw.program).add("primitive", draw.primitive);
+            json.add("count", draw.count).add("indexed", draw.indexed);
+            into(draw.inPicture, draw.target, draw.width, draw.height);
+            json.addAll("state", draw.state).end();
         }
-        json["shown"] = {{"target", steps.shown.isPicture ? "the picture" : steps.shown.target},
-                         {"target_width", steps.shown.width},
-                         {"target_height", steps.shown.height}};
-        for (const BufferPicture& buffer : steps.shown.buffers) json["shown"][buffer.name] = buffer.range;
+        json.end().object("shown");
+        into(steps.shown.isPicture, steps.shown.target, steps.shown.width, steps.shown.height);
+        for (const BufferPicture& buffer : steps.shown.buffers) json.add(buffer.name, buffer.range);
+        json.end();
     }
-    return json.dump(2) + "\n";
+    return json.end().text() + "\n";
 }
 
 std::string knobsText(const Demo& demo) {
@@ -185,24 +191,20 @@ std::string presetsText(const DemoInfo& info) {
 }
 
 std::string knobsJson(const DemoInfo& info, const Demo& demo) {
-    nlohmann::ordered_json json = {{"knobs", nlohmann::ordered_json::array()},
-                                   {"presets", nlohmann::ordered_json::array()}};
+    JsonText json;
+    json.object().array("knobs");
     for (const Knob* knob : demo.knobs()) {
-        json["knobs"].push_back({{"name", knob->name()},
-                                 {"value", knob->text()},
-                                 {"initial", knob->initialText()},
-                                 {"range", knob->range()},
-                                 {"scale", knob->scale() == Scale::logarithmic ? "logarithmic" : "linear"},
-                                 {"unit", knob->unit()},
-                                 {"help", knob->help()},
-                                 {"idle", demo.idleReason(*knob)}});
+        json.object().add("name", knob->name()).add("value", knob->text()).add("initial", knob->initialText());
+        json.add("range", knob->range()).add("scale", knob->scale() == Scale::logarithmic ? "logarithmic" : "linear");
+        json.add("unit", knob->unit()).add("help", knob->help()).add("idle", demo.idleReason(*knob)).end();
     }
+    json.end().array("presets");
     for (const Preset& preset : info.presets) {
-        auto settings = nlohmann::ordered_json::object();
-        for (const auto& [name, value] : preset.settings) settings[name] = value;
-        json["presets"].push_back({{"name", preset.name}, {"lookFor", preset.lookFor}, {"settings", settings}});
+        json.object().add("name", preset.name).add("lookFor", preset.lookFor).object("settings");
+        for (const auto& [name, value] : preset.settings) json.add(name, value);
+        json.end().end();
     }
-    return json.dump(2) + "\n";
+    return json.end().end().text() + "\n";
 }
 
 }  // namespace mv
