@@ -7,7 +7,7 @@ build=$root/build
 run_packages=(g++ cmake ninja-build libglfw3-dev libimgui-dev libglm-dev libeigen3-dev libstb-dev libpng-dev
   libturbojpeg0-dev libcli11-dev nlohmann-json3-dev libgl-dev libegl-dev libegl1 libgl1-mesa-dri fonts-dejavu-core
   gnuplot-nox libosmesa6)
-site_packages=(nodejs cmark-gfm highlight)
+site_packages=(nodejs cmark-gfm highlight terser)
 web_packages=(emscripten libharfbuzz-bin)
 test_packages=("${site_packages[@]}" "${web_packages[@]}" chromium libgles2 git libgtest-dev libboost-dev xvfb x11-utils xdotool imagemagick clang-format clang-tidy clang libclang-rt-dev
   libembree-dev)

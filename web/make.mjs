@@ -1,7 +1,7 @@
 // Makes the site: node web/make.mjs PROGRAM FOLDER [MODULE]. Each lesson becomes a page, with its pictures, curves and sources; a
 // start page finds them. MODULE is the folder that has the demos as WebAssembly (web/CMakeLists.txt); with it they are alive in
 // their pages. All links are relative, so that the folder works at any place of any host, and from a disk.
-import { execFileSync } from 'node:child_process';
+import { execFileSync, spawnSync } from 'node:child_process';
 import fs from 'node:fs';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -54,6 +54,16 @@ function sizeOf(file) {
 function sourcesOf(name) {
   const shaders = fs.readdirSync(path.join(root, 'shaders')).filter((file) => file.split('.')[0] === name).sort();
   return [`demos/${name}.cpp`, ...shaders.map((file) => `shaders/${file}`)];
+}
+
+// Scripts as short as they can be, where there is what makes them so.
+function shorter(scripts) {
+  const env = { ...process.env, NODE_PATH: '/usr/share/nodejs' };
+  const made = spawnSync(process.execPath, [path.join(root, 'web/shorter.cjs')], { env, input: JSON.stringify(scripts), encoding: 'utf8', maxBuffer: 1 << 28 });
+  if (made.status === 0) return JSON.parse(made.stdout);
+  if (!made.stderr.includes("Cannot find module 'terser'")) fail('web/shorter.cjs', 'must succeed', made.stderr);
+  console.error('note: the scripts of the pages go as they are written: there is no terser (package terser)');
+  return scripts;
 }
 
 // ---- one page of Markdown
@@ -130,10 +140,12 @@ for (const file of pagesBelow('docs').sort()) {
   if (depth === 1) beside.push({ file: target, title }); // a study's page is its lesson's
 }
 write('index.html', startPage(list, beside, Boolean(module)));
-for (const file of ['site.css', 'site.js', 'curve.js']) write(file, text(`web/${file}`));
-write('words.js', script);
+write('site.css', text('web/site.css'));
+const scripts = { 'words.js': script };
+for (const file of ['site.js', 'curve.js', ...(module ? ['live.js', ...liveParts] : [])]) scripts[file] = text(`web/${file}`);
 if (module) {
-  for (const file of ['live.js', ...liveParts]) write(file, text(`web/${file}`));
-  for (const file of ['mvgl.js', 'mvgl.wasm']) write(file, fs.readFileSync(path.join(module, file)));
+  scripts['mvgl.js'] = fs.readFileSync(path.join(module, 'mvgl.js'), 'utf8');
+  write('mvgl.wasm', fs.readFileSync(path.join(module, 'mvgl.wasm')));
 }
+for (const [file, script] of Object.entries(shorter(scripts))) write(file, script);
 console.log(`${path.join(folder, 'index.html')}: ${demos.length} lessons`);

@@ -67,9 +67,10 @@ function isAlike(found, expected, unit = '') {
 // ---- each picture as the native program shows it
 
 const address = await served(source, made(source, program, 'site', path.join(build, 'web')));
-const browser = await browserOf(build, software ? ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'] : throughMesa);
+const started = () => browserOf(build, software ? ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'] : throughMesa);
+let browser = await started();
 const demos = demosOf(program).filter((name) => !named.length || named.includes(name));
-let pictures = 0, same = 0, worst = ['none', 0];
+let pictures = 0, same = 0, standing = 0, worst = ['none', 0];
 
 // What the page shows at those settings. The native picture comes as base64, and is compared there.
 const shown = (name, { settings, frame, width, height }, expected, tolerated) => {
@@ -102,25 +103,24 @@ const replaced = async (width, height) => {
 };
 // The picture is the core profile's, which has stages that ES 3.0 lacks, and does not filter across the edges of a cube map.
 const standsForAnother = ['displacement', 'gpu-stages', 'environment'];
-let standing = 0;
 
-for (const demo of demos) {
+async function meet(demo) {
   const more = allEnds || noted.get(demo) !== sumOf(demo), full = more && !software, opening = software && !more;
-  const before = counted.failures, started = Date.now();
+  const before = counted.failures, start = Date.now();
   const folder = fs.mkdtempSync(path.join(scratch, 'native-'));
   const cases = JSON.parse(execFileSync(native, [folder, demo, ...(full ? ['--ends'] : opening ? ['--opening'] : [])], { encoding: 'utf8', maxBuffer: 1 << 28 }));
   const page = await opened(browser, address, `${demo}.html`);
   for (const expected of cases) {
     const { settings, frame, width, height } = expected, what = `${demo} ${JSON.stringify(settings)} at frame ${frame}`;
     const picture = expected.picture && fs.readFileSync(path.join(folder, expected.picture)).toString('base64');
-    const may = allowed({ demo, settings }), one = await page.evaluate(shown, demo, { settings, frame, width, height }, picture, may.levels);
+    const may = allowed({ demo, settings }), one = await page.asked(shown, demo, { settings, frame, width, height }, picture, may.levels);
     equal(one.error, expected.error, `${what}: its sentence`);
     if (expected.error || one.error) continue;
     ++pictures;
     same += one.different === 0;
     equal(one.found, one.of, `${what}: pixels`);
     if (!software && frame === 1 && !Object.keys(settings).length) {
-      const others = await page.evaluate(replaced, width, height);
+      const others = await page.asked(replaced, width, height);
       standing += others === 0;
       if (others !== null && !standsForAnother.includes(demo))
         equal(others, 0, `${what}: pixels that differ from the picture that stands until the demo is there`);
@@ -139,7 +139,22 @@ for (const demo of demos) {
   await page.close();
   fs.rmSync(folder, { recursive: true });
   if (full && counted.failures === before) met.set(demo, sumOf(demo));
-  console.log(`${demo}: ${cases.length} setting${cases.length > 1 ? 's' : ''}${full ? ', each end of each knob among them' : ''}, ${((Date.now() - started) / 1000).toFixed(1)} s`);
+  console.log(`${demo}: ${cases.length} setting${cases.length > 1 ? 's' : ''}${full ? ', each end of each knob among them' : ''}, ${((Date.now() - start) / 1000).toFixed(1)} s`);
+}
+
+for (const demo of demos) {
+  const before = { ...counted }, sums = [pictures, same, standing, worst];
+  try {
+    await meet(demo);
+  } catch (error) {
+    // A browser can run out of memory, or be stopped by the system. A page that is at fault fails again.
+    console.log(`note: ${demo}: ${error.message}; once more, in a new browser`);
+    await browser.close().catch(() => browser.process()?.kill('SIGKILL'));
+    browser = await started();
+    Object.assign(counted, before);
+    [pictures, same, standing, worst] = sums;
+    await meet(demo);
+  }
 }
 await browser.close();
 

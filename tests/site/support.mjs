@@ -58,15 +58,21 @@ export function browserOf(build, flags = throughMesa) {
   return puppeteer.launch({
     executablePath: execFileSync('which', [chromium], { encoding: 'utf8' }).trim(),
     protocolTimeout: 120_000,
-    args: [...own, '--disable-background-networking', ...flags],
+    // A container's shared memory can be too small for two browsers, and on a busy machine a driver that computes looks as if it hung.
+    args: [...own, '--disable-background-networking', '--disable-dev-shm-usage', '--disable-gpu-watchdog', ...flags],
   });
 }
 
-// The page of a demo, once it is alive; what the console says fails the test.
+// The page of a demo, once it is alive; what the console says fails the test. page.asked() is page.evaluate(), and fails when the page
+// crashes.
 export async function opened(browser, address, where, { width = 1280, height = 900 } = {}) {
   const page = await browser.newPage();
   page.on('console', (message) => expect(false, `${where}: the console says ${message.text()}`));
   page.on('pageerror', (error) => expect(false, `${where}: ${error.message}`));
+  // What a page is asked that has crashed would wait for its time limit.
+  const crash = new Promise((never, reject) => page.once('error', reject));
+  crash.catch(() => {});
+  page.asked = (...question) => Promise.race([page.evaluate(...question), crash]);
   await page.setViewport({ width, height });
   await page.goto(`${address}demos/${where}`);
   await page.waitForSelector('.live.is-live, .live.is-still', { timeout: 120_000 });
