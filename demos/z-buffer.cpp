@@ -236,8 +236,7 @@ struct ZBuffer final : Demo {
             const double middle = (cuts[part.first] + cuts[part.first + 1]) / 2;
             return -(plates[part.plate].viewFromPlate * vec4(middle, 0, 0, 1)).z;
         };
-        std::stable_sort(parts.begin(), parts.end(),
-                         [&](const Part& a, const Part& b) { return distance(a) > distance(b); });
+        std::ranges::stable_sort(parts, [&](const Part& a, const Part& b) { return distance(a) > distance(b); });
         return parts;
     }
 

@@ -119,8 +119,10 @@ TEST_P(Sweep, without_what_a_context_may_lack) {
 
 // Each preset is a picture, and no two are alike; it is written as the knobs write their values, and the readouts that its
 // sentence tells are as it tells them.
+// (Under the sanitizers it is drawn as small as the ends of the knobs, and what it shows is not looked at.)
 TEST_P(Sweep, presets) {
     DemoRun run(GetParam());
+    if (sanitized) halve();
     const std::vector<Preset>& presets = stage().info().presets;
     EXPECT_GE(presets.size(), 2U);
     EXPECT_LE(presets.size(), 6U);
@@ -130,6 +132,7 @@ TEST_P(Sweep, presets) {
         EXPECT_TRUE(isAtPreset(run.demo(), preset)) << preset.name << " is not written as the knobs write it";
         EXPECT_EQ(run.refusal(), "") << preset.name;
         expectPicture("preset " + preset.name);
+        if (sanitized) continue;
         for (const ExpectedReadout& expected : preset.expect) {
             const double value = run.readout(expected.readout);
             EXPECT_TRUE(expected.low <= value && value <= expected.high)

@@ -49,7 +49,7 @@ void ClipFigure::hatch(const std::vector<vec2>& corners, const vec4& color) {
             const vec2 &a = corners[i], &b = corners[(i + 1) % corners.size()];
             if ((a.y > y) != (b.y > y)) crossings.push_back(a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x));
         }
-        std::sort(crossings.begin(), crossings.end());
+        std::ranges::sort(crossings);
         for (std::size_t i = 1; i < crossings.size(); i += 2)
             stroke({crossings[i - 1], y}, {crossings[i], y}, {color, 1});
     }

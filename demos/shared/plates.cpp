@@ -19,7 +19,7 @@ struct Met {
 };
 
 std::optional<vec3> laidOver(const vec3& background, std::vector<Met> met, double opacity) {
-    std::sort(met.begin(), met.end(), [](const Met& a, const Met& b) { return a.nearness < b.nearness; });
+    std::ranges::sort(met, [](const Met& a, const Met& b) { return a.nearness < b.nearness; });
     vec3 color = background;
     for (std::size_t i = 0; i < met.size(); ++i) {
         if (i > 0 && met[i].nearness - met[i - 1].nearness <= 1e-12 * met[i].nearness) return {};

@@ -71,7 +71,7 @@ std::vector<Parameter> meetings(const GridPoint& a, const GridPoint& b, const Gr
         if (below < 0) above = -above, below = -below;
         if (above > 0 && above < below) found.push_back({above, below});
     }
-    std::sort(found.begin(), found.end());
+    std::ranges::sort(found);
     return found;
 }
 

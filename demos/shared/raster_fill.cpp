@@ -103,7 +103,7 @@ std::vector<PixelStep> polygonPixels(const std::vector<vec2>& corners, int width
             if ((a.y > y) == (b.y > y)) continue;
             crossings.push_back({a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x), a.y < b.y ? 1 : -1});
         }
-        std::sort(crossings.begin(), crossings.end(), [](const Crossing& a, const Crossing& b) { return a.x < b.x; });
+        std::ranges::sort(crossings, [](const Crossing& a, const Crossing& b) { return a.x < b.x; });
         int turns = 0;
         for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
             turns += winding == Winding::evenOdd ? 1 : crossings[i].turn;

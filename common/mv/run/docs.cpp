@@ -179,7 +179,7 @@ std::vector<std::string> pagesWithNumbers(const std::string& root) {
     for (const auto& entry : std::filesystem::directory_iterator(root + "/docs", none)) {
         if (entry.path().extension() == ".md") docs.push_back("docs/" + entry.path().filename().string());
     }
-    std::sort(docs.begin(), docs.end());
+    std::ranges::sort(docs);
     pages.insert(pages.end(), docs.begin(), docs.end());
     std::erase_if(pages, [&](const std::string& page) {
         const std::string file = root + "/" + page;

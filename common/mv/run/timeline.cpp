@@ -44,7 +44,7 @@ int firstDifference(const std::vector<TimedChange>& a, const std::vector<TimedCh
 }  // namespace
 
 void Timeline::setChanges(std::vector<TimedChange> changes) {
-    std::stable_sort(changes.begin(), changes.end(), isEarlier);
+    std::ranges::stable_sort(changes, isEarlier);
     told_.changes = std::move(changes);
 }
 

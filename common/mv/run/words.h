@@ -44,7 +44,7 @@ inline std::string tableCell(const std::string& text) {
 
 // Of at least one value; of an even number the mean of the two in the middle.
 inline double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
+    std::ranges::sort(values);
     const std::size_t half = values.size() / 2;
     return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
 }
