@@ -1,6 +1,12 @@
-# mvgl inside another project, which keeps its names, flags and build type; and what a user chooses is kept or refused.
+# mvgl inside another project, which keeps its names, flags and build type; and what a user chooses is kept or refused. With WHOLE a
+# demo of the other project is built there, too, which takes all of the library; without, what uses its mathematics alone.
 include("${CMAKE_CURRENT_LIST_DIR}/run.cmake")
+set(targets maths)
 set(work "${BUILD}/subproject-test")
+if(WHOLE)
+  list(APPEND targets triangle)
+  string(APPEND work "-whole")
+endif()
 # The objects stay: compiling the library is most of the time.
 file(REMOVE_RECURSE "${work}/consumer" "${work}/fetched" "${work}/chosen")
 file(REMOVE "${work}/build/CMakeCache.txt")
@@ -13,12 +19,14 @@ set(configure ${CMAKE_COMMAND} -G Ninja "-DMVGL=${SOURCE}" -DMVGL_WINDOW=OFF)
 run(${configure} -S "${parent}" -B "${work}/build")
 has_line("${work}/build/CMakeCache.txt" "CMAKE_BUILD_TYPE:STRING=")
 has_line("${work}/build/CMakeCache.txt" "CMAKE_CXX_FLAGS_RELEASE:STRING=-O3 -DNDEBUG")
-run(${CMAKE_COMMAND} --build "${work}/build" --target maths triangle)
+run(${CMAKE_COMMAND} --build "${work}/build" --target ${targets})
 run("${work}/build/maths")
 if(NOT output STREQUAL "0.500 0.500 0.500\n")
   message(FATAL_ERROR "maths printed ${output}")
 endif()
-checks_triangle("${work}/build/triangle" "${work}/consumer")
+if(WHOLE)
+  checks_triangle("${work}/build/triangle" "${work}/consumer")
+endif()
 # Neither demos nor anything to install, unless they are asked for.
 run(${CMAKE_COMMAND} --build "${work}/build" --target help)
 if(output MATCHES "mvgl-shadow-map:|cube-cull:")
