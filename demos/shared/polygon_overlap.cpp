@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <numeric>
 #include <string>
@@ -71,7 +72,7 @@ std::vector<Parameter> meetings(const GridPoint& a, const GridPoint& b, const Gr
         if (below < 0) above = -above, below = -below;
         if (above > 0 && above < below) found.push_back({above, below});
     }
-    std::ranges::sort(found);
+    std::ranges::sort(found, std::less<Parameter>());
     return found;
 }
 
