@@ -9,7 +9,7 @@ import { drawSteps } from './steps.js';
 
 const pause = 100; // milliseconds between two looks at the readouts of what moves
 
-// The demo is asked for while the page is still being read; once it is read, all of it is there, its words too.
+// The demo may be asked for while the page is still being read; once it is read, all of it is there, its words too.
 const isRead = performance.getEntriesByType('navigation')[0].domContentLoadedEventStart > 0;
 const read = isRead || new Promise((resolve) => document.addEventListener('DOMContentLoaded', resolve, { once: true }));
 

@@ -33,6 +33,22 @@ ${main}</main>
 
 // ---- a lesson
 
+// What a live page loads beside live.js and the module.
+export const liveParts = ['compare.js', 'controls.js', 'edit.js', 'hand.js', 'settings.js', 'steps.js'];
+
+// The demo is asked for once the picture in its place is on the screen, which all these files would make later; and then all at once,
+// instead of each file by the one before. (From a disk browsers open no modules: there the picture stays.)
+const begin = `
+if (location.protocol !== 'file:') {
+  await document.querySelector('.shown').decode().catch(() => {});
+  await new Promise((shown) => requestAnimationFrame(() => setTimeout(shown)));
+  const early = (given) => document.head.append(Object.assign(document.createElement('link'), given));
+  for (const file of ${JSON.stringify(['mvgl.js', ...liveParts])}) early({ rel: 'modulepreload', href: '../' + file });
+  early({ rel: 'preload', href: '../mvgl.wasm', as: 'fetch', type: 'application/wasm', crossOrigin: '' });
+  import('../live.js');
+}
+`;
+
 // The first picture large, and below it all of them: a click shows one with the line that makes it. Where demos are alive, the
 // picture stands until the demo draws its own in its place.
 function pictures(demo, alive) {
@@ -55,7 +71,7 @@ function pictures(demo, alive) {
 <div class="view">${shown}</div>
 <div class="panel">${look}<p class="loading">${word('coming')}</p><noscript><p>${word('needsScripts')}</p></noscript></div>
 </div>
-<script src="../live.js" type="module" async></script>`
+<script type="module" async>${begin}</script>`
     : `${shown}\n${look}`;
   return `<section class="stage" aria-label="${word('pictures')}">
 ${view}
@@ -97,11 +113,6 @@ ${demo.sources
 </section>
 `;
 
-// What a live page loads beside live.js and the module, all asked for at once instead of each file by the one before.
-export const liveParts = ['compare.js', 'controls.js', 'edit.js', 'hand.js', 'settings.js', 'steps.js'];
-const early = ['mvgl.js', ...liveParts].map((file) => `<link rel="modulepreload" href="../${file}">\n`).join('')
-  + '<link rel="preload" href="../mvgl.wasm" as="fetch" type="application/wasm" crossorigin>\n';
-
 export function demoPage(demo, before, after, alive) {
   const to = (other, key, rel) => (other ? `<a rel="${rel}" href="${other.name}.html">${word(key, { demo: other.name })}</a>` : '');
   const opening = demo.pictures[0].file;
@@ -110,7 +121,6 @@ export function demoPage(demo, before, after, alive) {
   return page({
     title: demo.title,
     depth: 1,
-    head: alive ? early : '',
     nav: to(before, 'before', 'prev') + to(after, 'next', 'next'),
     main: `<p class="sentence">${escaped(demo.sentence)}</p>\n${pictures(demo, alive)}<article>\n${lesson}</article>\n${curve(demo)}${sources(demo)}`,
   });
