@@ -72,7 +72,7 @@ const row = (name) => ['stands', 'drawn'].map((kind) => `${Math.round(median(tim
 const processor = fs.readFileSync('/proc/cpuinfo', 'utf8').match(/model name\s*: (.*)/)?.[1];
 console.log(`# The demos in a browser: sizes and times
 
-<!-- Made by \`node tests/site/measure.mjs\`; a test refuses more than 17 KB a demo. -->
+<!-- Made by \`node tests/site/measure.mjs\`; a test refuses more than 15 KB a demo. -->
 
 All ${count} demos are one module, which a browser loads once and keeps. In brotli what a page loads is ${Math.round(sum / 1024)} KB, ${(sum / 1024 / count).toFixed(1)} KB a
 demo with the library, its font and all scripts.
@@ -83,7 +83,7 @@ ${files.map(({ file, bytes, brotli }) => `| ${file} | ${bytes} | ${brotli} |`).j
 
 Milliseconds in a browser that was just started, after the address was given: until the first picture stands, as a file that comes
 with the page (a test compares it with what the demo draws, byte for byte, but for what moves and for stages that a browser lacks);
-and until the demo has drawn it, so that a pixel can be read, and can be moved. Median of ${rounds}, with the median deviation. The
+and until the demo, which the page asks for then, has drawn it, so that a pixel can be read, and can be moved. Median of ${rounds}, with the median deviation. The
 processor draws (llvmpipe): ${processor}. Beside them the least page that draws cube-cull's picture: a script of its own with the
 calls of a page of the course, no library, no control, nothing else to load. To it cube-cull's page has the ratio ${ratio('stands')}
 for the picture that stands, and ${ratio('drawn')} for the one that is drawn.
