@@ -56,14 +56,12 @@ function sourcesOf(name) {
   return [`demos/${name}.cpp`, ...shaders.map((file) => `shaders/${file}`)];
 }
 
-// Scripts as short as they can be, where there is what makes them so.
+// Scripts without what only people read.
 function shorter(scripts) {
   const env = { ...process.env, NODE_PATH: '/usr/share/nodejs' };
   const made = spawnSync(process.execPath, [path.join(root, 'web/shorter.cjs')], { env, input: JSON.stringify(scripts), encoding: 'utf8', maxBuffer: 1 << 28 });
-  if (made.status === 0) return JSON.parse(made.stdout);
-  if (!made.stderr.includes("Cannot find module 'terser'")) fail('web/shorter.cjs', 'must succeed', made.stderr);
-  console.error('note: the scripts of the pages go as they are written: there is no terser (package terser)');
-  return scripts;
+  if (made.status !== 0) fail('web/shorter.cjs', 'must succeed, with the package terser', made.stderr);
+  return JSON.parse(made.stdout);
 }
 
 // ---- one page of Markdown

@@ -51,7 +51,7 @@ constexpr auto find(Range&& range, const Value& value, Part part) {
                         [&](auto&& one) { return std::invoke(part, one) == value; });
 }
 
-// By merging runs of 1, 2, 4 ... elements. The library's own brings three algorithms for each type, ten times this code.
+// By merging runs of 1, 2, 4 ... elements: less code for each type than the library's own, which changes its way with the size.
 template <class Range, class Less = std::less<>>
 constexpr void stable_sort(Range&& range, Less less = {}) {
     using Value = std::decay_t<decltype(*std::begin(range))>;

@@ -147,7 +147,8 @@ for (const demo of demos) {
   try {
     await meet(demo);
   } catch (error) {
-    // A browser can run out of memory, or be stopped by the system. A page that is at fault fails again.
+    // A browser can run out of memory, or be stopped by the system. A page that is at fault fails again, and other errors are its own.
+    if (!/crashed|timed out|closed/i.test(error.message)) throw error;
     console.log(`note: ${demo}: ${error.message}; once more, in a new browser`);
     await browser.close().catch(() => browser.process()?.kill('SIGKILL'));
     browser = await started();

@@ -84,6 +84,17 @@ equal(await drawnMeanwhile(page), 0, 'pictures that two resting canvases draw');
 expect(await page.$eval('canvas.second', (canvas) => canvas.clientWidth > 0 && canvas.style.clipPath.startsWith('inset(0')), 'a second canvas, cut at the line');
 await page.close();
 
+// What the demo needs is asked for when the picture in its place is there
+for (const demo of ['cube-cull', 'ray-trace']) {
+  page = await opened(`${demo}.html`);
+  const { picture, module } = await page.evaluate(() => {
+    const of = (name) => performance.getEntriesByType('resource').find((one) => one.name.endsWith(name));
+    return { picture: of(document.querySelector('.shown').getAttribute('src').replace(/.*\//, '/')).responseEnd, module: of('/mvgl.wasm').startTime };
+  });
+  expect(module > picture, `${demo}: the module is asked for after ${module} ms, and its picture was there after ${picture}`);
+  await page.close();
+}
+
 // What a knob refuses, and what a demo refuses
 page = await opened('cube-persp.html');
 const good = await sumOf(page);

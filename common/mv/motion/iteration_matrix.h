@@ -12,8 +12,7 @@ namespace mv {
 // Copies share what was factorized, which nobody changes: a copied integrator goes on with the same bits.
 //
 // It is eliminated row by row (mv/motion/linear_factors.h): a dense one whole, n^3 products; a sparse one as a band, its rows and
-// columns in the order of Cuthill and McKee, n w^2 products for w diagonals on each side (a chain of masses has 3, a cloth of k
-// masses on each side about 6 k).
+// columns in the order of Cuthill and McKee, n w^2 products for w diagonals on each side (a chain of masses has 3).
 class IterationMatrix {
   public:
     // Evaluates J at (t, y), where f is `slope`; by differences that look `span` ahead where the problem has none.

@@ -226,7 +226,7 @@ std::vector<std::complex<double>> eigenvalues(const OdeProblem& problem, double 
     balance(matrix);
     std::vector<Complex> result(problem.dimension);
     if (matrix.rows() > 0) {
-        // (Eigen's EigenSolver would bring its eigenvectors' code, which nobody needs here, and takes as long again to compile.)
+        // (EigenSolver would bring the code of eigenvectors, which nobody asks for.)
         const Eigen::RealSchur<Eigen::MatrixXd> schur(matrix, false);
         if (schur.info() != Eigen::Success || !schur.matrixT().allFinite())
             throw Error("eigenvalues", "must be found within 40 iterations for each");

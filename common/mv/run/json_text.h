@@ -1,5 +1,5 @@
-// JSON as text, written in the order of the calls. (What reads JSON uses a library; a page in a browser only writes it, and a library's
-// writer is forty times as large.)
+// JSON as text, written in the order of the calls. What reads JSON uses a library; a page in a browser only writes it, and would load
+// the library for that.
 #pragma once
 #include <concepts>
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace mv {
 
-// A text in quotation marks, with what JSON does not allow in them escaped.
+// A text, in UTF-8, in quotation marks, with what JSON does not allow in them escaped.
 std::string jsonQuoted(std::string_view text);
 
 // Two spaces for each level, a line for each member, as nlohmann::json::dump(2) has it.
