@@ -3,7 +3,7 @@
 # A file in a folder called include keeps that folder in its name. GROUP names the file that says where they are edited.
 # With BARE they are without comments and indents, each line at its number.
 set(code "// Generated from shader files; do not edit.\n#include \"mv/gl/shader_folder.h\"\n\n")
-set(number 0)
+set(entries "")
 foreach(file IN LISTS FILES)
   file(READ "${file}" text)
   if(BARE)
@@ -16,10 +16,14 @@ foreach(file IN LISTS FILES)
   if(folder STREQUAL "include")
     set(name "include/${name}")
   endif()
-  string(APPEND code
-    "static const bool added${number} = mv::addBuiltShader(\"${GROUP}\", \"${name}\", R\"glsl(${text})glsl\");\n")
-  math(EXPR number "${number} + 1")
+  string(APPEND entries "{\"${name}\", R\"glsl(${text})glsl\"},\n")
 endforeach()
+if(entries)
+  string(APPEND code "static const char* const files[][2] = {  // names and texts\n${entries}};\n"
+    "static const bool added = [] {\n"
+    "    for (const auto& [name, text] : files) mv::addBuiltShader(\"${GROUP}\", name, text);\n"
+    "    return true;\n}();\n")
+endif()
 if(STUDY AND EXISTS "${STUDY}")
   file(READ "${STUDY}" text)
   # Longer than the 65,536 characters that the standard wants of every compiler.

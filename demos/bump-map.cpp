@@ -323,7 +323,7 @@ struct BumpMap final : Demo {
     }
 };
 
-const bool added = addDemo<BumpMap>({
+constexpr Declaration declaration{
     .name = "bump-map",
     .sentence = "A brick wall and an orange by height map, normal map, parallax and parallax occlusion.",
     .lookFor = "Lit alike, but on the left no brick hides the mortar behind it: the surface is flat.",
@@ -350,6 +350,8 @@ const bool added = addDemo<BumpMap>({
              "Mirrored texture, and frames without their sign: left of the middle the courses are lit from below.",
              {{"mirrored", "on"}, {"sign", "off"}, {"angle", "0"}}},
         },
-});
+};
+
+const bool added = addDemo<BumpMap, declaration>();
 
 }  // namespace

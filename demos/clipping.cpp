@@ -388,10 +388,11 @@ struct Clipping final : Demo {
     }
 };
 
-const bool added = addDemo<Clipping>({
+constexpr Declaration declaration{
     .name = "clipping",
-    .sentence = "Points, segments and polygons clipped to a window step by step, and a segment in space before and "
-                "after the division.",
+    .sentence =
+        "Points, segments and polygons clipped to a window step by step, and a segment in space before and "
+        "after the division.",
     .lookFor =
         "Each round cuts one end at one side whose bit is 1, and computes its code anew, until OR or AND decides.",
     .chapter = "Rays, clipping and pixels",
@@ -416,6 +417,8 @@ const bool added = addDemo<Clipping>({
              "Divided first, the part behind the eye shows up in front, mirrored.",
              {{"subject", "space"}, {"where", "divided"}}},
         },
-});
+};
+
+const bool added = addDemo<Clipping, declaration>();
 
 }  // namespace

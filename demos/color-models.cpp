@@ -413,7 +413,7 @@ struct ColorModels final : Demo {
     }
 };
 
-const bool added = addDemo<ColorModels>({
+constexpr Declaration declaration{
     .name = "color-models",
     .sentence = "RGB's cube, HSL's and HSV's cones, four ways to mix two colours, and the part of all colours in sRGB.",
     .lookFor =
@@ -447,6 +447,8 @@ const bool added = addDemo<ColorModels>({
              {{"scene", "diagram"}, {"diagram", "uv"}, {"mix", "linear"}},
              {{"part-of-diagram", 33, 34}}},
         },
-});
+};
+
+const bool added = addDemo<ColorModels, declaration>();
 
 }  // namespace

@@ -93,7 +93,7 @@ struct CubeCull final : Demo {
     }
 };
 
-const bool added = addDemo<CubeCull>({
+constexpr Declaration declaration{
     .name = "cube-cull",
     .sentence = "Back-face culling: on a closed solid, what faces away is never seen.",
     .lookFor = "Turn the cube with back and with none: the same picture. Then front: you look into the far half.",
@@ -120,6 +120,8 @@ const bool added = addDemo<CubeCull>({
              {{"z-dist", "0.3"}, {"spin-x", "0"}, {"spin-y", "0"}},
              {{"culled", 2, 2}, {"outside", 10, 10}, {"surviving", 0, 0}}},
         },
-});
+};
+
+const bool added = addDemo<CubeCull, declaration>();
 
 }  // namespace

@@ -84,7 +84,7 @@ struct CubeOrtho final : Demo {
     }
 };
 
-const bool added = addDemo<CubeOrtho>({
+constexpr Declaration declaration{
     .name = "cube-ortho",
     .sentence = "A parallel projection: a box of view, and the matrix that makes it the cube from -1 to 1.",
     .lookFor = "Edges that are parallel stay parallel, and no distance makes the cube smaller; only the box does.",
@@ -110,6 +110,8 @@ const bool added = addDemo<CubeOrtho>({
              "Near and far exchanged make the identity of the canonical box, and the far faces hide the near ones.",
              {{"mirror-depth", "on"}}},
         },
-});
+};
+
+const bool added = addDemo<CubeOrtho, declaration>();
 
 }  // namespace

@@ -92,11 +92,12 @@ struct CubePersp final : Demo {
     }
 };
 
-const bool added = addDemo<CubePersp>({
+constexpr Declaration declaration{
     .name = "cube-persp",
     .sentence = "A perspective: a pyramid of view cut off at near and far, and the matrix that makes it a cube.",
-    .lookFor = "Far edges are shorter than near ones. The field of view makes both smaller alike; near and far cut the "
-               "cube open.",
+    .lookFor =
+        "Far edges are shorter than near ones. The field of view makes both smaller alike; near and far cut the "
+        "cube open.",
     .chapter = "Viewing and projection",
     .number = 3,
     .width = 512,
@@ -125,6 +126,8 @@ const bool added = addDemo<CubePersp>({
              {{"aspect", "2"}},
              {{"fovx", 103.65, 103.75}}},
         },
-});
+};
+
+const bool added = addDemo<CubePersp, declaration>();
 
 }  // namespace

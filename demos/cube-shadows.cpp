@@ -379,7 +379,7 @@ struct CubeShadows final : Demo {
     }
 };
 
-const bool added = addDemo<CubeShadows>({
+constexpr Declaration declaration{
     .name = "cube-shadows",
     .sentence = "Planar shadows on any plane, from a lamp or a light at infinity, by one matrix.",
     .lookFor = "Move the light: the shadow runs over the floor and up the wall, and is never darkened twice.",
@@ -422,6 +422,8 @@ const bool added = addDemo<CubeShadows>({
              "The matrix as a slide prints it, for row vectors: two patches that belong to nothing.",
              {{"formula", "transposed"}}},
         },
-});
+};
+
+const bool added = addDemo<CubeShadows, declaration>();
 
 }  // namespace

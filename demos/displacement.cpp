@@ -263,7 +263,7 @@ struct Displacement final : Demo {
     }
 };
 
-const bool added = addDemo<Displacement>({
+constexpr Declaration declaration{
     .name = "displacement",
     .sentence = "A brick wall and an orange whose vertices are really moved, cut as finely as they are near.",
     .lookFor = "The upper edge of the wall has notches: bricks that pretend leave it straight.",
@@ -293,6 +293,8 @@ const bool added = addDemo<Displacement>({
              "Each patch has a level of its own, and the background is seen between them.",
              {{"agree", "off"}, {"angle", "50"}, {"distance", "0.6"}, {"fineness", "16"}, {"depth", "0.15"}}},
         },
-});
+};
+
+const bool added = addDemo<Displacement, declaration>();
 
 }  // namespace

@@ -331,11 +331,12 @@ struct Environment final : Demo {
     }
 };
 
-const bool added = addDemo<Environment>({
+constexpr Declaration declaration{
     .name = "environment",
     .sentence = "Mirror, gold, copper and glass, with what is around them looked up in a cube map.",
-    .lookFor = "Left by the cube map, right by rays: tiles and balls do not meet, since the cube takes all for "
-               "infinitely far.",
+    .lookFor =
+        "Left by the cube map, right by rays: tiles and balls do not meet, since the cube takes all for "
+        "infinitely far.",
     .chapter = "Surfaces, mirrors and stages",
     .number = 31,
     .width = 960,
@@ -368,6 +369,8 @@ const bool added = addDemo<Environment>({
               {"spin-x", "20"},
               {"spin-y", "30"}}},
         },
-});
+};
+
+const bool added = addDemo<Environment, declaration>();
 
 }  // namespace

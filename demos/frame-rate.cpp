@@ -330,7 +330,7 @@ struct FrameRate final : Demo {
     }
 };
 
-const bool added = addDemo<FrameRate>({
+constexpr Declaration declaration{
     .name = "frame-rate",
     .sentence = "Motion per picture, per second, of the time and in steps, on a display that is simulated.",
     .lookFor =
@@ -365,6 +365,8 @@ const bool added = addDemo<FrameRate>({
              "Without the cap each picture takes longer than the one before, and soon none comes any more.",
              {{"step-load", "20"}, {"cap", "off"}, {"hours", "0.002"}}},
         },
-});
+};
+
+const bool added = addDemo<FrameRate, declaration>();
 
 }  // namespace

@@ -318,7 +318,7 @@ struct GpuStages final : Demo {
     }
 };
 
-const bool added = addDemo<GpuStages>({
+constexpr Declaration declaration{
     .name = "gpu-stages",
     .sentence = "One patch through all stages of the pipeline, each on or off, with what goes in and what comes out.",
     .lookFor = "Sixteen vertices become a hundred and twenty-eight triangles, and no vertex buffer ever held them.",
@@ -344,6 +344,8 @@ const bool added = addDemo<GpuStages>({
                 {"primitives", "Ten ways to join vertices; the red three left the core.", {{"show", "primitives"}}},
                 {"meshes", "A torus is regular everywhere; no sphere is.", {{"show", "meshes"}, {"spin-x", "40"}}},
                 {"compute", "The same rings by a fragment and by a compute shader.", {{"show", "compute"}}}},
-});
+};
+
+const bool added = addDemo<GpuStages, declaration>();
 
 }  // namespace

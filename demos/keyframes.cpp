@@ -488,7 +488,7 @@ struct Keyframes final : Demo {
     }
 };
 
-const bool added = addDemo<Keyframes>({
+constexpr Declaration declaration{
     .name = "keyframes",
     .sentence = "What moves between keys: straight, eased, by one polynomial, by splines.",
     .lookFor = "Straight from key to key the speed jumps; along a spline it does not; one polynomial swings.",
@@ -519,6 +519,8 @@ const bool added = addDemo<Keyframes>({
              "The camera goes away and zooms in: its subject stays as large, and the house behind it swells.",
              {{"scene", "camera"}, {"curve", "clamped"}, {"zoom", "computed"}}},
         },
-});
+};
+
+const bool added = addDemo<Keyframes, declaration>();
 
 }  // namespace

@@ -389,7 +389,7 @@ struct Lights final : Demo {
     }
 };
 
-const bool added = addDemo<Lights>({
+constexpr Declaration declaration{
     .name = "lights",
     .sentence = "Ambient, directional, point and spot lights, up to eight, and how their light falls off.",
     .lookFor =
@@ -426,6 +426,8 @@ const bool added = addDemo<Lights>({
               {"power", "0.2"},
               {"cut-off", "0.1"}}},
         },
-});
+};
+
+const bool added = addDemo<Lights, declaration>();
 
 }  // namespace

@@ -40,7 +40,7 @@ enum class Method { stencil, texture };
 enum class Near { oblique, clipDistance, none };
 enum class Count { one, two };
 
-const vec3 sky(0.80, 0.88, 0.95);
+constexpr vec3 sky(0.80, 0.88, 0.95);
 
 struct MirrorDemo final : Demo {
     Choice<Method> method{this,
@@ -390,7 +390,7 @@ struct MirrorDemo final : Demo {
     }
 };
 
-const bool added = addDemo<MirrorDemo>({
+constexpr Declaration declaration{
     .name = "mirror",
     .sentence = "A plane mirror by the stencil buffer or by a texture, and two that show each other many times.",
     .lookFor =
@@ -421,6 +421,8 @@ const bool added = addDemo<MirrorDemo>({
              "Two mirrors that are not parallel: the images lie on a circle.",
              {{"mirrors", "two"}, {"mirror-turn", "12"}}},
         },
-});
+};
+
+const bool added = addDemo<MirrorDemo, declaration>();
 
 }  // namespace

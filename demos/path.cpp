@@ -414,7 +414,7 @@ struct PathDemo final : Demo {
     }
 };
 
-const bool added = addDemo<PathDemo>({
+constexpr Declaration declaration{
     .name = "path",
     .sentence = "A car on a curve: forward is the velocity, up is a choice; and three ways from one pose to another.",
     .lookFor = "The sleepers lean into each bend, so that a passenger is pressed straight down into the seat.",
@@ -456,6 +456,8 @@ const bool added = addDemo<PathDemo>({
               {"to-roll", "0"},
               {"start", "100"}}},
         },
-});
+};
+
+const bool added = addDemo<PathDemo, declaration>();
 
 }  // namespace

@@ -309,7 +309,7 @@ struct Pipeline final : Demo {
     }
 };
 
-const bool added = addDemo<Pipeline>({
+constexpr Declaration declaration{
     .name = "pipeline",
     .sentence = "One vertex of a cube through model, world, camera, clip and device space to its pixel, in numbers.",
     .lookFor = "Follow one number from product to product; then move the eye past the vertex and watch w.",
@@ -338,6 +338,8 @@ const bool added = addDemo<Pipeline>({
              "A projection for an eye that looks along +z: all of the cube has w below 0 and is clipped.",
              {{"matrices", "slide-projection"}}},
         },
-});
+};
+
+const bool added = addDemo<Pipeline, declaration>();
 
 }  // namespace

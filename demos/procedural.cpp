@@ -203,7 +203,7 @@ struct Procedural final : Demo {
     }
 };
 
-const bool added = addDemo<Procedural>({
+constexpr Declaration declaration{
     .name = "procedural",
     .sentence = "Brick, wood, marble and noise as functions of the surface point.",
     .lookFor = "A pattern in space has no seams and no texels: zoom in, and only the floats' precision ends it.",
@@ -228,6 +228,8 @@ const bool added = addDemo<Procedural>({
              "Bricks to the horizon, one point a pixel: what is finer than a pixel becomes another pattern.",
              {{"pattern", "brick"}, {"view", "floor"}}},
         },
-});
+};
+
+const bool added = addDemo<Procedural, declaration>();
 
 }  // namespace

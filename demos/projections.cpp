@@ -266,7 +266,7 @@ struct Projections final : Demo {
     static void raise(Readout& readout, double value) { readout = std::max(readout.value().value_or(0), value); }
 };
 
-const bool added = addDemo<Projections>({
+constexpr Declaration declaration{
     .name = "projections",
     .sentence = "One house in four views at once: orthographic, axonometric, oblique, and with vanishing points.",
     .lookFor = "Which lengths and angles a view keeps; and in the perspectives, where parallel edges would meet.",
@@ -298,6 +298,8 @@ const bool added = addDemo<Projections>({
              "From 1000 m the perspective is nearly the parallel view of the same turn.",
              {{"show", "vanishing"}, {"distance", "1000"}}},
         },
-});
+};
+
+const bool added = addDemo<Projections, declaration>();
 
 }  // namespace

@@ -397,11 +397,12 @@ struct Rasterizer final : Demo {
     }
 };
 
-const bool added = addDemo<Rasterizer>({
+constexpr Declaration declaration{
     .name = "rasterizer",
     .sentence = "Lines, triangles and fills, pixel by pixel, beside the pixels that OpenGL sets.",
-    .lookFor = "In each column the pixel nearest to the line is set, and the figure in it says how far the line is "
-               "from where it steps up.",
+    .lookFor =
+        "In each column the pixel nearest to the line is set, and the figure in it says how far the line is "
+        "from where it steps up.",
     .chapter = "Rays, clipping and pixels",
     .number = 26,
     .width = 960,
@@ -424,6 +425,8 @@ const bool added = addDemo<Rasterizer>({
              "Eight neighbours: the fill leaks through the outline.",
              {{"subject", "fill"}, {"neighbours", "8"}}},
         },
-});
+};
+
+const bool added = addDemo<Rasterizer, declaration>();
 
 }  // namespace

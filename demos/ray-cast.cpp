@@ -42,7 +42,7 @@ namespace {
 enum class Precision { single, twice };
 enum class Maker { rays, raster, gl };
 
-const vec4 sky(0.85, 0.9, 0.95, 1);
+constexpr vec4 sky(0.85, 0.9, 0.95, 1);
 const vec3 toLight = glm::normalize(vec3(0.5, 0.8, 0.35));
 constexpr double opening = 0.53, opens = 9;  // the tangent of half the angle of view, and the distance where it is that
 
@@ -405,11 +405,12 @@ struct RayCast final : Demo {
     }
 };
 
-const bool added = addDemo<RayCast>({
+constexpr Declaration declaration{
     .name = "ray-cast",
     .sentence = "A picture made of rays, one for each pixel, and from the side what the ray of one pixel meets.",
-    .lookFor = "Drag the red pixel: its ray is shown from the side, with all that it meets in order; the nearest gives "
-               "the colour.",
+    .lookFor =
+        "Drag the red pixel: its ray is shown from the side, with all that it meets in order; the nearest gives "
+        "the colour.",
     .chapter = "Rays, clipping and pixels",
     .number = 22,
     .width = 960,
@@ -444,6 +445,8 @@ const bool added = addDemo<RayCast>({
              "Newton's method from the flag's middle alone: it walks away from parts of it.",
              {{"objects", "surface"}, {"form", "textbook"}, {"rows", "120"}, {"pixel-x", "0.6"}, {"pixel-y", "0.7"}}},
         },
-});
+};
+
+const bool added = addDemo<RayCast, declaration>();
 
 }  // namespace

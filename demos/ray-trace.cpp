@@ -236,12 +236,13 @@ struct RayTrace final : Demo {
     }
 };
 
-const bool added = addDemo<RayTrace>({
+constexpr Declaration declaration{
     .name = "ray-trace",
     .sentence =
         "Rays followed through mirrors and glass to a lamp with an area, in passes that make the picture better.",
-    .lookFor = "The glass ball turns the room upside down, and its shadow has light in it; the lamp's shadows are "
-               "sharp where a ball touches the floor.",
+    .lookFor =
+        "The glass ball turns the room upside down, and its shadow has light in it; the lamp's shadows are "
+        "sharp where a ball touches the floor.",
     .chapter = "Rays, clipping and pixels",
     .number = 23,
     .width = 480,
@@ -260,6 +261,8 @@ const bool added = addDemo<RayTrace>({
              {{"room", "white"}, {"depth", "3"}, {"show", "cut"}}},
             {"rays", "How many rays a sample takes: most where glass and mirror see each other.", {{"show", "rays"}}},
         },
-});
+};
+
+const bool added = addDemo<RayTrace, declaration>();
 
 }  // namespace

@@ -424,7 +424,7 @@ struct RobotArm final : Demo {
     }
 };
 
-const bool added = addDemo<RobotArm>({
+constexpr Declaration declaration{
     .name = "robot-arm",
     .sentence = "From the angles of joints to the hand and back: two links, an arm, and a walker's feet.",
     .lookFor = "The first angle stands in one matrix, and both links turn by it: the second one's is a product.",
@@ -456,6 +456,8 @@ const bool added = addDemo<RobotArm>({
              "Above, by angles between right poses, the foot slides; below, by inverse kinematics, it stands.",
              {{"scene", "walker"}, {"method", "closed"}, {"matrices", "off"}}},
         },
-});
+};
+
+const bool added = addDemo<RobotArm, declaration>();
 
 }  // namespace

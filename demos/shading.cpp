@@ -289,7 +289,7 @@ struct ShadingDemo final : Demo {
     }
 };
 
-const bool added = addDemo<ShadingDemo>({
+constexpr Declaration declaration{
     .name = "shading",
     .sentence = "Flat, Gouraud and Phong shading, and the highlights of Phong and Blinn.",
     .lookFor = "On a coarse mesh Gouraud shading smears the highlight over whole faces, or loses it.",
@@ -316,6 +316,8 @@ const bool added = addDemo<ShadingDemo>({
              "Metal brushed round its axis: the highlight runs across the brushing.",
              {{"material", "brushed"}, {"shading", "phong"}, {"edges", "64"}, {"exponent", "40"}}},
         },
-});
+};
+
+const bool added = addDemo<ShadingDemo, declaration>();
 
 }  // namespace

@@ -149,7 +149,7 @@ struct ShadowFloor final : Demo {
     }
 };
 
-const bool added = addDemo<ShadowFloor>({
+constexpr Declaration declaration{
     .name = "shadow-floor",
     .sentence = "A planar shadow on a floor, with the light that throws it in the picture.",
     .lookFor = "Light, corner of the square and corner of the shadow are on one line, from wherever you look.",
@@ -175,6 +175,8 @@ const bool added = addDemo<ShadowFloor>({
             {"from-above", "From above the whole shadow is seen.", {{"spin-x", "-40"}}},
             {"from-below", "From below there is none: the floor hides it.", {{"spin-x", "40"}}},
         },
-});
+};
+
+const bool added = addDemo<ShadowFloor, declaration>();
 
 }  // namespace

@@ -251,7 +251,7 @@ struct ShadowLights final : Demo {
 
 constexpr Literal inShadow = "what is wholly in one light's shadow is known when it is drawn";
 
-const bool added = addDemo<ShadowLights>({
+constexpr Declaration declaration{
     .name = "shadow-lights",
     .sentence = "Several moving lights, each with its own shadows, by maps or by volumes.",
     .lookFor = "Where two shadows overlap it is darker than in either: a shadow is the lack of one light, not of all.",
@@ -286,6 +286,8 @@ const bool added = addDemo<ShadowLights>({
               {"no-sample", "draw of 'upper arm'", inShadow},
               {"no-sample", "draw of 'bulb'", "whether a shade hides it is known when it is drawn"},
               {"outside-view", "draw of 'bulb'", "a bulb of 224 triangles is drawn sooner than asked for"}},
-});
+};
+
+const bool added = addDemo<ShadowLights, declaration>();
 
 }  // namespace

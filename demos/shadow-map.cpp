@@ -250,16 +250,7 @@ struct ShadowMap final : Demo {
     }
 };
 
-// The cube on its plane, lit from the upper left, with these settings besides.
-std::vector<DeclaredSetting> litCube(const std::vector<DeclaredSetting>& besides) {
-    std::vector<DeclaredSetting> settings{
-        {"scene", "cube-on-plane"}, {"resolution", "1024"}, {"light-x", "-2.2"}, {"light-y", "3.6"}, {"light-z", "1.4"},
-        {"target-x", "0"},          {"target-y", "0"},      {"target-z", "0"},   {"fov", "90"},      {"spin-y", "300"}};
-    settings.insert(settings.end(), besides.begin(), besides.end());
-    return settings;
-}
-
-const bool added = addDemo<ShadowMap>({
+constexpr Declaration declaration{
     .name = "shadow-map",
     .sentence = "Shadows by a second depth buffer, drawn as the light sees the scene.",
     .lookFor =
@@ -276,10 +267,33 @@ const bool added = addDemo<ShadowMap>({
             {"original",
              "The steps at the shadow's edge are the texels of the map in the corner, as large as they fall on the "
              "floor."},
-            {"acne", "Without a bias what is lit shades itself, in stripes.", litCube({{"bias", "0"}})},
+            {"acne",
+             "Without a bias what is lit shades itself, in stripes.",
+             {{"scene", "cube-on-plane"},
+              {"resolution", "1024"},
+              {"light-x", "-2.2"},
+              {"light-y", "3.6"},
+              {"light-z", "1.4"},
+              {"target-x", "0"},
+              {"target-y", "0"},
+              {"target-z", "0"},
+              {"fov", "90"},
+              {"spin-y", "300"},
+              {"bias", "0"}}},
             {"peter-panning",
              "Back faces in the map and too large a bias: the shadow begins a step away from the cube.",
-             litCube({{"bias", "0.01"}, {"map-faces", "back"}})},
+             {{"scene", "cube-on-plane"},
+              {"resolution", "1024"},
+              {"light-x", "-2.2"},
+              {"light-y", "3.6"},
+              {"light-z", "1.4"},
+              {"target-x", "0"},
+              {"target-y", "0"},
+              {"target-z", "0"},
+              {"fov", "90"},
+              {"spin-y", "300"},
+              {"bias", "0.01"},
+              {"map-faces", "back"}}},
             {"fitted",
              "The map holds just what casts, so that its texels are small; 3 x 3 looks make the edge a ramp.",
              {{"scene", "still-life"},
@@ -297,6 +311,8 @@ const bool added = addDemo<ShadowMap>({
               {"window-width", "9"},
               {"window-height", "9"}}},
         },
-});
+};
+
+const bool added = addDemo<ShadowMap, declaration>();
 
 }  // namespace

@@ -280,11 +280,12 @@ struct ShadowMethods final : Demo {
 
 constexpr Literal otherHalf = "each side of the line draws the whole scene, and some of it is on the other side";
 
-const bool added = addDemo<ShadowMethods>({
+constexpr Declaration declaration{
     .name = "shadow-methods",
     .sentence = "All methods on one scene: matrix, volumes and maps, side by side and against time.",
-    .lookFor = "On one flat floor the matrix is exact; between bodies it has no shadow, and a map's are as coarse as "
-               "its texels.",
+    .lookFor =
+        "On one flat floor the matrix is exact; between bodies it has no shadow, and a map's are as coarse as "
+        "its texels.",
     .chapter = "Shadows",
     .number = 16,
     .width = 640,
@@ -312,6 +313,8 @@ const bool added = addDemo<ShadowMethods>({
     .waste = {{"no-sample", "draw of 'box'", otherHalf},
               {"no-sample", "draw of 'pawn'", otherHalf},
               {"state-again", "glStencilFunc", "counting volumes sets all that it needs, whatever was there before"}},
-});
+};
+
+const bool added = addDemo<ShadowMethods, declaration>();
 
 }  // namespace

@@ -324,7 +324,7 @@ struct ShadowVolumes final : Demo {
     }
 };
 
-const bool added = addDemo<ShadowVolumes>({
+constexpr Declaration declaration{
     .name = "shadow-volume",
     .sentence = "Shadow volumes counted in the stencil buffer, by z-pass and z-fail.",
     .lookFor =
@@ -360,6 +360,8 @@ const bool added = addDemo<ShadowVolumes>({
              "Each triangle drawn out, instead of the silhouette: far more to fill, and no better.",
              {{"silhouette", "off"}}},
         },
-});
+};
+
+const bool added = addDemo<ShadowVolumes, declaration>();
 
 }  // namespace

@@ -142,7 +142,7 @@ struct Shadow final : Demo {
     }
 };
 
-const bool added = addDemo<Shadow>({
+constexpr Declaration declaration{
     .name = "shadow",
     .sentence = "A planar shadow: the square drawn twice, the second time flattened by a matrix and in black.",
     .lookFor = "The shadow moves against the light, and grows as the light comes down towards the square.",
@@ -166,6 +166,8 @@ const bool added = addDemo<Shadow>({
              "The light stands between lower and upper side: what is below it casts a shadow without end.",
              {{"light-height", "0.6"}, {"tilt", "50"}}},
         },
-});
+};
+
+const bool added = addDemo<Shadow, declaration>();
 
 }  // namespace

@@ -282,7 +282,7 @@ struct SoftShadows final : Demo {
     }
 };
 
-const bool added = addDemo<SoftShadows>({
+constexpr Declaration declaration{
     .name = "soft-shadows",
     .sentence =
         "The soft shadow of a lamp that has a size: by many points, by a blur, and by a blur that asks how wide.",
@@ -314,6 +314,8 @@ const bool added = addDemo<SoftShadows>({
         },
     .waste = {{"repeated-pass", "pass into 'darkness'", "what a soft shadow costs in every frame is the lesson"},
               {"state-again", "glViewport", "the darkness is as large as the picture, and a target sets its own"}},
-});
+};
+
+const bool added = addDemo<SoftShadows, declaration>();
 
 }  // namespace

@@ -28,6 +28,7 @@
 
 #include "mv/demo/demo.h"
 #include "mv/demo/made_for.h"
+#include "mv/demo/number.h"
 #include "mv/geometry/plot.h"
 #include "mv/gl/drawing.h"
 #include "mv/gl/gl.h"
@@ -385,7 +386,8 @@ struct Springs final : Demo {
         const SpringGame now = played();
         const OdeCounts& counts = now.counts();
         // Less than 1e-11 is roundings and what Newton's method leaves, which another compiler has otherwise
-        const double off = now.largestDrift() < 1e-11 ? 0 : std::stod(rounded("%.2e", 1e6 * now.largestDrift()));
+        double off = 0;
+        if (now.largestDrift() >= 1e-11) readNumber(rounded("%.2e", 1e6 * now.largestDrift()), off);
         return {{"energy off (ppm)", off},
                 {"evaluations", double(counts.evaluations)},
                 {"factorizations", double(counts.factorizations)},
@@ -393,7 +395,7 @@ struct Springs final : Demo {
     }
 };
 
-const bool added = addDemo<Springs>({
+constexpr Declaration declaration{
     .name = "springs",
     .sentence = "Masses on springs by twelve methods: energy made, energy lost, and the region that tells before.",
     .lookFor = "Drag the hand. Then fewer substeps: a dot leaves the blue region, and the net blows up.",
@@ -436,6 +438,8 @@ const bool added = addDemo<Springs>({
              {{"problem", "robertson"}, {"method", "rodas"}},
              {{"end-error", 0, 1e-6}}},
         },
-});
+};
+
+const bool added = addDemo<Springs, declaration>();
 
 }  // namespace

@@ -148,7 +148,7 @@ struct StereoCube final : Demo {
     }
 };
 
-const bool added = addDemo<StereoCube>({
+constexpr Declaration declaration{
     .name = "stereocube",
     .sentence = "Stereo with coloured glasses: two eyes, two pictures, one in red and one in cyan.",
     .lookFor = "With red glass left and cyan glass right the cube stands in the depth; without, a red and a cyan cube.",
@@ -180,6 +180,8 @@ const bool added = addDemo<StereoCube>({
              "Eyes far apart that meet near: the heights of the two pictures differ by many pixels.",
              {{"eye-sep", "0.5"}, {"convergence", "1"}}},
         },
-});
+};
+
+const bool added = addDemo<StereoCube, declaration>();
 
 }  // namespace

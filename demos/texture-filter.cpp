@@ -328,7 +328,7 @@ struct TextureFilterDemo final : Demo {
     }
 };
 
-const bool added = addDemo<TextureFilterDemo>({
+constexpr Declaration declaration{
     .name = "texture-filter",
     .sentence = "A floor to the horizon looked up in its texture by nearest, bilinear, mipmaps or along the footprint.",
     .lookFor = "The red pixel covers the red shape of the texture: many texels, far longer than wide.",
@@ -358,6 +358,8 @@ const bool added = addDemo<TextureFilterDemo>({
              "Averaged as it is kept, a checker of black and white gets too dark: 128 of 255 instead of 188.",
              {{"average", "encoded"}}},
         },
-});
+};
+
+const bool added = addDemo<TextureFilterDemo, declaration>();
 
 }  // namespace

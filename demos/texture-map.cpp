@@ -372,7 +372,7 @@ struct TextureMapDemo final : Demo {
     }
 };
 
-const bool added = addDemo<TextureMapDemo>({
+constexpr Declaration declaration{
     .name = "texture-map",
     .sentence =
         "Which point of a texture a pixel shows: on a square in perspective, a cylinder, a sphere and a triangle.",
@@ -402,6 +402,8 @@ const bool added = addDemo<TextureMapDemo>({
              "The triangle's plane passes the origin at a millionth: the inverse of P has lost the floats' digits.",
              {{"shape", "triangle"}, {"map", "matrix"}, {"distance", "1e-06"}}},
         },
-});
+};
+
+const bool added = addDemo<TextureMapDemo, declaration>();
 
 }  // namespace

@@ -275,7 +275,7 @@ struct ViewVolume final : Demo {
     }
 };
 
-const bool added = addDemo<ViewVolume>({
+constexpr Declaration declaration{
     .name = "view-volume",
     .sentence = "A camera seen from outside, with its view volume, and the cube that its projection makes of it.",
     .lookFor = "What is between near and far fills the cube, large before and small behind; orange is cut off.",
@@ -304,6 +304,8 @@ const bool added = addDemo<ViewVolume>({
              {{"plane-error", 0.115, 0.125}}},
             {"from-the-front", "Seen from the front the cube is the camera's picture.", {{"turn", "0"}, {"tilt", "0"}}},
         },
-});
+};
+
+const bool added = addDemo<ViewVolume, declaration>();
 
 }  // namespace

@@ -168,7 +168,7 @@ struct Viewpoints final : Demo {
     }
 };
 
-const bool added = addDemo<Viewpoints>({
+constexpr Declaration declaration{
     .name = "viewpoints",
     .sentence = "One lookAt for each view: what it speaks of, and in which order the matrices are multiplied.",
     .lookFor = "In views 1 to 3 and 9 the car moves; in 4 to 8 the car stands still and the world moves around it.",
@@ -195,6 +195,8 @@ const bool added = addDemo<Viewpoints>({
              "Straight down. Up along the gaze says nothing, so +y is up here.",
              {{"view", "9"}, {"height", "40"}}},
         },
-});
+};
+
+const bool added = addDemo<Viewpoints, declaration>();
 
 }  // namespace

@@ -295,7 +295,7 @@ struct ZBuffer final : Demo {
     }
 };
 
-const bool added = addDemo<ZBuffer>({
+constexpr Declaration declaration{
     .name = "z-buffer",
     .sentence = "What hides what: the painter's order, and a depth for each pixel in several formats.",
     .lookFor = "Switch the depth test off: no order of the three bars is right, until each of them is cut in two.",
@@ -325,6 +325,8 @@ const bool added = addDemo<ZBuffer>({
         },
     .waste = {{"repeated-pass", "pass into 'scene'", "what the depth test costs in every frame is the lesson"},
               {"state-again", "glViewport", "the scene is as large as the picture, and a target sets its own"}},
-});
+};
+
+const bool added = addDemo<ZBuffer, declaration>();
 
 }  // namespace

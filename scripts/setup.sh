@@ -4,11 +4,11 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=$root/build
 
 # Each with its reason in the README's table of dependencies.
-run_packages=(g++ cmake ninja-build libglfw3-dev libimgui-dev libglm-dev libeigen3-dev libstb-dev libpng-dev
+run_packages=(g++ cmake ninja-build libglfw3-dev libimgui-dev libglm-dev libstb-dev libpng-dev
   libturbojpeg0-dev libcli11-dev nlohmann-json3-dev libgl-dev libegl-dev libegl1 libgl1-mesa-dri fonts-dejavu-core
   gnuplot-nox libosmesa6)
 site_packages=(nodejs cmark-gfm highlight terser)
-web_packages=(emscripten libharfbuzz-bin)
+web_packages=(emscripten binaryen libharfbuzz-bin)
 test_packages=("${site_packages[@]}" "${web_packages[@]}" chromium libgles2 git libgtest-dev libboost-dev xvfb x11-utils xdotool imagemagick clang-format clang-tidy clang libclang-rt-dev
   libembree-dev)
 # Node's own packages bring npm; Debian's has it apart.
@@ -18,6 +18,7 @@ declare -A instead=([libosmesa6]="EGL draws the pictures instead"
   [libclang-rt-dev]="pictures and command lines are not fuzzed, and g++ builds what the sanitizers test"
   [chromium]="what the pages' scripts do is not tested"
   [emscripten]="the pages have pictures in the place of live demos"
+  [binaryen]="the pages have pictures in the place of live demos"
   [libharfbuzz-bin]="the pages have pictures in the place of live demos"
   [libembree-dev]="mvgl-bench leaves out the rays beside it")
 
@@ -190,8 +191,8 @@ build_targets() {
 
 # build_web: the demos as a module for browsers, in build/web. False where this system has not what builds it, and a line says so.
 build_web() {
-  if ! command -v emcmake >/dev/null || ! command -v hb-subset >/dev/null; then
-    echo "note: the pages have pictures in the place of live demos: no emcmake or no hb-subset (packages ${web_packages[*]})" >&2
+  if ! command -v emcmake >/dev/null || ! command -v wasm-opt >/dev/null || ! command -v hb-subset >/dev/null; then
+    echo "note: the pages have pictures in the place of live demos: no emcmake, wasm-opt or hb-subset (packages ${web_packages[*]})" >&2
     return 1
   fi
   configure "$build/web" --web

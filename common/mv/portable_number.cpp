@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <limits>
 
 namespace mv::portable {
 namespace {
@@ -21,7 +22,7 @@ Decimal shortestDecimal(double number) {
     char text[40];
     for (int more = 0; more <= 16; ++more) {
         std::snprintf(text, sizeof text, "%.*e", more, number);
-        if (std::strtod(text, nullptr) == number) break;
+        if (nearestDouble(text) == number) break;
     }
     const char* exponent = std::strchr(text, 'e');
     std::string digits(text, static_cast<std::size_t>(exponent - text));
@@ -52,6 +53,14 @@ std::string fixed(const Decimal& decimal, double magnitude) {
 
 }  // namespace
 
+#ifndef __EMSCRIPTEN__
+double nearestDouble(const char* text) {
+    char* end = nullptr;
+    const double number = std::strtod(text, &end);
+    return *end == '\0' ? number : std::numeric_limits<double>::quiet_NaN();
+}
+#endif
+
 std::string shortestText(double number) {
     if (std::isnan(number)) return std::signbit(number) ? "-nan" : "nan";
     const std::string sign = std::signbit(number) ? "-" : "";
@@ -66,10 +75,8 @@ bool readFinite(std::string_view text, double& number) {
     const bool isDecimal =
         !text.empty() && text.front() != '+' && text.find_first_not_of("0123456789.eE+-") == std::string_view::npos;
     if (!isDecimal) return false;
-    const std::string ended(text);
-    char* end = nullptr;
-    const double read = std::strtod(ended.c_str(), &end);
-    if (end != ended.c_str() + ended.size() || !std::isfinite(read)) return false;
+    const double read = nearestDouble(std::string(text).c_str());
+    if (!std::isfinite(read)) return false;
     const std::string_view mantissa = text.substr(0, text.find_first_of("eE"));
     if (read == 0 && mantissa.find_first_of("123456789") != std::string_view::npos) return false;
     number = read;

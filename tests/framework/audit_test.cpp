@@ -254,7 +254,8 @@ TEST(Audit, the_picture_stays) {
 
 TEST(Audit, declared_waste_is_excused_and_stale_excuses_are_found) {
     DemoInfo made = wasteful();
-    made.waste = {{waste::outsideView, "draw of 'plate'", "the lesson is about it"}};
+    const std::initializer_list<DeclaredWaste> right{{waste::outsideView, "draw of 'plate'", "the lesson is about it"}};
+    made.waste = right;
     const AuditReport excused = auditOf(waste::outsideView, made);
     EXPECT_TRUE(excused.clean()) << auditText(excused);
     EXPECT_EQ(excused.excused.size(), 1U);
@@ -263,11 +264,13 @@ TEST(Audit, declared_waste_is_excused_and_stale_excuses_are_found) {
     EXPECT_FALSE(stale.clean());
     EXPECT_EQ(stale.staleExcuses.size(), 1U);
     // An excuse names one finding, word for word: a part of it would excuse others that nobody has thought of.
-    made.waste = {{waste::outsideView, "draw of", "all of them"}};
+    const std::initializer_list<DeclaredWaste> half{{waste::outsideView, "draw of", "all of them"}};
+    made.waste = half;
     const AuditReport vague = auditOf(waste::outsideView, made);
     EXPECT_EQ(kindsFound(vague), std::vector<std::string>{waste::outsideView});
     EXPECT_EQ(vague.staleExcuses.size(), 1U);
-    made.waste = {{"laziness", "", ""}};
+    const std::initializer_list<DeclaredWaste> unknown{{"laziness", "", ""}};
+    made.waste = unknown;
     EXPECT_THROW(auditOf("none", made), Error);
     EXPECT_FALSE(auditing());
 }
@@ -315,6 +318,7 @@ TEST(Audit, what_es_lacks_is_declared) {
     EXPECT_FALSE(report.clean());
     EXPECT_NE(auditText(report).find("undeclared  clip distances: OpenGL ES 3.0 lacks it"), std::string::npos)
         << auditText(report);
-    made.needs.beyondEs = {{beyond_es::clipDistances, "nothing is cut off"}};
+    const std::initializer_list<BeyondEs> lacking{{beyond_es::clipDistances, "nothing is cut off"}};
+    made.needs.beyondEs = lacking;
     EXPECT_TRUE(auditDemo(stage(), made, {}, 1).clean());
 }

@@ -24,16 +24,18 @@ struct Kettle : Demo {
     void draw(const Frame&) override {}
 };
 
-DemoInfo kettle(std::vector<Preset> presets) {
+DemoInfo kettle(const std::initializer_list<Preset>& presets) {
     DemoInfo info;
     info.name = "kettle";
-    info.presets = std::move(presets);
+    info.presets = presets;
     info.make = [] { return std::make_unique<Kettle>(); };
     return info;
 }
 
-const Preset half{"half-full", "It sings."};
-const Preset empty{"empty", "It is silent.", {{"water", "0"}, {"lid", "off"}}};
+constexpr Preset half{"half-full", "It sings."};
+constexpr Preset empty{"empty", "It is silent.", {{"water", "0"}, {"lid", "off"}}};
+constexpr std::initializer_list<Preset> both{half, empty};
+constexpr Declaration withoutInitial{.name = "kettle", .presets = {empty}};
 
 std::string refusalOf(const std::function<void()>& act) {
     try {
@@ -63,7 +65,7 @@ TEST(Presets, set_every_knob) {
 }
 
 TEST(Presets, are_refused_where_they_are_no_presets) {
-    const auto refusal = [](const std::vector<Preset>& presets) {
+    const auto refusal = [](const std::initializer_list<Preset>& presets) {
         return refusalOf([&] { checkPresets(kettle(presets)); });
     };
     EXPECT_EQ(refusal({}), "accepted");
@@ -80,7 +82,7 @@ TEST(Presets, are_refused_where_they_are_no_presets) {
             "preset '" + std::string(name) + "' of kettle: must have a name of small letters, digits and single -");
     }
     // A demo is added with its presets checked.
-    EXPECT_EQ(refusalOf([] { addDemo<Kettle>(kettle({empty})); }).substr(0, 24), "preset 'empty' of kettle");
+    EXPECT_EQ(refusalOf([] { addDemo<Kettle, withoutInitial>(); }).substr(0, 24), "preset 'empty' of kettle");
     // What a preset sets is a knob, and a value of it.
     Kettle demo;
     EXPECT_EQ(refusalOf([&] {
@@ -91,7 +93,7 @@ TEST(Presets, are_refused_where_they_are_no_presets) {
 }
 
 TEST(Presets, are_found_by_name) {
-    const DemoInfo info = kettle({half, empty});
+    const DemoInfo info = kettle(both);
     EXPECT_EQ(findPreset(info, "empty").lookFor, "It is silent.");
     EXPECT_EQ(refusalOf([&] { findPreset(info, "emty"); }),
               "--preset: must be half-full | empty, 'emty'; did you mean 'empty'?");
@@ -100,7 +102,7 @@ TEST(Presets, are_found_by_name) {
 }
 
 TEST(Presets, are_listed_with_the_knobs) {
-    const DemoInfo info = kettle({half, empty});
+    const DemoInfo info = kettle(both);
     const Kettle demo;
     const std::string text = presetsText(info), json = knobsJson(info, demo);
     EXPECT_NE(text.find("--preset half-full  the initial values   (It sings.)"), std::string::npos) << text;

@@ -26,8 +26,10 @@ struct Small final : Demo {
     void init() override {}
     void draw(const Frame&) override {}
 };
-const bool smallAdded = addDemo<Small>({.name = "small", .sentence = "moves", .animated = true});
-const bool otherAdded = addDemo<Small>({.name = "other", .sentence = "rests"});
+constexpr Declaration smallDeclaration{.name = "small", .sentence = "moves", .animated = true};
+const bool smallAdded = addDemo<Small, smallDeclaration>();
+constexpr Declaration otherDeclaration{.name = "other", .sentence = "rests"};
+const bool otherAdded = addDemo<Small, otherDeclaration>();
 
 void require(bool condition, const std::string& what) {
     if (!condition) throw std::logic_error(what);  // which libFuzzer reports as a crash

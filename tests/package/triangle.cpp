@@ -18,4 +18,5 @@ struct Triangle final : Demo {
         triangle.draw();
     }
 };
-const bool added = addDemo<Triangle>({.name = "triangle", .sentence = "One triangle.", .width = 64, .height = 64});
+constexpr Declaration declaration{.name = "triangle", .sentence = "One triangle.", .width = 64, .height = 64};
+const bool added = addDemo<Triangle, declaration>();

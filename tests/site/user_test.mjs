@@ -285,7 +285,7 @@ await browser.close();
 
 const loaded = fs.readdirSync(site).filter((file) => /\.(wasm|js|css)$/.test(file)).map((file) => zlib.brotliCompressSync(fs.readFileSync(path.join(site, file))).length);
 const each = loaded.reduce((sum, bytes) => sum + bytes, 0) / 1024 / fs.readdirSync(path.join(site, 'demos')).filter((file) => file.endsWith('.html')).length;
-expect(each <= 15, `a demo, with its part of what all load, in brotli: at most 15 KB, ${each}`);
+expect(each <= 14, `a demo, with its part of what all load, in brotli: at most 14 KB, ${each}`);
 
 // ---- without WebGL, and from a disk: pictures and a sentence
 

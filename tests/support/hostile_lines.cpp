@@ -85,8 +85,8 @@ std::vector<std::string> HostileLines::meant() {
     const DemoInfo& info = catalogue()[pick(catalogue().size())];
     const auto demo = info.make();
     std::vector<std::string> line{info.name};
-    if (!info.presets.empty() && pick(3) == 0)
-        line.push_back("--preset=" + info.presets[pick(info.presets.size())].name);
+    if (info.presets.size() > 0 && pick(3) == 0)
+        line.push_back("--preset=" + info.presets.begin()[pick(info.presets.size())].name);
     for (std::size_t i = pick(4); i > 0; --i) {
         const Knob& knob = *demo->knobs()[pick(demo->knobs().size())];
         const std::vector<std::string> values = knob.sweep();

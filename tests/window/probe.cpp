@@ -186,7 +186,7 @@ std::string committedIntegral() {
     return studyJson(run);
 }
 
-const bool integralAdded = addDemo<Integral>({
+constexpr Declaration integralDeclaration{
     .name = "integral",
     .sentence = "A demo with a study of errors and times.",
     .lookFor = "",
@@ -194,11 +194,12 @@ const bool integralAdded = addDemo<Integral>({
     .number = 99,
     .width = 400,
     .height = 300,
-    .study = integralStudy(),
-});
-const bool studyAdded = addStudyFile("integral", committedIntegral());
+};
+const bool integralAdded = addDemo<Integral, integralDeclaration>();
+const bool studyAdded = addStudy("integral", integralStudy());
+const bool studyFileAdded = addStudyFile("integral", committedIntegral());
 
-const bool probeAdded = addDemo<Probe>({
+constexpr Declaration probeDeclaration{
     .name = "probe",
     .sentence = "Every kind of knob, and a square whose background moves.",
     .lookFor = "The background goes from green to blue once a second.",
@@ -207,13 +208,16 @@ const bool probeAdded = addDemo<Probe>({
     .width = 400,
     .height = 300,
     .animated = true,
-});
-const bool brokenAdded = addDemo<Broken>({
+};
+const bool probeAdded = addDemo<Probe, probeDeclaration>();
+
+constexpr Declaration brokenDeclaration{
     .name = "broken",
     .sentence = "A demo that cannot be opened.",
     .lookFor = "",
     .chapter = "Viewing and projection",
     .number = 2,
-});
+};
+const bool brokenAdded = addDemo<Broken, brokenDeclaration>();
 
 }  // namespace

@@ -241,8 +241,9 @@ void addProbedReadouts(Demo& demo, std::string_view name) {
     }
 }
 
-bool addDemo(DemoInfo info, std::unique_ptr<Demo> (*make)()) {
-    checkPresets(info);
+bool addDemo(const Declaration& declaration, std::unique_ptr<Demo> (*make)()) {
+    checkPresets(declaration);
+    DemoInfo info{declaration};
     info.make = [make, name = info.name] {
         std::unique_ptr<Demo> demo = make();
         addProbedReadouts(*demo, name);

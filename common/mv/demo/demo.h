@@ -4,6 +4,7 @@
 // row in the launcher, the tests that move every knob, and the tables of its page.
 #pragma once
 #include <functional>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <string>
@@ -133,7 +134,7 @@ struct Needs {
     int samples = 0;  // 0 or what the driver has; another number is refused by name
     int gl = 33;      // core version, 10 * major + minor
     // All that ES 3.0 lacks and the demo uses in any of its settings: the sweep holds it to the calls and formats it sees.
-    std::vector<BeyondEs> beyondEs = {};
+    std::initializer_list<BeyondEs> beyondEs = {};
 };
 
 // Needless work that a demo does on purpose, because its lesson is about it.
@@ -143,12 +144,12 @@ struct DeclaredWaste {
     Literal reason;  // one clause
 };
 
-// What is known of a demo before one is made.
-struct DemoInfo {
-    Literal name;                   // kebab-case; the program, the page and the shaders have the same name
-    Literal sentence;               // what it shows
-    Literal lookFor;                // what to look for, one sentence
-    Literal chapter;                // the heading it stands under: one of mv/demo/chapters.h, or none
+// What a demo says of itself, a constant: its lists stand in the program, and whoever keeps a copy of it has those.
+struct Declaration {
+    Literal name = {};              // kebab-case; the program, the page and the shaders have the same name
+    Literal sentence = {};          // what it shows
+    Literal lookFor = {};           // what to look for, one sentence
+    Literal chapter = {};           // the heading it stands under: one of mv/demo/chapters.h, or none
     int number = 0;                 // its row in the course's catalogue, which orders a chapter
     int width = 512, height = 512;  // the original's canvas
     bool animated = false;          // the picture depends on the frame index; always so with a Memory
@@ -158,8 +159,12 @@ struct DemoInfo {
     Needs needs = {};
     // Two to six settings worth a look. The first has none of its own: it is the knobs' initial values, which are to teach
     // at first sight. Where there is an original, `original` is its first picture.
-    std::vector<Preset> presets = {};
-    std::vector<DeclaredWaste> waste = {};
+    std::initializer_list<Preset> presets = {};
+    std::initializer_list<DeclaredWaste> waste = {};
+};
+
+// What is known of a demo before one is made.
+struct DemoInfo : Declaration {
     // What is to be measured, error against run time (--study), and read out: added by NAME.study.cpp.
     std::optional<Study> study = {};
     std::vector<Probe> probes = {};
@@ -172,10 +177,11 @@ const std::vector<DemoInfo>& catalogue();
 const DemoInfo& findDemo(std::string_view name);
 // Adds a demo; called at file scope by the last line of its file. Error: two of one name, a chapter that there is not, or
 // presets that checkPresets() refuses.
-bool addDemo(DemoInfo info, std::unique_ptr<Demo> (*make)());
-template <class T>
-bool addDemo(DemoInfo info) {
-    return addDemo(std::move(info), [] { return std::unique_ptr<Demo>(new T); });
+bool addDemo(const Declaration& declaration, std::unique_ptr<Demo> (*make)());
+// The constant is a template's argument, which must be there for as long as the program runs.
+template <class T, const Declaration& declaration>
+bool addDemo() {
+    return addDemo(declaration, [] { return std::unique_ptr<Demo>(new T); });
 }
 
 // Sets knobs by name. Error: no such knob, or a value that it refuses.

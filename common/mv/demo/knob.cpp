@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <utility>
 
 #include "mv/demo/demo.h"
@@ -16,7 +15,9 @@ namespace {
 double withDigits(double value, int digits) {
     char text[32];
     std::snprintf(text, sizeof text, "%.*e", digits - 1, value);
-    return std::strtod(text, nullptr);
+    double number = value;
+    readNumber(text, number);
+    return number;
 }
 
 // "512", "1e6".

@@ -44,9 +44,9 @@ class Knob {
     virtual ~Knob() = default;
     Knob& operator=(const Knob&) = delete;
 
-    const std::string& name() const { return name_; }  // in kebab-case; the flag is --name
-    const std::string& help() const { return help_; }
-    const std::string& unit() const { return unit_; }  // "" for a pure number; degrees are "deg"
+    Literal name() const { return name_; }  // in kebab-case; the flag is --name
+    Literal help() const { return help_; }
+    Literal unit() const { return unit_; }  // "" for a pure number; degrees are "deg"
 
     // The present value; parse(text()) gives exactly the same value again.
     virtual std::string text() const = 0;
@@ -100,7 +100,7 @@ class Knob {
         std::function<bool()> holds;
         Literal reason;
     };
-    std::string name_, help_, unit_;
+    Literal name_, help_, unit_;
     std::vector<Condition> conditions_;
     bool beginsAnew_ = false;
     mutable std::atomic<bool> read_{false};

@@ -24,6 +24,7 @@ class Literal {
         return std::string_view(a) == std::string_view(b);
     }
     friend std::string operator+(std::string before, Literal text) { return before += text.text_; }
+    friend std::string operator+(const char* before, Literal text) { return std::string(before) += text.text_; }
     friend std::string operator+(Literal text, std::string_view after) { return std::string(text) += after; }
     template <class Traits>
     friend std::basic_ostream<char, Traits>& operator<<(std::basic_ostream<char, Traits>& out, Literal text) {

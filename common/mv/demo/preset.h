@@ -1,16 +1,16 @@
 // Presets: settings of a demo that are worth a look, by a name and with a sentence. Buttons in the window, --preset NAME on
 // the command line, rows in the documentation, pictures in the tests.
 #pragma once
+#include <initializer_list>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "mv/demo/knob.h"
 
 namespace mv {
 
 class Demo;
-struct DemoInfo;
+struct Declaration;
 
 // A readout's value that the sentence of a preset tells, and the range in which that is true.
 struct ExpectedReadout {
@@ -19,18 +19,18 @@ struct ExpectedReadout {
 };
 
 struct Preset {
-    Literal name;                                // in kebab-case
-    Literal lookFor;                             // one sentence
-    std::vector<DeclaredSetting> settings = {};  // all other knobs are at their initial values
-    std::vector<ExpectedReadout> expect = {};    // in frame 1; a test looks
+    Literal name;                                          // in kebab-case
+    Literal lookFor;                                       // one sentence
+    std::initializer_list<DeclaredSetting> settings = {};  // all other knobs are at their initial values
+    std::initializer_list<ExpectedReadout> expect = {};    // in frame 1; a test looks
 };
 
 // Throws Error where presets are not as a demo's have to be: names in kebab-case, each once, each with its sentence, and
 // the first one without settings, since it is what the demo opens with.
-void checkPresets(const DemoInfo& info);
+void checkPresets(const Declaration& info);
 
 // The demo's preset of that name, or Error with all names and the nearest one.
-const Preset& findPreset(const DemoInfo& info, std::string_view name);
+const Preset& findPreset(const Declaration& info, std::string_view name);
 
 // Sets every knob: those that the preset names, and the others to their initial values. Error: no such knob, or a value
 // that it refuses.

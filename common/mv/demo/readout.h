@@ -27,13 +27,13 @@ class Readout {
     }
     void clear() { value_.reset(); }
 
-    const std::string& name() const { return name_; }
-    const std::string& help() const { return help_; }
-    const std::string& unit() const { return unit_; }
+    Literal name() const { return name_; }
+    Literal help() const { return help_; }
+    Literal unit() const { return unit_; }
     std::optional<double> value() const { return value_; }  // empty: this setting does not measure it
 
   private:
-    std::string name_, help_, unit_;
+    Literal name_, help_, unit_;
     std::optional<double> value_;
 };
 

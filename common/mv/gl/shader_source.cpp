@@ -1,10 +1,12 @@
 #include "mv/gl/shader_source.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cstddef>
-#include <cstdio>
 #include <map>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 #include "mv/error.h"
@@ -78,14 +80,32 @@ struct LogLine {
     std::string message;
 };
 
-std::optional<LogLine> parseLogLine(const std::string& text) {
-    // Mesa: "0:7(3): error: ..."   NVIDIA: "0(7) : error ..."   others: "ERROR: 0:7: ..."
-    for (const char* form : {"%u:%u(%*u): %n", "%u(%u) : %n", "ERROR: %u:%u: %n"}) {
-        unsigned file = 0, line = 0;
-        int end = 0;
-        if (std::sscanf(text.c_str(), form, &file, &line, &end) == 2 && end > 0) {
-            return LogLine{file, line, text.substr(static_cast<std::size_t>(end))};
+// In `form` # is a number, taken in the order file and line, * one that is passed over, a space any spaces or none, and all else
+// itself. What comes after is the message.
+std::optional<LogLine> logLineOf(std::string_view text, std::string_view form) {
+    std::array<unsigned, 2> numbers{};
+    std::size_t taken = 0;
+    for (const char expected : form) {
+        if (expected == ' ') {
+            text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
+        } else if (expected == '#' || expected == '*') {
+            unsigned number = 0;
+            const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
+            if (read.ec != std::errc()) return {};
+            text.remove_prefix(static_cast<std::size_t>(read.ptr - text.data()));
+            if (expected == '#') numbers.at(taken++) = number;
+        } else {
+            if (!text.starts_with(expected)) return {};
+            text.remove_prefix(1);
         }
+    }
+    return LogLine{numbers[0], numbers[1], std::string(text)};
+}
+
+std::optional<LogLine> parseLogLine(std::string_view text) {
+    // Mesa: "0:7(3): error: ..."   NVIDIA: "0(7) : error ..."   others: "ERROR: 0:7: ..."
+    for (const char* form : {"#:#(*): ", "#(#) : ", "ERROR: #:#: "}) {
+        if (auto found = logLineOf(text, form)) return found;
     }
     return {};
 }

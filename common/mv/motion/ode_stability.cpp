@@ -1,13 +1,14 @@
 #include "mv/motion/ode_stability.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "mv/error.h"
 #include "mv/math/require.h"
+#include "mv/motion/eigenvalues.h"
 
 namespace mv {
 namespace {
@@ -81,17 +82,14 @@ double ofMechanical(OdeMethod method, double k, double c) {
 
 double finiteOr(double value, double otherwise) { return std::isfinite(value) ? value : otherwise; }
 
-Eigen::MatrixXd jacobianAt(const OdeProblem& problem, double t, std::span<const double> y) {
-    const auto n = static_cast<Eigen::Index>(problem.dimension);
-    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(n, n);
+// Row after row.
+std::vector<double> jacobianAt(const OdeProblem& problem, double t, std::span<const double> y) {
+    std::vector<double> values(problem.dimension * problem.dimension);
     if (problem.sparseJacobian) {
         std::vector<MatrixEntry> entries;
         problem.sparseJacobian(t, y, entries);
-        for (const auto& [row, column, value] : entries) result(row, column) += value;
-        return result;
-    }
-    std::vector<double> values(problem.dimension * problem.dimension);
-    if (problem.jacobian) {
+        for (const auto& [row, column, value] : entries) values[row * problem.dimension + column] += value;
+    } else if (problem.jacobian) {
         problem.jacobian(t, y, values);
     } else {
         std::vector<double> slope(problem.dimension);
@@ -99,63 +97,7 @@ Eigen::MatrixXd jacobianAt(const OdeProblem& problem, double t, std::span<const 
         std::int64_t evaluations = 0;
         values = differencedJacobian(problem, t, y, slope, 0, evaluations);
     }
-    return Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(values.data(), n,
-                                                                                                    n);
-}
-
-// Takes out rows of zeros, with their columns, and columns with their rows, one after the other: each is an eigenvalue 0,
-// and the others are those of what is left.
-Eigen::MatrixXd withoutZeroRows(const Eigen::MatrixXd& matrix) {
-    std::vector<Eigen::Index> left(static_cast<std::size_t>(matrix.rows()));
-    for (std::size_t i = 0; i < left.size(); ++i) left[i] = static_cast<Eigen::Index>(i);
-    const auto isEmpty = [&](Eigen::Index i) {
-        return std::ranges::all_of(left, [&](Eigen::Index j) { return matrix(i, j) == 0; }) ||
-               std::ranges::all_of(left, [&](Eigen::Index j) { return matrix(j, i) == 0; });
-    };
-    for (std::size_t before = left.size() + 1; left.size() < before;) {
-        before = left.size();
-        const auto found = std::ranges::find_if(left, isEmpty);
-        if (found != left.end()) left.erase(found);
-    }
-    return matrix(left, left);
-}
-
-// Scales unknowns by powers of two until each row is about as large as its column: positions and velocities differ by
-// a factor of the largest frequency, by which errors would be larger. Source: Parlett and Reinsch, Numer. Math. 13 (1969).
-void balance(Eigen::MatrixXd& matrix) {
-    for (bool isBalanced = false; !isBalanced;) {
-        isBalanced = true;
-        for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
-            const double own = std::abs(matrix(i, i));
-            const double column = matrix.col(i).lpNorm<1>() - own, row = matrix.row(i).lpNorm<1>() - own;
-            if (!(column > 0 && row > 0)) continue;
-            const double factor = std::exp2(std::round(std::log2(row / column) / 2));
-            if (column * factor + row / factor >= 0.95 * (column + row)) continue;
-            isBalanced = false;
-            matrix.col(i) *= factor;
-            matrix.row(i) /= factor;
-        }
-    }
-}
-
-// Those of a block triangular matrix, whose blocks have one row, or two with a pair of conjugates.
-void copyEigenvalues(const Eigen::MatrixXd& triangular, std::vector<Complex>& into) {
-    for (Eigen::Index i = 0; i < triangular.rows(); ++i) {
-        const auto at = static_cast<std::size_t>(i);
-        if (i + 1 == triangular.rows() || triangular(i + 1, i) == 0) {
-            into[at] = triangular(i, i);
-            continue;
-        }
-        const double b = triangular(i, i + 1), c = triangular(i + 1, i);
-        const double half = (triangular(i, i) - triangular(i + 1, i + 1)) / 2, mean = triangular(i + 1, i + 1) + half;
-        // sqrt(-(half^2 + b c)), which must not overflow.
-        const double largest = std::max({std::abs(half), std::abs(b), std::abs(c)});
-        const double imaginary =
-            largest * std::sqrt(std::abs(half / largest * (half / largest) + b / largest * (c / largest)));
-        into[at] = {mean, imaginary};
-        into[at + 1] = {mean, -imaginary};
-        ++i;
-    }
+    return values;
 }
 
 }  // namespace
@@ -220,18 +162,10 @@ double stabilityLimit(OdeMethod method) {
 
 std::vector<std::complex<double>> eigenvalues(const OdeProblem& problem, double t, std::span<const double> y) {
     requireProblem("eigenvalues", problem, t, y);
-    const Eigen::MatrixXd jacobian = jacobianAt(problem, t, y);
-    if (!jacobian.allFinite()) throw Error("eigenvalues", "the Jacobian must be finite", "t = " + numberText(t));
-    Eigen::MatrixXd matrix = withoutZeroRows(jacobian);
-    balance(matrix);
-    std::vector<Complex> result(problem.dimension);
-    if (matrix.rows() > 0) {
-        // (EigenSolver would bring the code of eigenvectors, which nobody asks for.)
-        const Eigen::RealSchur<Eigen::MatrixXd> schur(matrix, false);
-        if (schur.info() != Eigen::Success || !schur.matrixT().allFinite())
-            throw Error("eigenvalues", "must be found within 40 iterations for each");
-        copyEigenvalues(schur.matrixT(), result);
-    }
+    std::vector<double> jacobian = jacobianAt(problem, t, y);
+    if (!std::ranges::all_of(jacobian, [](double value) { return std::isfinite(value); }))
+        throw Error("eigenvalues", "the Jacobian must be finite", "t = " + numberText(t));
+    std::vector<Complex> result = eigenvaluesOf(std::move(jacobian), problem.dimension);
     std::ranges::stable_sort(result, [](const Complex& a, const Complex& b) { return std::norm(a) > std::norm(b); });
     return result;
 }

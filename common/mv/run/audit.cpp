@@ -25,7 +25,7 @@ void sortFindings(AuditReport& report, const DemoInfo& info, std::vector<Finding
         }
     }
     for (std::size_t i = 0; i < needed.size(); ++i) {
-        const DeclaredWaste& waste = info.waste[i];
+        const DeclaredWaste& waste = info.waste.begin()[i];
         if (std::find(std::begin(waste::all), std::end(waste::all), std::string_view(waste.kind)) ==
             std::end(waste::all)) {
             throw Error(info.name, "must declare waste of a kind that --audit finds", "'" + waste.kind + "'");
@@ -157,7 +157,7 @@ std::string needsPage() {
         std::string versions =
             std::to_string(info.needs.gl / 10) + "." + std::to_string(info.needs.gl % 10) + ", ES 3.0";
         for (const BeyondEs& lacking : info.needs.beyondEs) {
-            versions += (&lacking == info.needs.beyondEs.data() ? " without " : ", ") + lacking.feature;
+            versions += (&lacking == info.needs.beyondEs.begin() ? " without " : ", ") + lacking.feature;
         }
         if (info.needs.samples) buffers += ", " + std::to_string(info.needs.samples) + " samples";
         text.append("| [").append(info.name).append("](../demos/").append(info.name).append(".md) | ");

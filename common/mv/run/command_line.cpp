@@ -240,7 +240,7 @@ void startFrom(const Preset& preset, Command& command) {
 std::string footerOf(const DemoInfo& info) {
     std::string text;
     if (!info.lookFor.empty()) text = "Look for: " + info.lookFor;
-    if (!info.presets.empty()) text += (text.empty() ? "" : "\n\n") + std::string("Presets:");
+    if (info.presets.size() > 0) text += (text.empty() ? "" : "\n\n") + std::string("Presets:");
     for (const Preset& preset : info.presets) text += "\n  " + preset.name + ": " + preset.lookFor;
     return text;
 }

@@ -54,7 +54,7 @@ std::string tables(const DemoInfo& info) {
         text += "| `--" + knob->name() + "` | " + tableCell(knob->rangeInFull()) + " | " + knob->initialText() + " | " +
                 tableCell(help) + " |\n";
     }
-    if (!info.presets.empty()) {
+    if (info.presets.size() > 0) {
         text += "\n| preset | what to look for | settings |\n|---|---|---|\n";
         for (const Preset& preset : info.presets) {
             const std::string settings = settingsText(preset);
@@ -82,10 +82,10 @@ std::string needsText(const Needs& needs) {
     if (needs.stencil) text += ", stencil buffer";
     if (needs.samples) text += ", " + std::to_string(needs.samples) + " samples";
     text += "; OpenGL " + std::to_string(needs.gl / 10) + "." + std::to_string(needs.gl % 10);
-    if (needs.beyondEs.empty()) return text + " or ES 3.0";
+    if (needs.beyondEs.size() == 0) return text + " or ES 3.0";
     text += "; ES 3.0 lacks";
     for (const BeyondEs& lacking : needs.beyondEs) {
-        text += (&lacking == needs.beyondEs.data() ? " " : ", ") + lacking.feature + " (" + lacking.otherwise + ")";
+        text += (&lacking == needs.beyondEs.begin() ? " " : ", ") + lacking.feature + " (" + lacking.otherwise + ")";
     }
     return text;
 }

@@ -318,7 +318,7 @@ void DemoScreen::showPanelContent() {
 
     Demo& demo = session_.demo();
     bool moved = false;
-    if (!info_.presets.empty() && section("Presets") && showPresets(info_, demo)) {
+    if (info_.presets.size() > 0 && section("Presets") && showPresets(info_, demo)) {
         knobs_.closeField();
         moved = true;
     }
