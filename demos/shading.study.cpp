@@ -124,7 +124,8 @@ std::optional<Spots> spots(Probing& probing) {
     const auto measured = probing.measured(width, height);
     if (measured.empty()) return {};
     const FrameInfo frame(probing.frame().index(), width, height);
-    const auto exact = ExactSphere(demo, frame).picture(width, height, 8);
+    // A quarter of the study's rays: a window asks in each frame.
+    const auto exact = ExactSphere(demo, frame).picture(width, height, 4);
     const Spots both{spotOf({measured.begin(), measured.end()}, exact, width), spotOf(exact, exact, width)};
     if (both.exact.energy == 0) return {};
     return both;
