@@ -1,8 +1,9 @@
 // node live_test.mjs SOURCE MVGL NATIVE BUILD [--software] [--all-ends] [DEMO...]: the demos alive in their pages, in headless Chromium
-// that draws through the same Mesa: pictures, readouts, matrices and sentences are the native program's, of each demo at its presets,
-// and of one whose sources are not as tests/site/met.txt says at each end of each knob. --all-ends meets each end of all (./test --long
-// does) and writes that file. With --software Chromium draws by its own SwiftShader, and pictures may differ a little: each demo as it
-// opens, one whose sources are not as that file says at its presets, and with --all-ends all at theirs.
+// that draws through the same Mesa: pictures, readouts, matrices and sentences are the native program's, of each demo at its presets
+// (all but the first a quarter as large), and of one whose sources are not as tests/site/met.txt says at each end of each knob.
+// --all-ends meets each end of all (./test --long does) and writes that file. With --software Chromium draws by its own SwiftShader, and
+// pictures may differ a little: each demo as it opens, one whose sources are not as that file says at its presets, and with --all-ends
+// all at theirs.
 import { execFileSync } from 'node:child_process';
 import crypto from 'node:crypto';
 import fs from 'node:fs';
@@ -105,12 +106,13 @@ const replaced = async (width, height) => {
 const standsForAnother = ['displacement', 'gpu-stages', 'environment'];
 
 async function meet(demo) {
-  const more = allEnds || noted.get(demo) !== sumOf(demo), full = more && !software, opening = software && !more;
+  const more = allEnds || noted.get(demo) !== sumOf(demo), full = more && !software;
+  const cases = more ? (software ? [] : ['--ends']) : [software ? '--opening' : '--smaller'];
   const before = counted.failures, start = Date.now();
   const folder = fs.mkdtempSync(path.join(scratch, 'native-'));
-  const cases = JSON.parse(execFileSync(native, [folder, demo, ...(full ? ['--ends'] : opening ? ['--opening'] : [])], { encoding: 'utf8', maxBuffer: 1 << 28 }));
+  const all = JSON.parse(execFileSync(native, [folder, demo, ...cases], { encoding: 'utf8', maxBuffer: 1 << 28 }));
   const page = await opened(browser, address, `${demo}.html`);
-  for (const expected of cases) {
+  for (const expected of all) {
     const { settings, frame, width, height } = expected, what = `${demo} ${JSON.stringify(settings)} at frame ${frame}`;
     const picture = expected.picture && fs.readFileSync(path.join(folder, expected.picture)).toString('base64');
     const may = allowed({ demo, settings }), one = await page.asked(shown, demo, { settings, frame, width, height }, picture, may.levels);
@@ -139,7 +141,7 @@ async function meet(demo) {
   await page.close();
   fs.rmSync(folder, { recursive: true });
   if (full && counted.failures === before) met.set(demo, sumOf(demo));
-  console.log(`${demo}: ${cases.length} setting${cases.length > 1 ? 's' : ''}${full ? ', each end of each knob among them' : ''}, ${((Date.now() - start) / 1000).toFixed(1)} s`);
+  console.log(`${demo}: ${all.length} setting${all.length > 1 ? 's' : ''}${full ? ', each end of each knob among them' : ''}, ${((Date.now() - start) / 1000).toFixed(1)} s`);
 }
 
 for (const demo of demos) {

@@ -1,7 +1,9 @@
-// native FOLDER DEMO [--ends | --opening]: what a page has to show, drawn by OpenGL ES 3.0 of EGL: the demo's presets at frame 1, of one
-// that moves the first at frame 30, too, and with --ends each end of each knob (a sixteenth as large where the picture is made in passes,
-// which takes minutes in a page); with --opening nothing but what it opens with. JSON: [{"settings", "frame", "width", "height", "error", and where that is "" "knobs", "idle", "readouts",
-// "matrices", "messages", "picture"}], the last a file of FOLDER with the picture's bytes: red, green, blue, alpha, the upper row first.
+// native FOLDER DEMO [--ends | --smaller | --opening]: what a page has to show, drawn by OpenGL ES 3.0 of EGL: the demo's presets at
+// frame 1, of one that moves the first at frame 30, too. With --smaller all but what it opens with are a quarter as large; with --ends
+// there is each end of each knob, too (a sixteenth as large where the picture is made in passes, which takes minutes in a page); with
+// --opening nothing but what it opens with. JSON: [{"settings", "frame", "width", "height", "error", and where that is "" "knobs", "idle",
+// "readouts", "matrices", "messages", "picture"}], the last a file of FOLDER with the picture's bytes: red, green, blue, alpha, the upper
+// row first.
 #include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -29,6 +31,9 @@ std::vector<Case> casesOf(const DemoInfo& info, const std::string& which) {
     std::vector<Case> cases;
     for (const Preset& preset : info.presets) cases.push_back({{preset.settings.begin(), preset.settings.end()}});
     if (info.animated) cases.push_back({{}, 30});
+    if (which == "--smaller") {
+        for (std::size_t i = 1; i < cases.size(); ++i) cases[i].smaller = 2;
+    }
     if (which != "--ends") return cases;
     const std::unique_ptr<Demo> demo = info.make();
     const int smaller = demo->passes(FrameInfo(1, info.width, info.height)) > 0 ? 4 : 1;
@@ -66,8 +71,9 @@ int main(int count, char** arguments) {
     try {
         const std::vector<std::string> words(arguments + 1, arguments + count);
         const std::string which = words.size() == 3 ? words[2] : "";
-        if (words.size() < 2 || words.size() > 3 || (words.size() == 3 && which != "--ends" && which != "--opening"))
-            throw Error("native", "must have a folder and a demo, and --ends, --opening or nothing");
+        if (words.size() < 2 || words.size() > 3 ||
+            (words.size() == 3 && which != "--ends" && which != "--smaller" && which != "--opening"))
+            throw Error("native", "must have a folder and a demo, and --ends, --smaller, --opening or nothing");
         std::vector<std::string> notes;
         const std::unique_ptr<Context> context = openHeadless(HostKind::egl, {.version = 30, .es = true}, notes);
         Stage stage(*context);
