@@ -88,7 +88,8 @@ std::vector<double> jacobianAt(const OdeProblem& problem, double t, std::span<co
     if (problem.sparseJacobian) {
         std::vector<MatrixEntry> entries;
         problem.sparseJacobian(t, y, entries);
-        for (const auto& [row, column, value] : entries) values[row * problem.dimension + column] += value;
+        for (const auto& [row, column, value] : entries)
+            values[static_cast<std::size_t>(row) * problem.dimension + static_cast<std::size_t>(column)] += value;
     } else if (problem.jacobian) {
         problem.jacobian(t, y, values);
     } else {
