@@ -1,7 +1,6 @@
 // Put before every source by web/CMakeLists.txt: the algorithms of C++20 that the libc++ of Emscripten 3.1.6 (Debian 12) does not
 // have yet, each by the older one of its name, so that no source has to be written for it. A newer libc++ has its own.
 #pragma once
-#pragma once
 #include <algorithm>
 #include <functional>
 #include <iterator>

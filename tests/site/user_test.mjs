@@ -281,7 +281,7 @@ for (const demo of ['shadow-map', 'springs']) {
 }
 await browser.close();
 
-// ---- what a page loads: docs/browser.md has it by files; a guard against growing, the goal is 14 KB a demo
+// ---- what a page loads: docs/browser.md has it by files
 
 const loaded = fs.readdirSync(site).filter((file) => /\.(wasm|js|css)$/.test(file)).map((file) => zlib.brotliCompressSync(fs.readFileSync(path.join(site, file))).length);
 const each = loaded.reduce((sum, bytes) => sum + bytes, 0) / 1024 / fs.readdirSync(path.join(site, 'demos')).filter((file) => file.endsWith('.html')).length;

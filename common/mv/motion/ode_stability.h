@@ -33,9 +33,9 @@ double stabilityLimit(OdeMethod method);
 
 // The eigenvalues of the problem's Jacobian at (t, y), as many as it has dimensions, each as often as it is one; largest
 // first. Times the step they are the z of above. Costs some 10 dimension^3 operations; what rows and columns of zeros take
-// out of it (points that are fixed, directions in which nothing pulls) costs nothing. Off by about 1e-15 of the largest;
-// but one that is defective, as the 0 of a free mass is, by some 1e-8 of it. Refused: what requireProblem refuses, and a
-// Jacobian that is not finite.
+// out of it (points that are fixed, directions in which nothing pulls) costs nothing. Off by some roundings of the largest
+// for each dimension; but one that is defective, as the 0 of a free mass is, by some 1e-8 of it. Refused: what
+// requireProblem refuses, and a Jacobian that is not finite.
 std::vector<std::complex<double>> eigenvalues(const OdeProblem& problem, double t, std::span<const double> y);
 
 }  // namespace mv
