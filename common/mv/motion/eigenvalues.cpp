@@ -213,7 +213,8 @@ void addEigenvalues(Square& h, std::vector<std::complex<double>>& found) {
             steps = 0;
         } else {
             ++steps;
-            if (++all > mostSteps * h.n) throw Error("eigenvalues", "must be found within 40 steps for each, one with another");
+            if (++all > mostSteps * h.n)
+                throw Error("eigenvalues", "must be found within 40 steps for each, one with another");
             Shifts shifts{h(high, high), h(high - 1, high - 1), h(high, high - 1) * h(high - 1, high)};
             if (steps % 10 == 0) {  // a permutation, say, comes back to itself by its own shifts
                 const double size = std::abs(h(high, high - 1)) + std::abs(h(high - 1, high - 2));
