@@ -4,10 +4,10 @@ import fs from 'node:fs';
 import path from 'node:path';
 import zlib from 'node:zlib';
 import { liveParts } from '../../web/pages.mjs';
-import { browserOf, made, served } from './support.mjs';
+import { all, browserOf, made, scratch, served } from './support.mjs';
 
 const [source, program, build] = process.argv.slice(2).map((one) => path.resolve(one));
-const rounds = 9, demos = ['cube-cull', 'shadow-map', 'springs', 'soft-shadows', 'ray-trace'];
+const rounds = 9, comparedRounds = 27, demos = ['cube-cull', 'shadow-map', 'springs', 'soft-shadows', 'ray-trace'];
 const site = made(source, program, 'site', path.join(build, 'web'));
 const address = await served(source, site);
 
@@ -21,8 +21,16 @@ const files = ['mvgl.wasm', 'mvgl.js', 'live.js', ...liveParts, 'words.js', 'sit
 const count = fs.readdirSync(path.join(site, 'demos')).filter((file) => file.endsWith('.html')).length;
 const sum = files.reduce((total, { brotli }) => total + brotli, 0);
 
-// Interleaved: each round has each page once, and the least page of a course beside them.
-const pages = new Map([...demos.map((demo) => [demo, `${address}demos/${demo}.html`]), ['peer', `${await served(source, path.join(source, 'tests/site'))}peer.html`]]);
+// The page of a course that ours are measured beside, and the least form of it: the same in one file, begun as soon as it is read.
+const course = path.join(scratch, 'course');
+fs.cpSync(path.join(source, 'tests/site/course'), course, { recursive: true });
+const whole = fs.readFileSync(path.join(course, 'cube-cull.html'), 'utf8');
+const script = all(whole, /<script src="(.*?)">/g).map((file) => fs.readFileSync(path.join(course, file), 'utf8')).join('').replace(/window\.onload = \(\) => (\{.*\});/s, '$1');
+fs.writeFileSync(path.join(course, 'least.html'), `${whole.replace(/<script src=.*\n/g, '')}<script>\n${script}</script>\n`);
+const beside = await served(source, course);
+
+// Interleaved: each round has each page once.
+const pages = new Map([...demos.map((demo) => [demo, `${address}demos/${demo}.html`]), ['course', `${beside}cube-cull.html`], ['least', `${beside}least.html`]]);
 const times = Object.fromEntries([...pages.keys()].map((name) => [name, { stands: [], drawn: [] }]));
 
 // A picture is drawn when one of its pixels can be read: what was only asked for is not there yet.
@@ -51,8 +59,10 @@ const painted = () => new Promise((resolve) => {
   if (document.querySelector('.shown')) first('element', () => true);
   else first('paint', (entry) => entry.name === 'first-contentful-paint');
 });
-for (let round = 0; round < rounds; ++round) {
+const compared = ['cube-cull', 'course', 'least'];
+for (let round = 0; round < comparedRounds; ++round) {
   for (const [name, where] of pages) {
+    if (round >= rounds && !compared.includes(name)) continue;
     const browser = await browserOf(build);
     const page = await browser.newPage();
     await page.evaluateOnNewDocument(timed);
@@ -61,12 +71,12 @@ for (let round = 0; round < rounds; ++round) {
     times[name].drawn.push(await page.evaluate(() => performance.getEntriesByName('first-picture')[0].startTime));
     times[name].stands.push(await page.evaluate(painted));
     await browser.close();
-    console.error(`round ${round + 1} of ${rounds}: ${name}`);
+    console.error(`round ${round + 1} of ${comparedRounds}: ${name}`);
   }
 }
-const ratio = (kind) => {
-  const each = times['cube-cull'][kind].map((one, round) => one / times.peer[kind][round]);
-  return `${median(each).toFixed(2)} (deviation ${spread(each).toFixed(2)})`;
+const ratio = (kind, to) => {
+  const each = times['cube-cull'][kind].map((one, round) => one / times[to][kind][round]);
+  return `${median(each).toFixed(2)} | ${spread(each).toFixed(2)} | ${each.filter((one) => one <= 1).length}`;
 };
 const row = (name) => ['stands', 'drawn'].map((kind) => `${Math.round(median(times[name][kind]))} | ${Math.round(spread(times[name][kind]))}`).join(' | ');
 const processor = fs.readFileSync('/proc/cpuinfo', 'utf8').match(/model name\s*: (.*)/)?.[1];
@@ -84,12 +94,20 @@ ${files.map(({ file, bytes, brotli }) => `| ${file} | ${bytes} | ${brotli} |`).j
 Milliseconds in a browser that was just started, after the address was given: until the first picture stands, as a file that comes
 with the page (a test compares it with what the demo draws, byte for byte, but for what moves and for stages that a browser lacks);
 and until the demo, which the page asks for then, has drawn it, so that a pixel can be read, and can be moved. Median of ${rounds}, with the median deviation. The
-processor draws (llvmpipe): ${processor}. Beside them the least page that draws cube-cull's picture: a script of its own with the
-calls of a page of the course, no library, no control, nothing else to load. To it cube-cull's page has the ratio ${ratio('stands')}
-for the picture that stands, and ${ratio('drawn')} for the one that is drawn.
+processor draws (llvmpipe): ${processor}. Beside them cube-cull's picture by a page as a course has it (\`tests/site/course\`): four
+scripts, the calls of such a page, no library of 29 KB, no control, no lesson; and the least form of it, the same in one file, begun
+as soon as it is read. Times of these three are of ${comparedRounds} rounds, and differ much from round to round; the ratio is taken in each round.
+
+| cube-cull's page to | picture | ratio | deviation | rounds of ${comparedRounds} in which it is no later |
+|---|---|---:|---:|---:|
+| a page of a course | stands | ${ratio('stands', 'course')} |
+| a page of a course | drawn | ${ratio('drawn', 'course')} |
+| the least page | stands | ${ratio('stands', 'least')} |
+| the least page | drawn | ${ratio('drawn', 'least')} |
 
 | page | stands | deviation | drawn | deviation |
 |---|---:|---:|---:|---:|
 ${demos.map((demo) => `| [${demo}](../demos/${demo}.md) | ${row(demo)} |`).join('\n')}
-| the least page | ${row('peer')} |`);
+| a page of a course | ${row('course')} |
+| the least page | ${row('least')} |`);
 process.exit(0);
