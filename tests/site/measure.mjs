@@ -95,7 +95,7 @@ Milliseconds in a browser that was just started, after the address was given: un
 with the page (a test compares it with what the demo draws, byte for byte, but for what moves and for stages that a browser lacks);
 and until the demo, which the page asks for then, has drawn it, so that a pixel can be read, and can be moved. Median of ${rounds}, with the median deviation. The
 processor draws (llvmpipe): ${processor}. Beside them cube-cull's picture by a page as a course has it (\`tests/site/course\`): four
-scripts, the calls of such a page, no library of 29 KB, no control, no lesson; and the least form of it, the same in one file, begun
+scripts, the calls of such a page, no library, no control, no lesson; and the least form of it, the same in one file, begun
 as soon as it is read. Times of these three are of ${comparedRounds} rounds, and differ much from round to round; the ratio is taken in each round.
 
 | cube-cull's page to | picture | ratio | deviation | rounds of ${comparedRounds} in which it is no later |
