@@ -38,15 +38,15 @@ enum class FresnelForm { exact, schlick };
 enum class Show { light, cut, rays };
 
 struct RayTrace final : Demo {
-    Choice<Room> room{this,
-                      "room",
-                      Room::stillLife,
-                      {{"still-life", "mirror, glass, a floor of squares"},
-                       {"teapot", "triangles beside a mirror"},
-                       {"soft-shadow", "a ball over a grey floor"},
-                       {"lamp", "that floor and the lamp alone"},
-                       {"white", "mirror and glass where all else is white and shines"}},
-                      "what is seen"};
+    Choice<TracedRoom> room{this,
+                            "room",
+                            TracedRoom::stillLife,
+                            {{"still-life", "mirror, glass, a floor of squares"},
+                             {"teapot", "triangles beside a mirror"},
+                             {"soft-shadow", "a ball over a grey floor"},
+                             {"lamp", "that floor and the lamp alone"},
+                             {"white", "mirror and glass where all else is white and shines"}},
+                            "what is seen"};
     Choice<Show> show{this,
                       "show",
                       Show::light,
@@ -54,14 +54,14 @@ struct RayTrace final : Demo {
                       "of each pixel"};
     Whole depth{this, "depth", 8, {0, 16}, "rays that follow each other, at most"};
     NumberChoice samples{this, "samples", 16, {1, 4, 16, 64, 256}, "rays through each pixel"};
-    Choice<Pattern> pattern{this,
-                            "pattern",
-                            Pattern::sequence,
-                            {{"regular", "the middles of equal cells"},
-                             {"random"},
-                             {"jittered", "one in each cell, at random"},
-                             {"sequence", "a (0,2)-sequence"}},
-                            "where in the pixel, and on the lamp"};
+    Choice<SamplePattern> pattern{this,
+                                  "pattern",
+                                  SamplePattern::sequence,
+                                  {{"regular", "the middles of equal cells"},
+                                   {"random"},
+                                   {"jittered", "one in each cell, at random"},
+                                   {"sequence", "a (0,2)-sequence"}},
+                                  "where in the pixel, and on the lamp"};
     Real lampSize{this, "lamp-size", 1.1, {0, 2}, "half a side of the lamp"};
     Real index{this, "index", 1.5, {1, 2.5}, "of the glass"};
     Choice<FresnelForm> form{this,
@@ -101,24 +101,26 @@ struct RayTrace final : Demo {
         bindKeys(Key::left, Key::right, eyeTurn, 5);
         bindKeys(Key::down, Key::up, depth, 1);
         bindDrag(eyeTurn, 0.5, eyeHeight, 0.01);
-        const auto hasLamp = [this] { return room != Room::white; };
-        const auto hasGlass = [this] { return room == Room::stillLife || room == Room::white; };
-        const auto hasTriangles = [this] { return room == Room::teapot; };
+        const auto hasLamp = [this] { return room != TracedRoom::white; };
+        const auto hasGlass = [this] { return room == TracedRoom::stillLife || room == TracedRoom::white; };
+        const auto hasTriangles = [this] { return room == TracedRoom::teapot; };
         lampSize.onlyWhen(hasLamp, "there is no lamp");
         shadows.onlyWhen(hasLamp, "there is no lamp");
-        filtered.onlyWhen([this] { return room == Room::stillLife || room == Room::teapot; }, "there are no squares");
+        filtered.onlyWhen([this] { return room == TracedRoom::stillLife || room == TracedRoom::teapot; },
+                          "there are no squares");
         structure.onlyWhen(hasTriangles, "there are no triangles");
         triangles.onlyWhen(hasTriangles, "there are no triangles");
         index.onlyWhen(hasGlass, "there is no glass");
         form.onlyWhen(hasGlass, "there is no glass");
-        depth.onlyWhen([this] { return room != Room::softShadow && room != Room::lamp; }, "nothing is followed");
+        depth.onlyWhen([this] { return room != TracedRoom::softShadow && room != TracedRoom::lamp; },
+                       "nothing is followed");
         lampSize.onlyWhen([this] { return shadows; }, "without shadows only the lamp's middle is asked");
     }
 
     void init() override {}
 
     void check() const override {
-        if (room != Room::teapot) return;
+        if (room != TracedRoom::teapot) return;
         const int most = structure == RayStructure::none ? 1024 : structure == RayStructure::boxes ? 4096 : 1 << 20;
         if (triangles > most)
             throw Error("--triangles",
@@ -128,7 +130,7 @@ struct RayTrace final : Demo {
     }
 
     std::shared_ptr<const TriangleFinder> finder() const {
-        if (room != Room::teapot) return {};
+        if (room != TracedRoom::teapot) return {};
         if (finderFor.changed(structure, triangles)) {
             const int cells = static_cast<int>(std::lround(std::sqrt(triangles / 64.0)));
             madeFinder = findTriangles(structure, teapotTriangles(cells));
@@ -170,7 +172,7 @@ struct RayTrace final : Demo {
         rays = double(picture.rays()) / pixels;
         cut = 100 * all / pixels;
         cutMost = 100 * most;
-        if (room == Room::white) missing = off;
+        if (room == TracedRoom::white) missing = off;
     }
 
     // The light, or a number of each pixel in grey, white where it is largest.
@@ -197,7 +199,7 @@ struct RayTrace final : Demo {
     // For the study: the middle of a picture of 48 x 32 pixels for each of eight seeds, as grey; of triangles the t of a thousand rays, 0 for none.
     static constexpr int studyWidth = 24, studyHeight = 16, studySeeds = 8;
     std::vector<double> values() const override {
-        if (room == Room::teapot) return thousandRays();
+        if (room == TracedRoom::teapot) return thousandRays();
         std::vector<double> greys;
         for (int one = 1; one <= studySeeds; ++one) {
             TracePicture::Plan small = plan(studyWidth, studyHeight);
@@ -213,7 +215,7 @@ struct RayTrace final : Demo {
     }
     // By how much the seeds' mean squares differ from each other, each taken from the mean of all seeds' pictures.
     std::vector<std::pair<std::string, double>> valueCounts() const override {
-        if (room == Room::teapot) return {};
+        if (room == TracedRoom::teapot) return {};
         const std::vector<double> greys = values();
         constexpr std::size_t pixels = std::size_t{studyWidth} * studyHeight;
         std::vector<double> mean(pixels, 0), squares(studySeeds, 0);

@@ -22,13 +22,13 @@ constexpr int manySamples = 4096;
 // What the picture is of, without how it is sampled; Fresnel's parts exact, the squares asked and not averaged.
 TracePicture::Plan planOf(const Demo& demo, int columns, int rows) {
     constexpr std::array words{"still-life", "teapot", "soft-shadow", "lamp", "white"};
-    const auto room = static_cast<Room>(std::ranges::find(words, demo.word("room")) - words.begin());
+    const auto room = static_cast<TracedRoom>(std::ranges::find(words, demo.word("room")) - words.begin());
     TracePicture::Plan plan;
     plan.options.shadows = demo.word("shadows") == "on";
     plan.options.depth = static_cast<int>(demo.number("depth"));
     plan.options.filtered = false;
     // Of a teapot the reference asks the triangles itself
-    if (room != Room::teapot)
+    if (room != TracedRoom::teapot)
         plan.scene = tracedRoom(room, plan.options.shadows ? demo.number("lamp-size") : 0, demo.number("index"));
     plan.view.eye = vec3(rotateY(demo.number("eye-turn")) * vec4(0.3, demo.number("eye-height"), 6.2, 1));
     plan.width = columns;
@@ -47,7 +47,7 @@ Reference ofManySamples(const Demo& demo) {
     if (!reference.values.empty()) return reference;
     TracePicture::Plan plan = planOf(demo, width, height);
     plan.view.fovy = halved(plan.view.fovy);
-    plan.pattern = Pattern::sequence;
+    plan.pattern = SamplePattern::sequence;
     plan.samples = manySamples;
     plan.seed = 12345;
     TracePicture picture;

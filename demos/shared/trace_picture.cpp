@@ -38,9 +38,9 @@ class Lens {
 
 }  // namespace
 
-TracedScene tracedRoom(Room room, double lampSize, double index, std::shared_ptr<const TriangleFinder> teapot) {
+TracedScene tracedRoom(TracedRoom room, double lampSize, double index, std::shared_ptr<const TriangleFinder> teapot) {
     TracedScene scene;
-    if (room == Room::white) {
+    if (room == TracedRoom::white) {
         scene.ambient = vec3(0);
         scene.skyBelow = scene.skyAbove = vec3(1);
         scene.balls = {{{-1.2, 1, 0}, 1, {.color = vec3(1), .mirrored = 1}}, {{1.2, 1, 0}, 1, {.index = index}}};
@@ -48,15 +48,15 @@ TracedScene tracedRoom(Room room, double lampSize, double index, std::shared_ptr
     }
     scene.lamps = {{{-2.5, 5.5, 3}, {lampSize, 0, 0}, {0, 0, lampSize}, vec3(0.85)}};
     scene.ambient = vec3(0.18);
-    if (room == Room::softShadow || room == Room::lamp) {
+    if (room == TracedRoom::softShadow || room == TracedRoom::lamp) {
         const Surface grey{.color = vec3(0.8)};
         scene.floor = TracedScene::Floor{0, 1, grey, grey};
-        if (room == Room::softShadow) scene.balls = {{{0, 1.4, 0}, 1, {.color = vec3(0.75, 0.35, 0.25)}}};
+        if (room == TracedRoom::softShadow) scene.balls = {{{0, 1.4, 0}, 1, {.color = vec3(0.75, 0.35, 0.25)}}};
         return scene;
     }
     scene.floor = TracedScene::Floor{
         0, 0.8, {.color = vec3(0.85), .mirrored = 0.06}, {.color = vec3(0.06, 0.06, 0.08), .mirrored = 0.12}};
-    if (room == Room::teapot) {
+    if (room == TracedRoom::teapot) {
         scene.balls = {{{-1.7, 1, -1.2}, 1, {.color = vec3(0.9), .mirrored = 0.92}}};
         scene.mesh = std::move(teapot);
         scene.meshSurface = {.color = vec3(0.85, 0.45, 0.2), .mirrored = 0.08};

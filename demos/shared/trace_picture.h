@@ -12,8 +12,9 @@ namespace mv {
 // Mirror, glass and coloured balls on a floor of squares; the teapot, of triangles, beside a mirror ball; a ball over a grey
 // floor; that floor alone; a mirror and a glass ball in a room whose walls are white and shine, so that whatever way light
 // takes, 1 is seen.
-enum class Room { stillLife, teapot, softShadow, lamp, white };
-TracedScene tracedRoom(Room room, double lampSize, double index, std::shared_ptr<const TriangleFinder> teapot = {});
+enum class TracedRoom { stillLife, teapot, softShadow, lamp, white };
+TracedScene tracedRoom(TracedRoom room, double lampSize, double index,
+                       std::shared_ptr<const TriangleFinder> teapot = {});
 
 struct TraceView {
     vec3 eye{0.3, 2, 6.2}, at{0.1, 0.65, 0};
@@ -29,7 +30,7 @@ class TracePicture {
         TracedScene scene;
         TraceView view;
         TraceOptions options;
-        Pattern pattern = Pattern::sequence;
+        SamplePattern pattern = SamplePattern::sequence;
         int samples = 16;  // a pixel
         std::uint32_t seed = 1;
         int width = 0, height = 0;

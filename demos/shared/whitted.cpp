@@ -259,7 +259,8 @@ double squaresAround(double x, double z, double square, double width) {
     return 0.5 + 0.5 * mean(x) * mean(z);
 }
 
-std::array<vec2, 2> samplePoints(Pattern pattern, int sample, int count, std::uint32_t pixel, std::uint32_t seed) {
+std::array<vec2, 2> samplePoints(SamplePattern pattern, int sample, int count, std::uint32_t pixel,
+                                 std::uint32_t seed) {
     const auto word = [&](std::uint32_t which) {
         return scattered((std::uint64_t(seed) << 48) ^ (std::uint64_t(which) << 32) ^ pixel);
     };
@@ -273,14 +274,14 @@ std::array<vec2, 2> samplePoints(Pattern pattern, int sample, int count, std::ui
         return (vec2(double(which % cells), double(row)) + within) / double(side);
     };
     switch (pattern) {
-        case Pattern::regular:
+        case SamplePattern::regular:
             return {cell(index, vec2(0.5)), cell(shuffled(index, all, word(0)), vec2(0.5))};
-        case Pattern::random:
+        case SamplePattern::random:
             return {vec2(perSample(1), perSample(2)), vec2(perSample(3), perSample(4))};
-        case Pattern::jittered:
+        case SamplePattern::jittered:
             return {cell(index, {perSample(1), perSample(2)}),
                     cell(shuffled(index, all, word(0)), {perSample(3), perSample(4)})};
-        case Pattern::sequence:
+        case SamplePattern::sequence:
             return {sequencePoint(index, word(1), word(2)),
                     sequencePoint(shuffled(index, all, word(0)), word(3), word(4))};
     }

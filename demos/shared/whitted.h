@@ -94,10 +94,10 @@ double squaresAround(double x, double z, double square, double width);
 
 // ---- where a pixel and a lamp are asked
 
-enum class Pattern { regular, random, jittered, sequence };
+enum class SamplePattern { regular, random, jittered, sequence };
 // Point `sample` of `count`, in the unit square, for a pixel of that number: two squares, for the pixel and for the lamp.
 // regular and jittered need a square number. sequence: Sobol's (0,2)-sequence, scrambled anew for each pixel.
 // Source: Kollig and Keller, "Efficient multidimensional sampling", CGF 21(3), 2002.
-std::array<vec2, 2> samplePoints(Pattern pattern, int sample, int count, std::uint32_t pixel, std::uint32_t seed);
+std::array<vec2, 2> samplePoints(SamplePattern pattern, int sample, int count, std::uint32_t pixel, std::uint32_t seed);
 
 }  // namespace mv

@@ -38,11 +38,11 @@ TracePicture traced(const TracePicture::Plan& plan) {
     return picture;
 }
 
-TracePicture::Plan smallPlan(Room room) {
+TracePicture::Plan smallPlan(TracedRoom room) {
     return {.scene = tracedRoom(room, 1.1, 1.5),
             .view = {},
             .options = {},
-            .pattern = Pattern::sequence,
+            .pattern = SamplePattern::sequence,
             .samples = 4,
             .width = 61,
             .height = 37};
@@ -109,9 +109,10 @@ TEST(RayTrace, never_itself) {
 }
 
 TEST(RayTrace, as_one_thread) {
-    for (const Room room : {Room::stillLife, Room::softShadow, Room::white}) {
+    for (const TracedRoom room : {TracedRoom::stillLife, TracedRoom::softShadow, TracedRoom::white}) {
         TracePicture::Plan plan = smallPlan(room);
-        for (const Pattern pattern : {Pattern::regular, Pattern::random, Pattern::jittered, Pattern::sequence}) {
+        for (const SamplePattern pattern :
+             {SamplePattern::regular, SamplePattern::random, SamplePattern::jittered, SamplePattern::sequence}) {
             plan.pattern = pattern;
             plan.threads = 1;
             const TracePicture one = traced(plan);
@@ -241,7 +242,7 @@ TEST(RayTrace, both_ways) {
     const auto lobe = [](double light, double eye) { return std::pow(std::cos(light - eye), 10) / std::cos(light); };
     EXPECT_GT(lobe(1.4, 1.2) / lobe(1.2, 1.4), 2);
     // Lambert's part is the same for every eye, and a mirror shows the lamp from the eye's place as the eye's place from the lamp's.
-    const TracedScene scene = tracedRoom(Room::softShadow, 0, 1.5);
+    const TracedScene scene = tracedRoom(TracedRoom::softShadow, 0, 1.5);
     const vec3 point = scene.balls[0].center + glm::normalize(vec3(0.2, 0.5, 0.9));
     const auto seenFrom = [&](const vec3& eye) { return traceRay(scene, {eye, point - eye}, 0, vec2(0), {}).light; };
     EXPECT_LT(glm::distance(seenFrom({0, 3, 7}), seenFrom({1, 5, 4})), 1e-12);
@@ -277,21 +278,21 @@ TEST(RayTrace, schlick_from_within) {
 }
 
 TEST(RayTrace, more_samples) {
-    TracePicture::Plan plan = smallPlan(Room::softShadow);
-    plan.pattern = Pattern::sequence;
+    TracePicture::Plan plan = smallPlan(TracedRoom::softShadow);
+    plan.pattern = SamplePattern::sequence;
     plan.samples = 1024;
     plan.seed = 99;
     const std::vector<vec3> truth = traced(plan).light();
     plan.seed = 1;
     std::array<double, 4> at16{}, at64{};
     for (std::size_t k = 0; k < 4; ++k) {
-        plan.pattern = static_cast<Pattern>(k);
+        plan.pattern = static_cast<SamplePattern>(k);
         plan.samples = 16;
         at16.at(k) = meanSquare(traced(plan).light(), truth);
         plan.samples = 64;
         at64.at(k) = meanSquare(traced(plan).light(), truth);
     }
-    const auto random = static_cast<std::size_t>(Pattern::random);
+    const auto random = static_cast<std::size_t>(SamplePattern::random);
     for (std::size_t k = 0; k < 4; ++k) {
         // A fourfold number of samples takes a quarter, at random; here at least a third of it is gone by any of them
         EXPECT_LT(at64.at(k), at16.at(k) / 1.5) << k;
