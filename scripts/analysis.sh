@@ -16,10 +16,20 @@ analyse_one() {
   echo "$status $((SECONDS - start)) $file"
 }
 
-# static_analysis ALL AGAIN: of the files that differ from those that tests/analysed.txt names, or of all. Files that are
-# as they were when this build folder found nothing in them are left out, unless AGAIN is true.
+# The sums of each source with all of the tree's headers that it includes, of when nothing was found in it so.
+analysed_with=$root/tests/analysed_with_headers.txt
+
+# analysis_key VERSION FILE HEADER...: what clang-tidy's words about the file depend on, but for the system's own headers.
+analysis_key() {
+  (cd "$root" && { echo "$1"; cat .clang-tidy tests/.clang-tidy "${@:2}"; } | sha256sum | cut -c-64)
+}
+
+# static_analysis ALL: of the files that differ from those that tests/analysed.txt names, a header in one file that includes
+# it; or of all, each anew if it differs or any header that it includes. Files that are as they were when nothing was found in
+# them, by this build folder or by tests/analysed_with_headers.txt, are left out.
 static_analysis() {
-  local all=$1 again=$2 folder=$build/tidy since file headers key
+  local all=$1 folder=$build/tidy since file headers key version
+  version=$(clang-tidy --version | grep -io 'version.*' || true)
   # Without precompiled headers, which hide a missing #include, and which are the compiler's own.
   configure "$folder" -DMVGL_TESTS=ON -DMVGL_BENCH=ON -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON
   mkdir -p "$folder/clean"
@@ -42,46 +52,58 @@ static_analysis() {
   fi
   ! $all || cp "$folder/code.txt" "$folder/changed.txt"
 
-  local files=() keys=() same=0
+  local files=() same=0
+  local -A keys=() known=()
+  ! [ -f "$analysed_with" ] || while read -r key file; do known[$file]=$key; done < <(grep -v '^#' "$analysed_with")
   while read -r file headers; do
     # shellcheck disable=SC2086  # several names
-    key=$(cd "$root" && { clang-tidy --version; cat .clang-tidy tests/.clang-tidy "$file" $headers; } | sha256sum)
-    if ! $again && [ "$(cat "$folder/clean/${file//\//-}.sum" 2>/dev/null)" = "$key" ]; then
+    key=$(analysis_key "$version" "$file" $headers)
+    keys[$file]=$key
+    if [ "${known[$file]:-}" = "$key" ] || [ "$(cat "$folder/clean/${file//\//-}.sum" 2>/dev/null)" = "$key" ]; then
       same=$((same + 1))
     else
       rm -f "$folder/clean/${file//\//-}.sum"
-      files+=("$file") keys+=("$key")
+      files+=("$file")
     fi
   done < <(cd "$root" && awk -f scripts/analysed_by.awk "$folder/changed.txt" "$folder/code.txt")
   echo "$since: ${#files[@]} files to analyse; $same more are as they were when nothing was found in them"
 
-  local status seconds done=0 found=0 number
-  declare -A clean=()
+  local status seconds done=0 found=0
   if [ ${#files[@]} -gt 0 ]; then
     export root && export -f analyse_one
     while read -r status seconds file; do
       done=$((done + 1))
       echo "[$done of ${#files[@]}] $file: $seconds s"
-      if [ "$status" = 0 ]; then clean[$file]=1; else found=$((found + 1)) && cat "$folder/clean/${file//\//-}.words"{,.err}; fi
+      if [ "$status" = 0 ]; then
+        echo "${keys[$file]}" >"$folder/clean/${file//\//-}.sum"
+      else
+        found=$((found + 1)) && cat "$folder/clean/${file//\//-}.words"{,.err}
+      fi
     done < <(printf '%s\n' "${files[@]}" | xargs -P "$jobs" -I{} bash -c 'analyse_one "$1" "$2"' analyse "$folder" {})
   fi
-  for number in "${!files[@]}"; do
-    file=${files[number]}
-    [ -z "${clean[$file]:-}" ] || echo "${keys[number]}" >"$folder/clean/${file//\//-}.sum"
-  done
   [ "$done" = ${#files[@]} ] || fail "clang-tidy: must look at every file, at $done of ${#files[@]}"
   [ "$found" = 0 ] || fail "clang-tidy: must find nothing; see above; in $found files"
-  ! $all || note_analysed "$folder/sums.txt"
+  if $all; then
+    note_analysed "$folder/sums.txt"
+    for file in "${!keys[@]}"; do echo "${keys[$file]} $file"; done | sort -k 2 >"$folder/keys.txt"
+    note_list "$analysed_with" "$folder/keys.txt" \
+      "Nothing was found in these files, each summed up with clang-tidy's version, what it is asked and the headers that the file includes."
+  fi
+}
+
+# note_list FILE LINES WORDS: writes the lines to a file of tests/, after the words, where it has others.
+note_list() {
+  if [ -f "$1" ] && cmp -s "$2" <(grep -v '^#' "$1"); then return; fi
+  { sed 's/^/# /' <<<"$3" && cat "$2"; } >"$1.part"
+  mv "$1.part" "$1"
+  echo "${1#"$root"/} is new: commit it"
 }
 
 # note_analysed SUMS: writes tests/analysed.txt where the files are others than it says.
 note_analysed() {
   local commit="no commit"
   ! $has_git || commit=$(git -C "$root" rev-parse HEAD)
-  if [ -f "$analysed" ] && cmp -s "$1" <(grep -v '^#' "$analysed"); then return; fi
-  { echo "# Static analysis found nothing in any of these files; ./test analyses what differs, ./test --long all, and writes this."
-    echo "# commit $commit"
-    cat "$1"; } >"$analysed.part"
-  mv "$analysed.part" "$analysed"
-  echo "tests/analysed.txt is new: commit it"
+  note_list "$analysed" "$1" \
+    "Static analysis found nothing in any of these files; ./test analyses what differs, ./test --long each with its headers, and writes this.
+commit $commit"
 }

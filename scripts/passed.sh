@@ -45,7 +45,7 @@ demo_keys() {
   cut -d ' ' -f 2- "$folder/tests/linked.txt" | sort -u | (cd "$folder" && xargs -d '\n' sha256sum) >"$folder/tests/linked.sums"
   # What a test may read at run time: all that is neither compiled (the objects count) nor another test's. (Golden pictures
   # and pages count for the tests that say so.)
-  tree_files | grep -zvE '\.(cpp|h|inc|cmake)$|^tests/(analysed.txt|site/|window/|fuzz/|package/|scripts/)|CMakeLists.txt$|^(scripts/|web/|test$|run$|\.)' |
+  tree_files | grep -zvE '\.(cpp|h|inc|cmake)$|^tests/(analysed(_with_headers)?.txt|site/|window/|fuzz/|package/|scripts/)|CMakeLists.txt$|^(scripts/|web/|test$|run$|\.)' |
     (cd "$root" && xargs -0 sha256sum) >"$folder/tests/read.sums"
   rm -rf "$folder/tests/keys" && mkdir -p "$folder/tests/keys"
   # One process for all sums: there are hundreds of tests.

@@ -263,6 +263,15 @@ analysis() {
     everything
     says out 'differs from .*: 0 files to analyse'
     equal "in a clean clone of what was analysed" "" "$(looked)"
+    rm -rf build/tidy tests/analysed.txt && echo '// more' >>common/verdict.h
+    everything
+    says out ': 3 files to analyse; 2 more are as they were'
+    equal "of all, what includes a header that differs" "demos/one.cpp demos/two.cpp tests/claims.cpp " "$(looked)"
+    says tests/analysed_with_headers.txt ' demos/two.cpp$'
+    rm -rf build/tidy tests/analysed.txt && sed -i '/ demos.two.cpp$/d' tests/analysed_with_headers.txt
+    everything
+    equal "of all, what the list lacks" "demos/two.cpp " "$(looked)"
+    git checkout -q . && rm -rf build/tidy
     echo '// more' >>demos/one.cpp && commit && echo '// and more' >>demos/one.cpp && commit
     echo '// new' >demos/three.cpp && rm -rf build/tidy
     everything
