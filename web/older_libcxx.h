@@ -59,10 +59,10 @@ constexpr void stable_sort(Range&& range, Less less = {}) {
     std::vector<Value> to = from;
     for (std::size_t run = 1; run < from.size(); run *= 2) {
         for (std::size_t start = 0; start < from.size(); start += 2 * run) {
-            const std::size_t middle = std::min(start + run, from.size()), end = std::min(middle + run, from.size());
+            const std::size_t middle = std::min(start + run, from.size()), last = std::min(middle + run, from.size());
             std::size_t one = start, other = middle;
-            for (std::size_t i = start; i < end; ++i) {
-                const bool takesOne = one < middle && (other == end || !std::invoke(less, from[other], from[one]));
+            for (std::size_t i = start; i < last; ++i) {
+                const bool takesOne = one < middle && (other == last || !std::invoke(less, from[other], from[one]));
                 to[i] = std::move(from[takesOne ? one++ : other++]);
             }
         }
