@@ -263,13 +263,11 @@ TEST_P(Sweep, buffers_as_declared) {
 }
 
 // A frame at the initial settings does nothing needless that the demo does not declare.
-// (Under the sanitizers a tenth as wide where the processor computes it.)
 TEST_P(Sweep, nothing_needless) {
     DemoInfo info = findDemo(GetParam());
-    if (sanitized && hasPasses(info)) {
-        info.width /= 10;
-        info.height /= 10;
-    }
+    const int by = coarser(info);
+    info.width /= by;
+    info.height /= by;
     const AuditReport report = auditDemo(stage(), info, {}, 1);
     EXPECT_TRUE(report.clean()) << auditText(report);
     EXPECT_GT(report.first.samplesPassed, 0);
@@ -278,8 +276,8 @@ TEST_P(Sweep, nothing_needless) {
 // Other sizes than the original's, the smallest one and odd ones too.
 TEST_P(Sweep, sizes) {
     DemoRun run(GetParam());
-    const int wide = sanitized && hasPasses(stage().info()) ? 96 : 640;
-    for (const auto& [width, height] : {std::pair{1, 1}, {37, 91}, {wide, 200 * wide / 640}}) {
+    const int by = coarser(stage().info());
+    for (const auto& [width, height] : {std::pair{1, 1}, {37, 91}, {640 / by, 200 / by}}) {
         stage().resize(width, height);
         const Picture picture = run.picture();
         EXPECT_EQ(picture.width, width);

@@ -4,21 +4,16 @@
 
 #include <cmath>
 #include <limits>
-#include <random>
 
 #include "image/messages.h"
+#include "image/random_picture.h"
 
 namespace mv {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using test::randomPicture;
 
-Picture randomPicture(int width, int height, unsigned seed) {
-    std::mt19937 random(seed);
-    Picture picture(width, height);
-    for (std::uint8_t& value : picture.rgba) value = static_cast<std::uint8_t>(random() & 255U);
-    return picture;
-}
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 FloatPicture floats(int channels, std::vector<float> values) {
     FloatPicture picture(static_cast<int>(values.size()) / channels, 1, channels);

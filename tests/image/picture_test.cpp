@@ -3,19 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <random>
 
 #include "image/messages.h"
+#include "image/random_picture.h"
 
 namespace mv {
 namespace {
 
-Picture randomPicture(int width, int height, unsigned seed) {
-    std::mt19937 random(seed);
-    Picture picture(width, height);
-    for (std::uint8_t& value : picture.rgba) value = static_cast<std::uint8_t>(random() & 255U);
-    return picture;
-}
+using test::randomPicture;
 
 Picture plainPicture(int width, int height, Pixel pixel) {
     Picture picture(width, height);

@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 #include <png.h>
 
-#include <random>
 #include <string>
 
 #include "image/nobody.h"
+#include "image/random_picture.h"
 #include "mv/error.h"
 #include "mv/image/file.h"
 #include "mv/image/load.h"
@@ -15,13 +15,7 @@
 namespace mv {
 namespace {
 
-// Random values, so that filter and compression have to carry every one of them.
-Picture randomPicture(int width, int height, unsigned seed) {
-    std::mt19937 random(seed);
-    Picture picture(width, height);
-    for (std::uint8_t& value : picture.rgba) value = static_cast<std::uint8_t>(random() & 255U);
-    return picture;
-}
+using test::randomPicture;
 
 Picture opaque(Picture picture) {
     for (std::size_t i = 3; i < picture.rgba.size(); i += 4) picture.rgba[i] = 255;

@@ -6,12 +6,11 @@
 #include <glm/geometric.hpp>
 
 #include "mv/error.h"
+#include "mv/math/require.h"
 #include "mv/math/robust.h"
 
 namespace mv {
 namespace {
-
-bool isFinite(const vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 vec3 longest(const std::array<vec3, 3>& edges) {
     return *std::max_element(edges.begin(), edges.end(),
