@@ -118,7 +118,8 @@ TEST(Stage, a_draw_pasted_elsewhere_needs_what_is_undone) {
     std::vector<std::string> differing;
     for (const std::string& name : demoNames()) {
         const DemoInfo& info = findDemo(name);
-        stage().open(info, info.width, info.height);
+        const int width = info.width / coarser(info), height = info.height / coarser(info);
+        stage().open(info, width, height);
         const auto drawAlone = [&] {
             FrameNotes notes;
             FrameMode mode;
@@ -128,7 +129,7 @@ TEST(Stage, a_draw_pasted_elsewhere_needs_what_is_undone) {
             glClearColor(color.r, color.g, color.b, color.a);
             glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
             glClearColor(0, 0, 0, 0);
-            const Frame frame({1, info.width, info.height}, notes, mode);
+            const Frame frame({1, width, height}, notes, mode);
             stage().demo().draw(frame);
             stage().demo().annotate(frame);
             return stage().picture();

@@ -13,6 +13,7 @@
 #include "mv/geometry/shapes.h"
 #include "mv/math/clip.h"
 #include "mv/math/color.h"
+#include "mv/math/exact_sum.h"
 #include "mv/math/projection.h"
 #include "mv/math/require.h"
 #include "mv/math/robust.h"

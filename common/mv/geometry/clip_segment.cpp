@@ -1,46 +1,18 @@
 #include "mv/geometry/clip_segment.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
 #include "mv/error.h"
+#include "mv/math/exact_sum.h"
 #include "mv/math/require.h"
 
 namespace mv {
 namespace {
 
-// A sum of doubles that is exact: its parts overlap in no bit, the smallest first.
-class ExactSum {
-  public:
-    void addProduct(double x, double y) {
-        const double product = x * y;
-        add(std::fma(x, y, -product));
-        add(product);
-    }
-    int sign() const {
-        for (std::size_t i = count_; i-- > 0;) {
-            if (parts_[i] != 0) return parts_[i] > 0 ? 1 : -1;
-        }
-        return 0;
-    }
-
-  private:
-    void add(double x) {
-        for (std::size_t i = 0; i < count_; ++i) {  // Knuth's sum, whose rounding stays behind
-            const double sum = x + parts_[i], part = sum - x;
-            parts_[i] = (x - (sum - part)) + (parts_[i] - part);
-            x = sum;
-        }
-        parts_[count_++] = x;
-    }
-    std::array<double, 12> parts_{};
-    std::size_t count_ = 0;
-};
-
 int exactOrientation(const vec2& a, const vec2& b, const vec2& c) {
-    ExactSum sum;
+    ExactSum<12> sum;
     sum.addProduct(a.x, b.y);
     sum.addProduct(-a.y, b.x);
     sum.addProduct(b.x, c.y);

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "mv/error.h"
+#include "mv/math/exact_sum.h"
 #include "mv/math/require.h"
 #include "mv/math/robust.h"
 
@@ -119,31 +120,6 @@ double cofactorScale(double squaresOfColumns, double determinant) {
     return (determinant < 0 ? -3 : 3) / squaresOfColumns;
 }
 
-// The sum of numbers as a list of numbers that do not overlap, least first: nothing is rounded off. The last one that is
-// not 0 has the sum's sign. Source: Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric
-// predicates" (1997), grow-expansion.
-class ExactSum {
-  public:
-    void add(double x) {
-        for (std::size_t i = 0; i < count_; ++i) {
-            const double sum = x + part_[i], added = sum - x;
-            part_[i] = (x - (sum - added)) + (part_[i] - added);
-            x = sum;
-        }
-        part_[count_++] = x;
-    }
-    int sign() const {
-        for (std::size_t i = count_; i-- > 0;) {
-            if (part_[i] != 0) return part_[i] > 0 ? 1 : -1;
-        }
-        return 0;
-    }
-
-  private:
-    std::array<double, 24> part_{};
-    std::size_t count_ = 0;
-};
-
 // The sign of the determinant of these columns, whose cofactors are given: by its value where rounding cannot have turned
 // that over, and else exactly.
 int determinantSign(const mat3& m, const mat3& cofactors) {
@@ -151,14 +127,11 @@ int determinantSign(const mat3& m, const mat3& cofactors) {
     const double determinant = terms.x + terms.y + terms.z;
     const double sizes = std::abs(terms.x) + std::abs(terms.y) + std::abs(terms.z);
     if (std::abs(determinant) > 1e-15 * sizes) return determinant > 0 ? 1 : -1;
-    ExactSum sum;
+    ExactSum<24> sum;
     const auto addProduct = [&](double a, double b, double c) {
-        const double product = a * b, rounding = std::fma(a, b, -product);
-        for (const double part : {product, rounding}) {
-            const double whole = part * c;
-            sum.add(whole);
-            sum.add(std::fma(part, c, -whole));
-        }
+        const double product = a * b;
+        sum.addProduct(product, c);
+        sum.addProduct(std::fma(a, b, -product), c);
     };
     for (int i = 0; i < 3; ++i) {
         const int k = (i + 1) % 3, l = (i + 2) % 3;

@@ -77,6 +77,8 @@ void requireProblem(std::string_view subject, const OdeProblem& problem, double 
 
 // True where no number is NaN or infinite.
 bool allFinite(std::span<const double> numbers);
+// Why a step ends where they are not, in words after "because".
+inline constexpr const char* notFinite = "the slope or the state is not finite";
 
 // df/dy at (t, y) by forward differences, row by row as OdeProblem::jacobian; `slope` is f(t, y). Component j is
 // moved by sqrt(2^-52) of its size: the largest of |y_j|, |span * slope_j| (how far it moves in a time `span`, 0 or

@@ -6,11 +6,6 @@
 #include <utility>
 
 namespace mv {
-namespace {
-
-const std::string notFinite = "the slope or the state is not finite";
-
-}  // namespace
 
 RungeKuttaStep::RungeKuttaStep(const ButcherTableau& tableau, std::size_t dimension)
     : tableau_(&tableau),

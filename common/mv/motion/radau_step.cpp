@@ -7,11 +7,6 @@
 #include "mv/motion/ode_method.h"
 
 namespace mv {
-namespace {
-
-const std::string notFinite = "the slope or the state is not finite";
-
-}  // namespace
 
 RadauStep::RadauStep(const RadauTolerance& tolerance, std::size_t dimension)
     : tolerance_(tolerance),
