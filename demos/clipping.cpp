@@ -130,9 +130,9 @@ struct Clipping final : Demo {
         const auto inPlane = [this] { return subject == Subject::segment || subject == Subject::point; };
         handle("end", segment, inPlane);
         handle("corner", window, inPlane);
-        handle("polygon", polygon, is(Subject::polygon));
-        handle("against", against, is(Subject::polygon));
-        handle("in-space", inSpace, is(Subject::space));
+        handle("polygon's corner", polygon, is(Subject::polygon));
+        handle("second polygon's corner", against, is(Subject::polygon));
+        handle("end in space", inSpace, is(Subject::space));
     }
 
     void init() override {}

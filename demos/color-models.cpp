@@ -142,7 +142,7 @@ struct ColorModels final : Demo {
         for (std::size_t i = 0; i < 4; ++i) {
             bindHandle("color in the " + names.at(i), {&red, &green, &blue},
                        [this, i](const FrameInfo& frame) { return markIn(frame, static_cast<int>(i), from()); });
-            bindHandle("second in the " + names.at(i), {&toRed, &toGreen, &toBlue},
+            bindHandle("second color in the " + names.at(i), {&toRed, &toGreen, &toBlue},
                        [this, i](const FrameInfo& frame) { return markIn(frame, static_cast<int>(i), to()); });
         }
         const auto isSolids = [this] { return shows == Shows::solids; };

@@ -138,7 +138,7 @@ struct Rasterizer final : Demo {
         corners.onlyWhen(is(Subject::triangle, Subject::fill), "there are none");
         handle("end", ends, 0.5, is(Subject::line));
         handle("corner", corners, 0, is(Subject::triangle, Subject::fill));
-        handle("star", star, 0, is(Subject::star));
+        handle("star's corner", star, 0, is(Subject::star));
         handle("seed", seed, 0.5, is(Subject::fill));
     }
     void handle(const char* name, Points& points, double inPixel, const std::function<bool()>& shown) {

@@ -94,7 +94,7 @@ struct TextureMapDemo final : Demo {
     TextureMapDemo() {
         bindKeys(Key::down, Key::up, divisions, 1);
         bindKeys(Key::left, Key::right, turn, 5);
-        bindHandle("far", {&ratio}, [this](const FrameInfo& frame) -> std::optional<vec2> {
+        bindHandle("far edge", {&ratio}, [this](const FrameInfo& frame) -> std::optional<vec2> {
             if (shape != Shape::quad) return {};
             return projected(pixelFromQuad(ratio, leftPane(frame)), {1, 1});
         });

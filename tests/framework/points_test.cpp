@@ -21,9 +21,21 @@ struct Dots : Demo {
         bindHandle("dot", dots, [](const FrameInfo& f, const vec2& value) -> std::optional<vec2> {
             return pictureFromPane(f.panes(2)[1], 50.0 * (value + 1.0));
         });
+        bindHandle("end", ends, [](const FrameInfo&, const vec2& value) { return value; });
     }
     void init() override {}
     void draw(const Frame&) override {}
+
+    Points one{this,
+               "one",
+               {{0, 0}},
+               {.low = vec2(-1, -1), .high = vec2(3, 1), .least = 1, .most = 1, .grid = 0.1},
+               "where it is"};
+    Points ends{this,
+                "ends",
+                {{0, 0}, {1, 0}},
+                {.low = vec2(-1, -1), .high = vec2(3, 1), .least = 2, .most = 2, .grid = 0.1},
+                "where they are"};
 
     FrameInfo frame{1, 401, 200};  // the second pane begins at 201
     const Handle& handle() const { return handles().front(); }
@@ -92,6 +104,19 @@ TEST(PointsKnob, has_as_many_as_it_may) {
     EXPECT_TRUE(demo.handle().remove(0));
     EXPECT_FALSE(demo.handle().remove(0));
     EXPECT_EQ(demo.dots.text(), "1,-0.5");
+}
+
+// What cannot be done is not offered: neither a key nor a button adds one, and the range tells no second number.
+TEST(PointsKnob, of_a_fixed_number_offers_no_other) {
+    Dots demo;
+    const Handle& fixed = demo.handles().back();
+    EXPECT_FALSE(fixed.add);
+    EXPECT_FALSE(fixed.remove);
+    EXPECT_TRUE(demo.handle().add && demo.handle().remove);
+    EXPECT_EQ(demo.ends.range(), "2 points x,y/x,y with x in -1 .. 3, y in -1 .. 1, multiples of 0.1");
+    EXPECT_EQ(demo.one.range(), "1 point x,y with x in -1 .. 3, y in -1 .. 1, multiples of 0.1");
+    EXPECT_TRUE(demo.dots.range().starts_with("1 .. 4 points x,y/x,y with"));
+    EXPECT_EQ(demo.one.sweep(), (std::vector<std::string>{"-1,-1", "0,0", "-1,-1"}));
 }
 
 TEST(PointsKnob, steps_and_notes_that_it_was_read) {

@@ -305,11 +305,13 @@ git_() {
 }
 
 passed() {
+    # Notes of tests whose names look like a library's are no programs of the build.
+    sed -i 's/claims\.${demo} /claims.${demo}.soft /' CMakeLists.txt
     commit
     everything
     equal "first" "one one shared shared two two " "$(ran)" # once more under the sanitizers
     says out '^the ten most expensive tests'
-    for name in one two; do says out "^ *[0-9.]* s  claims.$name\$" && says out "^ *[0-9.]* s  claims.$name (asan)\$"; done
+    for name in one two; do says out "^ *[0-9.]* s  claims.$name.soft\$" && says out "^ *[0-9.]* s  claims.$name.soft (asan)\$"; done
     everything
     equal "nothing has changed" "shared " "$(ran)"
     says out '^2 tests of demos are left out'

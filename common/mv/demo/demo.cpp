@@ -144,8 +144,10 @@ void Demo::bindHandle(std::string name, Points& points,
     handle.where = [&points, where = std::move(where)](const FrameInfo& frame, std::size_t i) {
         return where(frame, points[i]);
     };
-    handle.add = [&points](std::size_t after) { return points.add(after); };
-    handle.remove = [&points](std::size_t i) { return points.remove(i); };
+    if (!points.isFixedNumber()) {
+        handle.add = [&points](std::size_t after) { return points.add(after); };
+        handle.remove = [&points](std::size_t i) { return points.remove(i); };
+    }
     handles_.push_back(std::move(handle));
 }
 

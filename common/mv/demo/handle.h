@@ -27,7 +27,7 @@ struct Handle {
     std::function<std::vector<Coordinate>(std::size_t)> coordinates = {};
     std::function<std::optional<vec2>(const FrameInfo&, std::size_t)> where = {};
     // `add` makes one more behind that one, at the same place; `remove` takes it away. Both return false where they
-    // cannot. Empty where there is always one.
+    // cannot. Empty where there are always as many.
     std::function<bool(std::size_t)> add = {}, remove = {};
 
     // Moves one as near to that pixel of the picture as its coordinates allow. These stop at the ends of their ranges, and

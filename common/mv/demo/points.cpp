@@ -49,7 +49,9 @@ std::string Points::range() const {
     const auto axis = [&](const char* name, double low, double high) {
         return std::string(name) + " in " + numberText(low) + " .. " + numberText(high);
     };
-    return std::to_string(limits_.least) + " .. " + std::to_string(limits_.most) + " points x,y/x,y with " +
+    std::string count = std::to_string(limits_.least);
+    if (!isFixedNumber()) count += " .. " + std::to_string(limits_.most);
+    return count + (limits_.most == 1 ? " point x,y" : " points x,y/x,y") + " with " +
            axis("x", limits_.low.x, limits_.high.x) + ", " + axis("y", limits_.low.y, limits_.high.y) +
            ", multiples of " + numberText(limits_.grid);
 }
@@ -73,6 +75,7 @@ bool Points::step(double amount) {
 
 bool Points::widget(Panel& panel) {
     bool moved = panel.words(*this);
+    if (isFixedNumber()) return moved;
     if (panel.button(*this, "+", points_.size() < limits_.most)) moved |= add(points_.size() - 1);
     if (panel.button(*this, "-", points_.size() > limits_.least)) moved |= remove(points_.size() - 1);
     return moved;

@@ -43,6 +43,8 @@ class Points : public Knob {
 
     // x (0) or y (1) of a point, for a handle.
     Coordinate coordinate(std::size_t point, int axis);
+    // Whether there are always as many.
+    bool isFixedNumber() const { return limits_.least == limits_.most; }
     // One more after that one, at the same place, or one less; false where there are as many, or as few, as there may be.
     bool add(std::size_t after);
     bool remove(std::size_t point);
