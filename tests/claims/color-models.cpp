@@ -64,7 +64,7 @@ TEST(ColorModels, linked) {
     DemoRun run("color-models", width, height);
     const FrameInfo frame(1, width, height);
     const std::array<std::string, 3> names{"cube", "double cone", "cone"};
-    for (const std::string kind : {"color", "second"}) {
+    for (const std::string kind : {"color", "second color"}) {
         for (const std::string& dragged : names) {
             SCOPED_TRACE(kind + " in the " + dragged);
             setColor(setColor(run, {0.7, 0.5, 0.3}), {0.2, 0.3, 0.6}, "to-");
