@@ -330,7 +330,8 @@ struct TextureMapDemo final : Demo {
         drawing.text({plot.box.low.x, plot.box.high.y + 3.2 * words.height},
                      rounded("affine, W = %.3g:", ratio) + rounded(" %.3g px", most.pixels),
                      {words.height, blue, vec4(0)});
-        drawing.text(plot.pixel({8, 600}), "grey: as 1/n²", {words.height, ink, vec4(0)});
+        drawing.text(plot.pixel({8, 600}), curve.empty() ? "nothing slips" : "grey: as 1/n²",
+                     {words.height, ink, vec4(0)});
     }
 
     void annotateBody(const Pane& left, const TextStyle& words) {

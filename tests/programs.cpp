@@ -62,7 +62,7 @@ TEST_P(Programs, start_from_anywhere) {
 TEST_P(Programs, same_bytes_on_every_host) {
     TemporaryFolder folder;
     const DemoInfo& info = findDemo(GetParam());
-    const int by = hasPasses(info) ? 4 : 1;
+    const int by = coarser(info);
     const std::string size = std::to_string(info.width / by) + "x" + std::to_string(info.height / by);
     for (const char* host : {"osmesa", "egl", "egl-device"}) {
         const ProcessResult run =

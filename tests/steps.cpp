@@ -47,7 +47,7 @@ class Steps : public testing::TestWithParam<std::string> {};
 TEST_P(Steps, stop_after_every_draw) {
     for (const Preset& preset : findDemo(GetParam()).presets) {
         SCOPED_TRACE(preset.name);
-        const int by = coarser(findDemo(GetParam()));
+        const int by = coarserIfSanitized(findDemo(GetParam()));
         DemoRun run(GetParam(), 160 / by, 120 / by);
         run.preset(preset.name);
         const Picture whole = run.picture();

@@ -19,10 +19,10 @@ namespace {
 class Sweep : public testing::TestWithParam<std::string> {};
 class Floor : public testing::TestWithParam<std::string> {};
 
-// A quarter of the points of the initial size, and of what the processor computes in passes a hundredth: what a knob's end
-// breaks does not depend on the size. (Under the sanitizers, where what is seen is not looked at, a quarter of that.)
+// A quarter of the points of the initial size, and of what the processor computes in passes a hundredth: there are many settings
+// to draw, and each still shows something. (Under the sanitizers, where that is not looked at, a quarter of it.)
 void drawSmall() {
-    const int by = (sanitized ? 2 : 1) * (hasPasses(stage().info()) ? 10 : 2);
+    const int by = (sanitized ? 2 : 1) * std::max(2, coarser(stage().info()));
     stage().resize(stage().front().width() / by, stage().front().height() / by);
 }
 
@@ -264,7 +264,7 @@ TEST_P(Sweep, buffers_as_declared) {
 // A frame at the initial settings does nothing needless that the demo does not declare.
 TEST_P(Sweep, nothing_needless) {
     DemoInfo info = findDemo(GetParam());
-    const int by = coarser(info);
+    const int by = coarserIfSanitized(info);
     info.width /= by;
     info.height /= by;
     const AuditReport report = auditDemo(stage(), info, {}, 1);
@@ -275,7 +275,7 @@ TEST_P(Sweep, nothing_needless) {
 // Other sizes than the original's, the smallest one and odd ones too.
 TEST_P(Sweep, sizes) {
     DemoRun run(GetParam());
-    const int by = coarser(stage().info());
+    const int by = coarserIfSanitized(stage().info());
     for (const auto& [width, height] : {std::pair{1, 1}, {37, 91}, {640 / by, 200 / by}}) {
         stage().resize(width, height);
         const Picture picture = run.picture();

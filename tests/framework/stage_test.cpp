@@ -118,7 +118,7 @@ TEST(Stage, a_draw_pasted_elsewhere_needs_what_is_undone) {
     std::vector<std::string> differing;
     for (const std::string& name : demoNames()) {
         const DemoInfo& info = findDemo(name);
-        const int width = info.width / coarser(info), height = info.height / coarser(info);
+        const int by = coarserIfSanitized(info), width = info.width / by, height = info.height / by;
         stage().open(info, width, height);
         const auto drawAlone = [&] {
             FrameNotes notes;

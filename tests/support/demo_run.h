@@ -17,8 +17,10 @@ Stage& stage();
 // Whether the demo's picture is made in passes, since it takes long: what is tried in many settings is then tried smaller.
 inline bool hasPasses(const DemoInfo& info) { return info.make()->passes(FrameInfo(1, info.width, info.height)) > 0; }
 
-// By what such a picture's sides are divided under the sanitizers, which see the same code in a small one; 1 for other demos.
-inline int coarser(const DemoInfo& info) { return sanitized && hasPasses(info) ? 10 : 1; }
+// By what such a picture's sides are divided where it is tried often; 1 for other demos.
+inline int coarser(const DemoInfo& info) { return hasPasses(info) ? 10 : 1; }
+// The same where once is enough but under the sanitizers, which see the same code in a small one.
+inline int coarserIfSanitized(const DemoInfo& info) { return sanitized ? coarser(info) : 1; }
 
 // A demo on that stage, at its own size unless another is given.
 //     DemoRun run("cube-cull");

@@ -8,6 +8,7 @@ namespace mv {
 
 // The sum of at most `most` numbers, a product counting for two, as a list of numbers that overlap in no bit, the least first.
 // All must be finite, the sum must not overflow, and a product must be 0 or at least 1e-290, so that its rounding is a number, too.
+// Trap: none of that is checked.
 // Source: Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric predicates" (1997), grow-expansion.
 template <std::size_t most>
 class ExactSum {
