@@ -100,6 +100,7 @@ struct Environment final : Demo {
                       .positions = {{-1, -1, 0}, {1, -1, 0}, {-1, 1, 0}, {1, 1, 0}}},
              "pane"};
     CubeMap skyMap, roomMap;
+    OnDemand<CubeMap> noCube{skyCube(1), "no cube"};  // its sampler must have one, though rays ask none
     MadeFor<int> skyFor;
     MadeFor<int, double> roomFor;
     double drawnRound = 0;  // where the ball is in the cube
@@ -139,7 +140,7 @@ struct Environment final : Demo {
         int faces = 0;
         if (around == Around::room && looksUp()) faces = drawFaces(frame);
         if (around == Around::sky && skyFor.changed(size)) skyMap = CubeMap(skyCube(size), "sky");
-        if (looksUp()) (around == Around::sky ? skyMap : roomMap).bind(0);
+        (!looksUp() ? *noCube : around == Around::sky ? skyMap : roomMap).bind(0);
 
         // 2. The body, which looks it up
         glViewport(all.x, all.y, all.width, all.height);

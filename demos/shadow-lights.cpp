@@ -68,6 +68,7 @@ struct ShadowLights final : Demo {
         MadeFor<int, mat4, std::vector<mat4>> mapFor = {};  // its size, the light's view, and where the casters stand
     };
     std::vector<Shadow> shadows;  // one a light
+    DepthMap noMap;               // for the draws that ask none
 
     ShadowLights() {
         bindKeys(Key::left, Key::right, lights, 1);
@@ -83,6 +84,7 @@ struct ShadowLights final : Demo {
     void init() override {
         program = Program("shadow-lights");
         plain = Program("shadow-lights", "plain");
+        noMap = DepthMap::empty();
     }
 
     void draw(const Frame& frame) override {
@@ -108,6 +110,7 @@ struct ShadowLights final : Demo {
         program.set("byMap", method == Method::maps);
         program.set("map", 0);
         program.set("ambientPass", true);
+        noMap.bind(0, DepthLookup::compareNearest);
         drawObjects(mat4(1));
 
         // 3. What each light adds to it, where the map or the stencil buffer lets it through

@@ -8,6 +8,7 @@
 #include <limits>
 #include <set>
 
+#include "mv/gl/undefined.h"
 #include "mv/image/compare.h"
 #include "mv/image/png.h"
 #include "mv/run/render.h"
@@ -18,17 +19,25 @@ namespace {
 HostKind wantedHost() {
     const char* name = std::getenv("MVGL_TEST_HOST");
     if (!name) return HostKind::automatic;
-    if (std::string(name) == "osmesa") return HostKind::osmesa;
-    if (std::string(name) == "egl") return HostKind::egl;
-    throw Error("MVGL_TEST_HOST", "must be osmesa | egl", name);
+    if (const std::optional<HostKind> kind = hostNamed(name)) return *kind;
+    throw Error("MVGL_TEST_HOST", "must be osmesa | egl | egl-device", name);
+}
+
+HeadlessStage& headless() {
+    static HeadlessStage only(wantedHost());
+    static const bool watched = [] {
+        listenToDriver(true);
+        watchUndefined(true);
+        return true;
+    }();
+    (void)watched;
+    return only;
 }
 
 }  // namespace
 
-Stage& stage() {
-    static HeadlessStage headless(wantedHost());
-    return headless.stage;
-}
+Stage& stage() { return headless().stage; }
+void* driverFunction(const char* name) { return headless().context->address(name); }
 
 DemoRun::DemoRun(const std::string& name, int width, int height) {
     const DemoInfo& info = findDemo(name);

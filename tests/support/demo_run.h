@@ -11,8 +11,11 @@
 
 namespace mv::test {
 
-// The stage of this test program, on the host named by MVGL_TEST_HOST (osmesa, egl; the program's own choice without).
+// The stage of this test program, on the host named by MVGL_TEST_HOST (osmesa, egl, egl-device; the program's own choice
+// without). The driver is listened to, and each draw is watched for what OpenGL leaves undefined.
 Stage& stage();
+// A function of its driver that the table has not; null where the driver has not either.
+void* driverFunction(const char* name);
 
 // Whether the demo's picture is made in passes, since it takes long: what is tried in many settings is then tried smaller.
 inline bool hasPasses(const DemoInfo& info) { return info.make()->passes(FrameInfo(1, info.width, info.height)) > 0; }

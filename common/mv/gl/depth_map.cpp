@@ -5,7 +5,9 @@
 
 namespace mv {
 
-DepthMap::DepthMap(int size, const std::string& label) : size_(size) {
+DepthMap::DepthMap(int size, const std::string& label) : DepthMap(size, label, nullptr) {}
+
+DepthMap::DepthMap(int size, const std::string& label, const void* depths) : size_(size) {
     GLint largest = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
     if (size < 1 || size > largest) {
@@ -15,7 +17,7 @@ DepthMap::DepthMap(int size, const std::string& label) : size_(size) {
     const StateScope scope;
     texture_ = makeTexture();
     glBindTexture(GL_TEXTURE_2D, texture_.id());
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, size, size, 0, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, nullptr);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, size, size, 0, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, depths);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);

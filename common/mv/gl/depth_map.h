@@ -19,6 +19,9 @@ class DepthMap {
     // size x size texels of 24 bits, edges clamped: whether a point is on the map at all is for the shader to ask (OpenGL
     // ES has no border). Error: a size the driver cannot make.
     explicit DepthMap(int size, const std::string& label = "depth map");
+    // One texel at the greatest depth, for a shader whose shadow sampler asks nothing in this draw: OpenGL leaves undefined what a
+    // draw does whose shadow sampler has no depth texture, asked or not.
+    static DepthMap empty(const std::string& label = "empty depth map") { return DepthMap(1, label, &farthest); }
     int size() const { return size_; }
     // Draws go here from now on, the viewport covering all of it; frame.bindTarget() ends that.
     void bindForDrawing() const;
@@ -26,6 +29,9 @@ class DepthMap {
     void bind(int unit, DepthLookup lookup) const;
 
   private:
+    static constexpr unsigned farthest = ~0U;
+    DepthMap(int size, const std::string& label, const void* depths);
+
     int size_ = 0;
     TextureObject texture_;
     Framebuffer framebuffer_;

@@ -1,5 +1,6 @@
 #include "mv/gl/functions.h"
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <utility>
@@ -7,6 +8,7 @@
 #include "mv/error.h"
 #include "mv/gl/layer.h"
 #include "mv/gl/state.h"
+#include "mv/gl/version.h"
 
 #define X(name, TYPE, version) PFNGL##TYPE##PROC gl##name = nullptr;
 #include "mv/gl/function_list.inc"
@@ -25,8 +27,14 @@ long live = 0;
 int allowed = 33;
 std::set<Newer> newerAllowed;  // beside that version
 bool es = false;
-std::vector<std::string> debugMessages;
+int version = 33;
+std::vector<std::string> faults;
+std::vector<DriverRemark> remarks;
+bool listening = false;
+PFNGLDEBUGMESSAGECALLBACKPROC driverDebugMessageCallback = nullptr;
+PFNGLDEBUGMESSAGECONTROLPROC driverDebugMessageControl = nullptr;
 std::function<void()> extraLayer;
+void (*checks)() = nullptr;
 std::map<std::pair<GLenum, GLuint>, std::string> labels;
 
 // ---- Functions that stand for a call newer than the demo declares: one refusal each, with the call's own signature.
@@ -193,15 +201,36 @@ void fillTable() {
     for (const Newer what : newerAllowed) fillIn(what);
     layCountersOver();
     keepState();
+    if (checks) checks();
     if (extraLayer) extraLayer();
     if (!driver.GetString || !driver.DrawArrays) throw Error("OpenGL", "has no functions; is a driver installed?");
 }
 
 // ---- KHR_debug, outside the table: it belongs to the framework, and it is newer than the floor.
 
-void onDebugMessage(GLenum, GLenum, GLuint, GLenum severity, GLsizei, const GLchar* message, const void*) {
-    if (severity != GL_DEBUG_SEVERITY_HIGH && severity != GL_DEBUG_SEVERITY_MEDIUM) return;
-    debugMessages.emplace_back(message);
+// The word for a type of message that is no fault.
+const char* remarkWord(GLenum type) {
+    switch (type) {
+        case GL_DEBUG_TYPE_PERFORMANCE:
+            return "performance";
+        case GL_DEBUG_TYPE_PORTABILITY:
+            return "portability";
+        case GL_DEBUG_TYPE_DEPRECATED_BEHAVIOR:
+            return "deprecated";
+        default:
+            return "other";
+    }
+}
+
+// A driver's severity says how much it matters, its type whether it is a fault: NVIDIA explains a recompiled shader at medium.
+void onDebugMessage(GLenum, GLenum type, GLuint, GLenum severity, GLsizei, const GLchar* message, const void*) {
+    if (type == GL_DEBUG_TYPE_ERROR || type == GL_DEBUG_TYPE_UNDEFINED_BEHAVIOR) return reportFault(message);
+    const bool isMark =
+        type == GL_DEBUG_TYPE_MARKER || type == GL_DEBUG_TYPE_PUSH_GROUP || type == GL_DEBUG_TYPE_POP_GROUP;
+    if (isMark || severity == GL_DEBUG_SEVERITY_NOTIFICATION) return;
+    const std::string text = std::string(remarkWord(type)) + ": " + message;
+    const auto known = std::find_if(remarks.begin(), remarks.end(), [&](const auto& one) { return one.text == text; });
+    known == remarks.end() ? remarks.push_back({text, 1}) : void(++known->times);
 }
 
 template <class Function>
@@ -220,12 +249,18 @@ void loadFunctions(const std::function<void*(const char*)>& address) {
     labels.clear();
     vertexArray = 0;
     forgetState();
-    debugMessages.clear();
+    faults.clear();
+    remarks.clear();
+    listening = false;
     allowVersion(33);
 
-    const auto version = reinterpret_cast<const char*>(glGetString(GL_VERSION));
-    if (!version) throw Error("OpenGL", "has no current context");
-    es = std::string(version).rfind("OpenGL ES", 0) == 0;
+    const auto driverVersion = reinterpret_cast<const char*>(glGetString(GL_VERSION));
+    if (!driverVersion) throw Error("OpenGL", "has no current context");
+    es = std::string(driverVersion).rfind("OpenGL ES", 0) == 0;
+    GLint major = 0, minor = 0;
+    glGetIntegerv(GL_MAJOR_VERSION, &major);
+    glGetIntegerv(GL_MINOR_VERSION, &minor);
+    version = es ? 10 * major + minor : std::min(10 * major + minor, newestVersion());
     if (es) {
         esClearDepth = lookUp<PFNGLCLEARDEPTHFPROC>(address, "glClearDepthf");
         esDepthRange = lookUp<PFNGLDEPTHRANGEFPROC>(address, "glDepthRangef");
@@ -236,17 +271,34 @@ void loadFunctions(const std::function<void*(const char*)>& address) {
     }
 
     driverObjectLabel = nullptr;
+    driverDebugMessageCallback = nullptr;
     if (!hasExtension("GL_KHR_debug")) return;
-    // In ES the entry points carry the suffix KHR.
-    auto callback = lookUp<PFNGLDEBUGMESSAGECALLBACKPROC>(address, "glDebugMessageCallback");
-    if (!callback) callback = lookUp<PFNGLDEBUGMESSAGECALLBACKPROC>(address, "glDebugMessageCallbackKHR");
-    driverObjectLabel = lookUp<PFNGLOBJECTLABELPROC>(address, "glObjectLabel");
-    if (!driverObjectLabel) driverObjectLabel = lookUp<PFNGLOBJECTLABELPROC>(address, "glObjectLabelKHR");
-    if (!callback) return;
-    callback(onDebugMessage, nullptr);
-    driver.Enable(GL_DEBUG_OUTPUT);
-    driver.Enable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
+    const auto find = [&]<class Function>(Function& function, const std::string& name) {
+        function = lookUp<Function>(address, name.c_str());
+        if (!function) function = lookUp<Function>(address, (name + "KHR").c_str());  // so it is called in ES
+    };
+    find(driverDebugMessageCallback, "glDebugMessageCallback");
+    find(driverDebugMessageControl, "glDebugMessageControl");
+    find(driverObjectLabel, "glObjectLabel");
+    // A debug context speaks unasked.
+    driver.Disable(GL_DEBUG_OUTPUT);
 }
+
+int contextVersion() { return version; }
+
+void listenToDriver(bool on) {
+    if (on == listening) return;
+    listening = on;
+    if (!driverDebugMessageCallback) return;
+    driverDebugMessageCallback(on ? onDebugMessage : nullptr, nullptr);
+    // Those of low severity are initially off, and a fault may be one.
+    if (driverDebugMessageControl)
+        driverDebugMessageControl(GL_DONT_CARE, GL_DONT_CARE, GL_DONT_CARE, 0, nullptr, GL_TRUE);
+    const auto turn = on ? driver.Enable : driver.Disable;
+    turn(GL_DEBUG_OUTPUT);
+    turn(GL_DEBUG_OUTPUT_SYNCHRONOUS);
+}
+bool listeningToDriver() { return listening; }
 
 void allowVersion(int newest) {
     restoreInitialState();  // while what was set may still be called
@@ -256,19 +308,18 @@ void allowVersion(int newest) {
 }
 int allowedVersion() { return allowed; }
 
+int versionOf(Newer what) { return what == Newer::clipControl ? 45 : what == Newer::tessellation ? 40 : 43; }
+
 bool contextHas(Newer what) {
     if (es) return what == Newer::clipControl && driver.ClipControl && hasExtension("GL_EXT_clip_control");
-    GLint major = 0, minor = 0;
-    glGetIntegerv(GL_MAJOR_VERSION, &major);
-    glGetIntegerv(GL_MINOR_VERSION, &minor);
-    const int version = 10 * major + minor;
     switch (what) {
         case Newer::clipControl:
-            return driver.ClipControl && (version >= 45 || hasExtension("GL_ARB_clip_control"));
+            return driver.ClipControl && (version >= versionOf(what) || hasExtension("GL_ARB_clip_control"));
         case Newer::tessellation:
-            return driver.PatchParameteri && version >= 40;
+            return driver.PatchParameteri && version >= versionOf(what);
         case Newer::compute:
-            return driver.DispatchCompute && driver.BindImageTexture && driver.MemoryBarrier && version >= 43;
+            return driver.DispatchCompute && driver.BindImageTexture && driver.MemoryBarrier &&
+                   version >= versionOf(what);
     }
     return false;
 }
@@ -280,14 +331,15 @@ bool allow(Newer what) {
     return true;
 }
 
-bool isAllowed(Newer what) {
-    const int since = what == Newer::clipControl ? 45 : what == Newer::tessellation ? 40 : 43;
-    return newerAllowed.contains(what) || (!es && allowed >= since);
-}
+bool isAllowed(Newer what) { return newerAllowed.contains(what) || (!es && allowed >= versionOf(what)); }
 
 void setLayer(std::function<void()> layOver) {
     extraLayer = std::move(layOver);
     fillTable();
+}
+void setChecks(void (*layOver)()) {
+    checks = layOver;
+    if (driver.GetString) fillTable();
 }
 bool isEs() { return es; }
 
@@ -320,8 +372,15 @@ void labelObject(GLenum kind, GLuint id, const std::string& label) {
     if (driverObjectLabel) driverObjectLabel(kind, id, static_cast<GLsizei>(label.size()), label.c_str());
 }
 
+void reportFault(const std::string& sentence) {
+    if (std::find(faults.begin(), faults.end(), sentence) == faults.end()) faults.push_back(sentence);
+}
+
+const std::vector<DriverRemark>& driverRemarks() { return remarks; }
+void forgetRemarks() { remarks.clear(); }
+
 std::vector<std::string> takeErrors() {
-    std::vector<std::string> errors = std::exchange(debugMessages, {});
+    std::vector<std::string> errors = std::exchange(faults, {});
     for (GLenum code = glGetError(); code != GL_NO_ERROR; code = glGetError()) {
         switch (code) {
             case GL_INVALID_ENUM:

@@ -16,9 +16,11 @@
 
 namespace mv {
 
-// Fills the table for the current context and switches KHR_debug on where the context has it.
-// Error: a function of OpenGL 3.3 is missing.
+// Fills the table for the current context. Error: a function of OpenGL 3.3 is missing.
 void loadFunctions(const std::function<void*(const char*)>& address);
+
+// The version of the current context, 10 * major + minor, and at most newestVersion() (mv/gl/version.h).
+int contextVersion();
 
 // Only functions of this core version (10 * major + minor) and older may be called; a newer one throws Error with its
 // name. Set to what the demo declares, so that a demo that says 3.3 runs on 3.3.
@@ -28,6 +30,7 @@ int allowedVersion();
 // What is newer than 3.3, and may be there all the same: glClipControl (OpenGL 4.5, or GL_ARB_clip_control), the stages of
 // tessellation (4.0) and of compute shaders (4.3). OpenGL ES 3.0 has none of them.
 enum class Newer { clipControl, tessellation, compute };
+int versionOf(Newer what);  // that brought it, 10 * major + minor
 bool contextHas(Newer what);
 // Lets its functions be called, too, where the context has it, until the next allowVersion. False: it has not, and the
 // calls stay refused.
@@ -35,6 +38,8 @@ bool allow(Newer what);
 bool isAllowed(Newer what);
 // Lays something more over the table (the audit does), now and whenever the table is filled anew; empty: no more.
 void setLayer(std::function<void()> layOver);
+// Lays checks under that, over what counts and keeps the state; null: none.
+void setChecks(void (*layOver)());
 // Whether the current context is OpenGL ES.
 bool isEs();
 // Whether the current context has the extension ("GL_EXT_color_buffer_float").
@@ -63,7 +68,28 @@ std::string labelOf(GLenum kind, GLuint id);
 // Names that are kept: never more than there are objects.
 std::size_t labelledObjects();
 
-// KHR_debug messages of severity medium and high since the last call, and glGetError's codes by name.
+// ---- What the driver says, and what is wrong
+
+// Whether the driver is asked to speak, by KHR_debug where the context has it; initially not. It costs time in each call, and so is
+// asked for where somebody reads what it says: tests, --audit, --report, --until.
+void listenToDriver(bool on);
+bool listeningToDriver();
+
+// What it said, "performance: ...", each sentence once and with its number of times, oldest first. Only what is no fault: a hint at
+// time, at other drivers, at what is to be removed. Drivers explain themselves so, at any severity but notification's.
+struct DriverRemark {
+    std::string text;
+    int times = 1;
+    bool operator==(const DriverRemark&) const = default;
+};
+// Those since forgetRemarks().
+const std::vector<DriverRemark>& driverRemarks();
+void forgetRemarks();
+
+// What is wrong, since the last call: messages of KHR_debug whose type is error or undefined behavior, whatever their severity,
+// glGetError's codes by name, and what was reported.
 std::vector<std::string> takeErrors();
+// For who finds a fault by other means; told once until it is taken.
+void reportFault(const std::string& sentence);
 
 }  // namespace mv

@@ -1,7 +1,9 @@
 // A current OpenGL context, whoever made it.
 #pragma once
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace mv {
@@ -15,6 +17,8 @@ class Context {
 
 // eglDevice leaves the surfaceless platform out: the software device of EGL, else a GPU.
 enum class HostKind { automatic, osmesa, egl, eglDevice };
+// By its name: osmesa, egl or egl-device; nothing for another one.
+std::optional<HostKind> hostNamed(std::string_view name);
 
 struct ContextRequest {
     int version = 33;  // least core version, 10 * major + minor; ES 3.0 where `es` is set

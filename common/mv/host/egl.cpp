@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "mv/gl/version.h"
 #include "mv/host/context.h"
 #include "mv/host/library.h"
 
@@ -123,17 +124,22 @@ class EglContext final : public Context {
         if (!egl_.ChooseConfig(display_, configAttributes.data(), &config, 1, &count) || count < 1) {
             throw Error(name_, "must have a configuration to draw with", errorText(egl_));
         }
-        std::vector<EGLint> attributes{EGL_CONTEXT_MAJOR_VERSION, request.es ? 3 : request.version / 10,
-                                       EGL_CONTEXT_MINOR_VERSION, request.es ? 0 : request.version % 10};
-        if (!request.es) {
-            attributes.insert(attributes.end(), {EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT});
+        for (const int version : request.es ? std::vector{30} : versionsToAskFor(request.version)) {
+            std::vector<EGLint> attributes{EGL_CONTEXT_MAJOR_VERSION, version / 10, EGL_CONTEXT_MINOR_VERSION,
+                                           version % 10};
+            if (!request.es) {
+                attributes.insert(attributes.end(),
+                                  {EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT});
+            }
+            attributes.push_back(EGL_NONE);
+            context_ = egl_.CreateContext(display_, config, EGL_NO_CONTEXT, attributes.data());
+            if (context_ != EGL_NO_CONTEXT) break;
         }
-        attributes.push_back(EGL_NONE);
-        context_ = egl_.CreateContext(display_, config, EGL_NO_CONTEXT, attributes.data());
-        const std::string wanted = request.es ? "OpenGL ES 3.0"
-                                              : "OpenGL " + std::to_string(request.version / 10) + "." +
-                                                    std::to_string(request.version % 10) + " core";
-        if (context_ == EGL_NO_CONTEXT) throw Error(name_, "must make a context of " + wanted, errorText(egl_));
+        if (context_ == EGL_NO_CONTEXT) {
+            const std::string wanted =
+                request.es ? "OpenGL ES 3.0" : "OpenGL " + versionText(request.version) + " core, or newer";
+            throw Error(name_, "must make a context of " + wanted, errorText(egl_));
+        }
         if (!egl_.MakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) {
             throw Error(name_, "must make a context current without a surface", errorText(egl_));
         }

@@ -4,6 +4,13 @@
 
 namespace mv {
 
+std::optional<HostKind> hostNamed(std::string_view name) {
+    if (name == "osmesa") return HostKind::osmesa;
+    if (name == "egl") return HostKind::egl;
+    if (name == "egl-device") return HostKind::eglDevice;
+    return {};
+}
+
 std::unique_ptr<Context> openHeadless(HostKind kind, ContextRequest request, std::vector<std::string>& notes) {
     const auto osmesa = [&] { return openTried("OSMesa", [&] { return openOsmesa(request); }); };
     const auto egl = [&](bool surfaceless) {

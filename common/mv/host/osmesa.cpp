@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string>
 
+#include "mv/gl/version.h"
 #include "mv/host/context.h"
 #include "mv/host/library.h"
 
@@ -28,23 +29,24 @@ class Osmesa final : public Context {
         destroy_ = library_.get<void (*)(OsmesaContext)>("OSMesaDestroyContext");
         address_ = library_.get<void* (*)(const char*)>("OSMesaGetProcAddress");
         // Its own framebuffer is never drawn to: no depth, no stencil, a few pixels.
-        const std::array attributes{osmesaFormat,
-                                    static_cast<int>(GL_RGBA),
-                                    osmesaDepthBits,
-                                    0,
-                                    osmesaStencilBits,
-                                    0,
-                                    osmesaProfile,
-                                    osmesaCoreProfile,
-                                    osmesaMajor,
-                                    request.version / 10,
-                                    osmesaMinor,
-                                    request.version % 10,
-                                    0};
-        context_ = create(attributes.data(), nullptr);
+        for (const int version : versionsToAskFor(request.version)) {
+            const std::array attributes{
+                // clang-format off
+                osmesaFormat, static_cast<int>(GL_RGBA),
+                osmesaDepthBits, 0,
+                osmesaStencilBits, 0,
+                osmesaProfile, osmesaCoreProfile,
+                osmesaMajor, version / 10,
+                osmesaMinor, version % 10,
+                0,
+                // clang-format on
+            };
+            context_ = create(attributes.data(), nullptr);
+            if (context_) break;
+        }
         if (!context_) {
-            throw Error("OSMesa", "must make a core context of OpenGL " + std::to_string(request.version / 10) + "." +
-                                      std::to_string(request.version % 10) + "; this Mesa cannot");
+            throw Error("OSMesa", "must make a core context of OpenGL " + versionText(request.version) +
+                                      ", or newer; this Mesa cannot");
         }
         if (!makeCurrent(context_, pixels_.data(), GL_UNSIGNED_BYTE, side, side)) {
             destroy_(context_);

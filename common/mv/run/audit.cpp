@@ -6,7 +6,9 @@
 #include <set>
 
 #include "mv/gl/beyond_es.h"
+#include "mv/gl/undefined.h"
 #include "mv/run/render.h"
+#include "mv/run/report.h"
 
 namespace mv {
 namespace {
@@ -96,6 +98,7 @@ AuditReport auditDemo(Stage& stage, const DemoInfo& info, const std::vector<Knob
         stopAudit();
         throw;
     }
+    report.remarks = driverRemarks();
     stage.close();
     sortFindings(report, info, std::move(findings));
     return report;
@@ -117,6 +120,7 @@ std::string auditText(const AuditReport& report) {
     for (const std::string& excuse : report.staleExcuses) {
         text += "needless  declared waste that is not there: " + excuse + "\n";
     }
+    if (!report.remarks.empty()) text += "what the driver says:\n" + remarksText(report.remarks, "  ");
     if (report.clean())
         text += "nothing needless" + std::string(report.excused.empty() ? "" : " that is not declared") + "\n";
     return text;
@@ -124,6 +128,8 @@ std::string auditText(const AuditReport& report) {
 
 void audit(const Command& command) {
     HeadlessStage headless(command.host);
+    listenToDriver(true);
+    watchUndefined(true);
     int dirty = 0;
     for (const DemoInfo& info : catalogue()) {
         if (!command.all && &info != command.demo) continue;

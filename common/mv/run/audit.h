@@ -21,6 +21,8 @@ struct AuditReport {
     std::vector<std::string> staleExcuses;
     // What ES 3.0 lacks, used in these frames and not declared in needs.beyondEs.
     std::vector<std::string> undeclaredBeyondEs;
+    // What the driver says, and what is no fault.
+    std::vector<DriverRemark> remarks;
     bool clean() const { return findings.empty() && staleExcuses.empty() && undeclaredBeyondEs.empty(); }
 };
 

@@ -55,9 +55,7 @@ void readSize(const std::string& text, Command& command) {
 
 HostKind readHost(const std::string& text) {
     if (text == "automatic") return HostKind::automatic;
-    if (text == "osmesa") return HostKind::osmesa;
-    if (text == "egl") return HostKind::egl;
-    if (text == "egl-device") return HostKind::eglDevice;
+    if (const std::optional<HostKind> kind = hostNamed(text)) return *kind;
     throw UsageError("--headless", "must be osmesa | egl | egl-device, or alone", "'" + text + "'");
 }
 

@@ -22,6 +22,7 @@ std::unique_ptr<Context> openNoted(HostKind host) {
 }
 
 void printReport(const Command& command, Stage& stage, int index, double firstMs) {
+    listenToDriver(false);  // which would be in the times
     const FrameTimes times = timeFrames(stage, index, 9, firstMs);
     if (command.until) stage.stopAfter(index, *command.until);
     const std::string text = command.report == ReportForm::json
@@ -57,6 +58,7 @@ void render(const Command& command) {
     const int width = command.width ? command.width : info.width;
     const int height = command.height ? command.height : info.height;
     if (!command.compareKnob.empty()) requireRoomToCompare(width, height);
+    listenToDriver(command.report != ReportForm::none || command.until.has_value());
     stage.open(info, width, height);
     stage.begin(command.knobs, command.changes);
     stage.timeline().progress = [](int reached, int wanted) {

@@ -72,6 +72,13 @@ std::string stepsText(const FrameSteps& steps) {
     return text;
 }
 
+std::string remarksText(const std::vector<DriverRemark>& remarks, const std::string& before) {
+    std::string text;
+    for (const auto& [words, times] : remarks)
+        text += before + words + (times > 1 ? ", " + std::to_string(times) + " times" : "") + "\n";
+    return text;
+}
+
 std::string reportText(Stage& stage, int index, const FrameTimes& times) {
     const Target& target = stage.front();
     std::string text = stage.info().name + ", frame " + std::to_string(index) + ", " + std::to_string(target.width()) +
@@ -100,6 +107,7 @@ std::string reportText(Stage& stage, int index, const FrameTimes& times) {
             std::to_string(times.runs) + " runs\n";
     for (const auto& [name, matrix] : stage.notes().matrices) text += "matrix    " + name + "\n" + matrixText(matrix);
     for (const std::string& message : stage.notes().messages) text += "note      " + message + "\n";
+    text += remarksText(driverRemarks(), "driver    ");
     return text;
 }
 
@@ -149,6 +157,10 @@ std::string reportJson(Stage& stage, int index, const FrameTimes& times) {
         json.end();
     }
     json.end().addAll("messages", stage.notes().messages);
+    json.array("driver");
+    for (const DriverRemark& remark : driverRemarks())
+        json.object().add("says", remark.text).add("times", remark.times).end();
+    json.end();
     if (stage.steps()) {
         const FrameSteps& steps = *stage.steps();
         const auto into = [&](bool isPicture, const std::string& target, int width, int height) {

@@ -1,6 +1,7 @@
 // What is known of a drawn frame, as text or as JSON.
 #pragma once
 #include <string>
+#include <vector>
 
 #include "mv/run/stage.h"
 
@@ -18,6 +19,9 @@ FrameTimes timeFrames(Stage& stage, int index, int runs, double firstMs);
 
 // The draws of a frame that was stopped, what each is made of, and its buffers, a line each.
 std::string stepsText(const FrameSteps& steps);
+
+// What the driver says, a line each with `before` before it.
+std::string remarksText(const std::vector<DriverRemark>& remarks, const std::string& before);
 
 std::string reportText(Stage& stage, int index, const FrameTimes& times);
 std::string reportJson(Stage& stage, int index, const FrameTimes& times);

@@ -100,6 +100,7 @@ void Session::finish(int width, int height, bool readouts, OtherPicture* instead
 OtherPicture::Cost Session::drawDemo(bool readouts) {
     const auto start = std::chrono::steady_clock::now();
     if (until_) {
+        listenToDriver(true);  // this is where the driver's words are read
         stage_.draw(playback_.frame(), readouts);
     } else {
         stale_ = !stage_.drawNext(playback_.frame(), readouts);

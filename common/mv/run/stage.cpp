@@ -11,6 +11,7 @@
 #include "mv/gl/program.h"
 #include "mv/gl/state.h"
 #include "mv/gl/text.h"
+#include "mv/gl/version.h"
 #include "mv/run/command_line.h"
 
 namespace mv {
@@ -21,8 +22,6 @@ std::string glText(GLenum name) {
     return text ? text : "unknown";
 }
 
-std::string versionText(int version) { return std::to_string(version / 10) + "." + std::to_string(version % 10); }
-
 // All that the target has: the colour, 1 in the depth buffer, 0 in the stencil buffer.
 void clearTarget(const vec4& color, const Needs& needs) {
     const fvec4 rounded(color);
@@ -32,10 +31,19 @@ void clearTarget(const vec4& color, const Needs& needs) {
     glClearColor(0, 0, 0, 0);
 }
 
+// Of a feature that came with a version of OpenGL: that one, the newest that was asked for, and the one that was given.
+std::string versionsOf(const std::string& feature) {
+    const std::optional<Newer> newer = newerThan33(feature);
+    if (!newer || isEs()) return "";
+    return " (OpenGL " + versionText(versionOf(*newer)) + "; asked for up to " + versionText(newestVersion()) +
+           ", given " + versionText(contextVersion()) + ")";
+}
+
 // What is said of a feature that these settings need and the context lacks.
 std::string sentenceWithout(const std::string& feature, const DemoInfo& info) {
     for (const BeyondEs& lacking : info.needs.beyondEs) {
-        if (lacking.feature == feature) return "This driver has no " + feature + ": " + lacking.otherwise + ".";
+        if (lacking.feature != feature) continue;
+        return "This driver has no " + feature + versionsOf(feature) + ": " + lacking.otherwise + ".";
     }
     throw Error("has", "must be asked for what is declared in .needs = {.beyondEs = ...}", feature);
 }
@@ -76,10 +84,7 @@ class StageProbing final : public Probing {
 
 Stage::Stage(const Context& context, bool keepLast) : keepLast_(keepLast) {
     loadFunctions([&](const char* name) { return context.address(name); });
-    GLint major = 0, minor = 0;
-    glGetIntegerv(GL_MAJOR_VERSION, &major);
-    glGetIntegerv(GL_MINOR_VERSION, &minor);
-    driver_ = {context.name(), glText(GL_VENDOR), glText(GL_RENDERER), glText(GL_VERSION), 10 * major + minor};
+    driver_ = {context.name(), glText(GL_VENDOR), glText(GL_RENDERER), glText(GL_VERSION), contextVersion()};
 }
 
 Stage::~Stage() {
@@ -110,6 +115,7 @@ void Stage::open(const DemoInfo& info, int width, int height) {
         if (newer && !isWithheld(lacking.feature)) allow(*newer);
     }
     takeErrors();
+    forgetRemarks();
     makeTargets(width, height);
     auto demo = info.make();
     demo->init();
@@ -207,7 +213,10 @@ Stage::Drawn Stage::paint(Demo& demo, const Target& target, int index, FrameMode
     if (auditing()) drawn.undone = changedState();
     restoreInitialState();
     const std::vector<std::string> errors = takeErrors();
-    if (!errors.empty()) throw Error("OpenGL in " + info_->name, "must report no error", errors.front());
+    if (!errors.empty()) {
+        const std::string more = listeningToDriver() ? "" : " (--audit prints what the driver says of it)";
+        throw Error("OpenGL in " + info_->name, "must report no error" + more, errors.front());
+    }
     return drawn;
 }
 

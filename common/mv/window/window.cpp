@@ -10,6 +10,7 @@
 
 #include "mv/error.h"
 #include "mv/gl/functions.h"
+#include "mv/gl/version.h"
 
 namespace mv {
 namespace {
@@ -22,10 +23,8 @@ void onProblem(int, const char* text) {
     if (!trying) std::cerr << "window: " << text << "\n";
 }
 
-// The least version comes last: it is the floor.
-constexpr std::pair<int, int> versions[] = {{4, 6}, {4, 5}, {4, 4}, {4, 3}, {4, 2}, {4, 1}, {4, 0}, {3, 3}};
-
-GLFWwindow* makeWindow(int major, int minor) {
+// With a core context of that version, or 0: whatever the driver has.
+GLFWwindow* makeWindow(int version) {
     glfwDefaultWindowHints();
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
     // The demo has its own buffers; the window only shows them.
@@ -33,9 +32,9 @@ GLFWwindow* makeWindow(int major, int minor) {
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
     glfwWindowHintString(GLFW_X11_CLASS_NAME, "mvgl");
     glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "mvgl");
-    if (major != 0) {
-        glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, major);
-        glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, minor);
+    if (version != 0) {
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, version / 10);
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, version % 10);
         glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
         glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
     }
@@ -44,7 +43,7 @@ GLFWwindow* makeWindow(int major, int minor) {
 
 // What OpenGL there is where 3.3 is not, in the driver's words.
 std::string versionFound() {
-    GLFWwindow* any = makeWindow(0, 0);
+    GLFWwindow* any = makeWindow(0);
     if (!any) return "none (" + lastProblem + ")";
     glfwMakeContextCurrent(any);
     const auto getString = reinterpret_cast<PFNGLGETSTRINGPROC>(glfwGetProcAddress("glGetString"));
@@ -138,8 +137,8 @@ Window::Window() {
 }
 
 void Window::open() {
-    for (const auto& [major, minor] : versions) {
-        handle_ = makeWindow(major, minor);
+    for (const int version : versionsToAskFor(33)) {
+        handle_ = makeWindow(version);
         if (handle_) break;
     }
     if (!handle_) throw Error("window", "needs OpenGL 3.3 core; this driver has", versionFound());
