@@ -3,7 +3,8 @@
 // Claims (each is a test in tests/claims/shadow-map.cpp):
 // - [cast-by-rays] With a fine map the shadows are those that rays find, to a pixel at their edges.
 // - [error-is-one-over-resolution] Without a filter the misjudged part of the picture falls as 1/resolution.
-// - [acne-without-bias] With no bias what is in the map shades itself, in stripes; slope-bias 1 ends that on what is flat.
+// - [acne-without-bias] With no bias what is in the map shades itself, in stripes; slope-bias 1 ends that on what is flat
+//   and slopes; what faces the light needs the least constant bias, too.
 // - [light-leaks-with-bias] With back faces in the map a bias lets light in at the foot of what casts.
 // - [floor-left-out-needs-no-bias] Where the floor is not in the map, nothing can shade it falsely: no bias is needed.
 // - [back-faces-need-no-bias] With back faces in the map nothing that faces the light shades itself.

@@ -24,7 +24,7 @@ bool updating() { return std::getenv("MVGL_UPDATE_GOLDENS") != nullptr; }
 void expectMatch(const GoldenCase& golden) {
     const Picture drawn = drawCase(golden);
     EXPECT_GT(countColors(drawn), 1) << golden.name << ": nothing was drawn";
-    const auto reason = mismatch(golden.name, drawn);
+    const auto reason = mismatch(golden, drawn);
     if (reason && updating()) {
         writePng(goldenFile(golden.name), drawn);
         writeFileAtomically(MVGL_SOURCE_DIR "/tests/goldens/recorded.txt", std::string_view(presentDriver() + "\n"));

@@ -39,7 +39,7 @@ function pictures() {
   const of = {};
   for (const line of text('tests/goldens/cases.txt').split('\n')) {
     if (!line || line.startsWith('#')) continue;
-    const [picture, demo, ...flags] = line.split(/\s+/);
+    const [picture, demo, ...flags] = line.split('|')[0].trim().split(/\s+/);
     (of[demo] ??= []).push({ file: `tests/goldens/${picture}.png`, command: ['./run', demo, ...flags].join(' ') });
   }
   return of;

@@ -130,9 +130,10 @@ TEST(BumpMap, no_depth_no_bumps) {
         DemoRun run("bump-map", width, height);
         run.set("body", body).set("depth", 0);
         const auto smooth = drawn(run, "smooth");
-        // A normal map of (0.5, 0.5, 1) says the vertex's normal, to what floats round.
+        // A normal map of (0.5, 0.5, 1) says the vertex's normal, to what floats round: between the map and the brightness lie
+        // some thirty operations, each of which may be off by 2^-24 of values about 1, and more where a GPU divides or takes a root.
         for (const char* method : {"height", "normal", "parallax", "occlusion"})
-            EXPECT_LT(rmsBetween(drawn(run, method), smooth), 1e-6) << body << " " << method;
+            EXPECT_LT(rmsBetween(drawn(run, method), smooth), 32 * std::exp2(-24)) << body << " " << method;
         // Another mesh, whose normals are interpolated over other triangles: an eighth of the square of 2 pi/256.
         EXPECT_LT(rmsBetween(drawn(run, "displaced"), smooth), 1e-4) << body;
     }

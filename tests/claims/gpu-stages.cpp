@@ -163,10 +163,12 @@ TEST(GpuStages, ten_primitive_types) {
     }
     // The core refuses the last three, and takes the others.
     takeErrors();
-    Program::fromText("any", "in vec3 position;\nvoid main() { gl_Position = vec4(position, 1.0); }\n",
-                      "out vec4 fragColor;\nvoid main() { fragColor = vec4(1.0); }\n")
-        .use();
+    const Program any =
+        Program::fromText("any", "in vec3 position;\nvoid main() { gl_Position = vec4(position, 1.0); }\n",
+                          "out vec4 fragColor;\nvoid main() { fragColor = vec4(1.0); }\n");
+    any.use();
     const Mesh square(mv::square());
+    const Target target(8, 8, {}, "any");
     int refused = 0;
     for (const PrimitiveType& type : primitiveTypes) {
         square.drawAs(type.mode);
@@ -211,7 +213,7 @@ TEST(GpuStages, compute_is_the_same_picture) {
 TEST(GpuStages, says_what_is_lacking) {
     const auto says = [](DemoRun& run, const std::string& words) {
         for (const std::string& message : run.messages()) {
-            if (message == words) return true;
+            if (message.starts_with(words)) return true;
         }
         return false;
     };
@@ -220,7 +222,7 @@ TEST(GpuStages, says_what_is_lacking) {
     {
         DemoRun run("gpu-stages");
         EXPECT_EQ(countsOf(run).out, 18);
-        EXPECT_TRUE(says(run, "This driver has no tessellation: the net of the control points is drawn."));
+        EXPECT_TRUE(says(run, "This driver has no tessellation (OpenGL 4.0; asked for up to 4.6, given "));
         (void)run.set("tessellation", "off").picture();
         EXPECT_TRUE(run.messages().empty()) << "what is not asked for is not missed";
     }
@@ -238,7 +240,7 @@ TEST(GpuStages, says_what_is_lacking) {
         DemoRun run("gpu-stages");
         (void)run.preset("compute").picture();
         EXPECT_FALSE(run.measured("differing"));
-        EXPECT_TRUE(says(run, "This driver has no compute shaders: only the fragment shader draws."));
+        EXPECT_TRUE(says(run, "This driver has no compute shaders (OpenGL 4.3; asked for up to 4.6, given "));
     }
     stage().close();
     withhold({});

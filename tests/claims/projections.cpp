@@ -28,8 +28,6 @@ vec3 unit(int axis) {
     return direction;
 }
 
-bool same(const Pixel& a, const Pixel& b) { return a.red == b.red && a.green == b.green && a.blue == b.blue; }
-
 // A pane of the picture, without the words in its upper left and lower left corners.
 Picture paneOf(const Picture& picture, Corner corner) {
     Picture pane(width, height);
@@ -73,7 +71,7 @@ Extent extentOfDrawing(const Picture& pane) {
     Extent extent;
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
-            if (!same(pane.at(x, y), {26, 26, 26})) continue;
+            if (!sameColor(pane.at(x, y), {26, 26, 26})) continue;
             extent = {std::min(extent.left, x), std::max(extent.right, x), std::min(extent.top, y),
                       std::max(extent.bottom, y)};
         }
@@ -149,7 +147,7 @@ TEST(Projections, shortening_as_theory) {
             double first = 1e9, last = -1e9;
             for (int y = 0; y < height; ++y) {
                 for (int x = 0; x < width; ++x) {
-                    if (!same(pane.at(x, y), axisColors[axis])) continue;
+                    if (!sameColor(pane.at(x, y), axisColors[axis])) continue;
                     ASSERT_GT(c.expected[axis], 0) << "seen end on, there is nothing to draw";
                     const vec2 pixel = vec2(x + 0.5, height - y - 0.5) - from;
                     const double aside = along.x * pixel.y - along.y * pixel.x, at = glm::dot(along, pixel);
@@ -264,7 +262,7 @@ TEST(Projections, lines_meet) {
             int count = 0;
             for (int y = 0; y < height; ++y) {
                 for (int x = 0; x < width; ++x) {
-                    if (!same(pane.at(x, y), axisColors[axis])) continue;
+                    if (!sameColor(pane.at(x, y), axisColors[axis])) continue;
                     const vec2 pixel(x + 0.5, height - y - 0.5);
                     if (glm::length(pixel - meeting - vec2(12, 14)) < 20) continue;  // the letter beside the point
                     if (glm::length(pixel - meeting) < 5) continue;                  // and the dot on it
@@ -310,7 +308,7 @@ TEST(Projections, eye_on_the_horizon) {
                     const int x = std::clamp(int(pixel.x), 0, width - 1), y = height - 1 - int(std::floor(pixel.y));
                     ASSERT_TRUE(y > 0 && y < height - 1);
                     bool found = false;
-                    for (int up = -1; up <= 1; ++up) found |= !same(pane.at(x, y + up), white);
+                    for (int up = -1; up <= 1; ++up) found |= !sameColor(pane.at(x, y + up), white);
                     EXPECT_TRUE(found) << turn << ", " << tilt << ": " << x << ", " << y;
                 }
             }
@@ -318,7 +316,7 @@ TEST(Projections, eye_on_the_horizon) {
             const int row = height - 1 - int(std::floor(pixelOf(m, eye - level).y));
             int grey = 0;
             for (int x = 0; x < width; ++x) {
-                for (int up = -1; up <= 1; ++up) grey += same(pane.at(x, row + up), {153, 153, 153}) ? 1 : 0;
+                for (int up = -1; up <= 1; ++up) grey += sameColor(pane.at(x, row + up), {153, 153, 153}) ? 1 : 0;
             }
             EXPECT_GT(grey, width / 4);
         }

@@ -186,9 +186,11 @@ TEST(Rasterizer, as_opengl) {
         run.set("shade", i % 5 == 0 ? "surface" : "flat").picture();
         ASSERT_EQ(run.readout("differs"), 0) << corners;
     }
-    // The driver's lines leave out their last pixel, by the rule of diamonds.
+    // A line leaves out its last pixel, by the rule of diamonds. Where it lies half-way between two pixels OpenGL lets the driver
+    // choose, and its own line may be one pixel beside the ideal one everywhere.
     run.preset("bresenham").picture();
-    EXPECT_EQ(run.readout("differs"), 1);
+    EXPECT_GE(run.readout("differs"), 1);
+    EXPECT_LE(run.readout("differs"), onLlvmpipe() ? 1 : HUGE_VAL);
 }
 
 TEST(Rasterizer, divided_by_w) {

@@ -72,7 +72,7 @@ TEST(ShadowFloor, marker_at_the_light) {
         double count = 0;
         for (int y = 0; y < picture.height; ++y) {
             for (int x = 0; x < picture.width; ++x) {
-                if (picture.at(x, y) != yellow) continue;
+                if (!sameColor(picture.at(x, y), yellow)) continue;
                 sum += vec2(x + 0.5, y + 0.5);
                 ++count;
             }

@@ -215,7 +215,9 @@ TEST(ShadowVolume, light_anywhere) {
             for (const double turn : {0.0, 75.0, -60.0}) {
                 for (const double height : {0.3, 1.0}) {
                     run.set("at-infinity", atInfinity).set("light-turn", turn).set("light-height", height);
-                    EXPECT_EQ(compareWithRays().awayFromEdges.fraction, 0)
+                    // A volume's side meets a surface at a flat angle where the light is low, and there a last bit of its depth
+                    // is more than the band about the edges: other drivers than llvmpipe have their own last bits.
+                    EXPECT_LE(compareWithRays().awayFromEdges.fraction, onLlvmpipe() ? 0 : 0.001)
                         << scene << ", " << atInfinity << ", " << turn << ", " << height;
                 }
             }

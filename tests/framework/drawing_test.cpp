@@ -29,7 +29,7 @@ class DrawingTest : public testing::Test {
     ~DrawingTest() override {
         forgetText();
         restoreInitialState();
-        EXPECT_TRUE(takeErrors().empty());
+        EXPECT_EQ(takeErrors(), std::vector<std::string>());
     }
     Picture drawn() {
         drawing.draw(frame);

@@ -60,7 +60,7 @@ class Stages : public testing::Test {
         allowVersion(33);
     }
     void TearDown() override {
-        EXPECT_TRUE(takeErrors().empty());
+        EXPECT_EQ(takeErrors(), std::vector<std::string>());
         allowVersion(33);
     }
 };

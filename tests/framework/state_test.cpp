@@ -31,7 +31,7 @@ class State : public testing::Test {
     }
     void TearDown() override {
         restoreInitialState();
-        EXPECT_TRUE(takeErrors().empty());
+        EXPECT_EQ(takeErrors(), std::vector<std::string>());
     }
 };
 

@@ -42,7 +42,7 @@ class Undefined : public testing::Test {
     }
     void TearDown() override {
         restoreInitialState();
-        EXPECT_TRUE(takeErrors().empty());
+        EXPECT_EQ(takeErrors(), std::vector<std::string>());
     }
     // What is said of one draw of the triangle; "" where nothing is.
     std::string faults(const Program& program) const {
@@ -173,7 +173,7 @@ TEST_F(Undefined, attributes_and_indices_stay_within_their_buffers) {
     glEnableVertexAttribArray(0);
     glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
     glDrawArrays(GL_TRIANGLES, 0, 3);
-    EXPECT_TRUE(takeErrors().empty());
+    EXPECT_EQ(takeErrors(), std::vector<std::string>());
     glDrawArrays(GL_TRIANGLES, 1, 3);
     const std::vector<std::string> beyond = takeErrors();
     ASSERT_EQ(beyond.size(), 1U);
@@ -198,11 +198,11 @@ TEST_F(Undefined, queries_and_feedback_are_begun_and_ended_in_order) {
     glBeginQuery(GL_ANY_SAMPLES_PASSED, query);
     EXPECT_EQ(takeErrors().front(), "query: begun while another of its kind is open");
     glEndQuery(GL_ANY_SAMPLES_PASSED);
-    EXPECT_TRUE(takeErrors().empty());
+    EXPECT_EQ(takeErrors(), std::vector<std::string>());
     glEndQuery(GL_ANY_SAMPLES_PASSED);
     EXPECT_EQ(takeErrors().front(), "query: ended, and none of its kind was begun");
     glGetQueryObjectuiv(query, GL_QUERY_RESULT, &result);
-    EXPECT_TRUE(takeErrors().empty());
+    EXPECT_EQ(takeErrors(), std::vector<std::string>());
     glDeleteQueries(1, &query);
     glEndTransformFeedback();
     EXPECT_EQ(takeErrors().front(), "transform feedback: ended, and it was not begun");

@@ -14,6 +14,8 @@ namespace mv::test {
 // The stage of this test program, on the host named by MVGL_TEST_HOST (osmesa, egl, egl-device; the program's own choice
 // without). The driver is listened to, and each draw is watched for what OpenGL leaves undefined.
 Stage& stage();
+// Whether Mesa's llvmpipe draws. What is asked only of it is no promise of OpenGL's, and the page says so.
+bool onLlvmpipe();
 // A function of its driver that the table has not; null where the driver has not either.
 void* driverFunction(const char* name);
 
@@ -53,7 +55,9 @@ class DemoRun {
 std::vector<std::string> demoNames();
 std::string parameterWord(const testing::TestParamInfo<std::string>& parameter);
 
-// The number of pixels that are not exactly this colour (alpha aside), and those that are.
+// Whether two colours are the same but for one level a channel (alpha aside): a driver may round 0.5 of 255 up or down.
+bool sameColor(const Pixel& a, const Pixel& b);
+// The number of pixels of this colour, as sameColor() says.
 long countPixels(const Picture& picture, Pixel color);
 long differentPixels(const Picture& a, const Picture& b);
 // How many colours the picture has, counted up to `most`.

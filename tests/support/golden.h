@@ -12,8 +12,12 @@ namespace mv::test {
 struct GoldenCase {
     std::string name;
     Command command;  // demo, knobs, frame, size
+    // Of the pixels, how many may differ by more than 3 levels where another renderer than the recorded one draws, in percent; and
+    // why, where it is more than what it is for the others.
+    double elsewhere = 0.1;
+    std::string reason;
 };
-// The lines of tests/goldens/cases.txt.
+// The lines of tests/goldens/cases.txt. Error: a line that says nothing of why more may differ.
 const std::vector<GoldenCase>& goldenCases();
 std::string goldenFile(const std::string& name);
 
@@ -24,9 +28,9 @@ Picture drawCase(const GoldenCase& golden);
 std::string recordedDriver();
 std::string presentDriver();
 
-// Whether `drawn` matches the golden picture, and if not, why. Exact where the recorded driver draws. Elsewhere at most
-// 3 levels on at most 0.1 % of the pixels: others have met 2 to 3 levels between processors on the same llvmpipe.
+// Whether `drawn` matches the golden picture, and if not, why. Exact where the recorded driver draws. Elsewhere as much may differ as
+// the case says: of 216 presets on a GPU 199 were within 0.1 %, and one level off, as a background of 0.9 of 255 is, is no difference.
 // What differs is left in build/failures: the picture, the golden one and the difference.
-std::optional<std::string> mismatch(const std::string& name, const Picture& drawn, bool keepPictures = true);
+std::optional<std::string> mismatch(const GoldenCase& golden, const Picture& drawn, bool keepPictures = true);
 
 }  // namespace mv::test

@@ -4,6 +4,8 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "support/demo_run.h"
+
 namespace mv::test {
 namespace {
 
@@ -60,9 +62,7 @@ RayComparison compareWithRays(const Picture& picture, const ShadowScene& scene, 
             if (edge) continue;
             ++result.compared;
             result.shadow += seen == Seen::shadow;
-            const Pixel drawn = picture.at(column, row);
-            const Pixel wanted = colors[static_cast<std::size_t>(seen)];
-            result.wrong += drawn.red != wanted.red || drawn.green != wanted.green || drawn.blue != wanted.blue;
+            result.wrong += sameColor(picture.at(column, row), colors[static_cast<std::size_t>(seen)]) ? 0 : 1;
         }
     }
     return result;

@@ -248,6 +248,7 @@ class UndefinedWatch {
         beforeDraw([&] { return indexed(count, type, reinterpret_cast<std::uintptr_t>(offset)); });
     }
     void before_DispatchCompute(GLuint, GLuint, GLuint) {
+        if (!isAllowed(Newer::compute)) return;  // it is refused
         subject_ = "dispatch";
         if (const GLuint program = programInUse()) checkSamplers(program, {});
         for (const auto& [unit, texture] : imageUnits_) wrote(Image{GL_TEXTURE, texture, GL_NONE, 0, GL_COLOR});
