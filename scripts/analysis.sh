@@ -22,8 +22,8 @@ what_differs() {
 static_analysis() {
   local since folder=$build/tidy file files=()
   what_differs "$1" "$2"
-  # Without precompiled headers, which are another compiler's own.
-  configure "$folder" -DMVGL_TESTS=ON -DMVGL_BENCH=ON -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON
+  # Each file alone, and without precompiled headers, which are another compiler's own.
+  configure "$folder" -DCMAKE_UNITY_BUILD=OFF -DMVGL_TESTS=ON -DMVGL_BENCH=ON -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON
   mkdir -p "$folder/words"
   # Headers, and of the sources what the build compiles: a trap that must not compile is none of clang-tidy's business.
   { tree_files | tr '\0' '\n' | grep -E '^(common|demos|tests)/.*\.h$'
