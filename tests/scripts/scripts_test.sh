@@ -260,11 +260,13 @@ tiers() {
     equal "--only" "one " "$(ran)"
     ./test --only claims.two >out 2>err && fail "--only must fail, too"
     equal "--only" "two " "$(ran)"
-    rm -rf build/tests/test-*
+    rm -rf build/tests/test-* build/bin
     ./test --only claims.one --repeat 3 >out 2>err || fail "--repeat: $(cat out err)"
     equal "--repeat 3" "one one one " "$(ran)"
     says out '^each passed 3 times in a row$'
-    [ ! -e build/tests/test-sweep ] || fail "--only has built what it does not run"
+    [ ! -e build/tests/test-sweep ] && [ ! -e build/bin/mvgl ] || fail "--only has built what it does not run"
+    ./test --only sweep >out 2>err || fail "--only sweep: $(cat out err)"
+    equal "--only what ./test does not build" "sweep " "$(ran)"
     for wrong in "--repeat 3" "--only one --repeat 0" "--only one --repeat x" "--only one --long" "--only" "--full --update-goldens" "--since HEAD" "-x"; do
         # shellcheck disable=SC2086  # several words
         ./test $wrong >out 2>err
