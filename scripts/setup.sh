@@ -9,10 +9,10 @@ run_packages=(g++ cmake ninja-build libglfw3-dev libimgui-dev libglm-dev libstb-
   gnuplot-nox libosmesa6)
 site_packages=(nodejs cmark-gfm highlight terser)
 web_packages=(emscripten binaryen libharfbuzz-bin)
-test_packages=("${site_packages[@]}" "${web_packages[@]}" chromium libgles2 git libgtest-dev libboost-dev xvfb x11-utils xdotool imagemagick clang-format clang-tidy clang libclang-rt-dev
-  libembree-dev)
+test_packages=(git libgtest-dev libboost-dev xvfb x11-utils xdotool imagemagick clang-format)
+full_packages=("${site_packages[@]}" "${web_packages[@]}" chromium libgles2 clang-tidy clang libclang-rt-dev libembree-dev)
 # Node's own packages bring npm; Debian's has it apart.
-command -v npm >/dev/null || test_packages+=(npm)
+command -v npm >/dev/null || full_packages+=(npm)
 # What serves in the place of a package that not every distribution has.
 declare -A instead=([libosmesa6]="EGL draws the pictures instead"
   [libclang-rt-dev]="pictures and command lines are not fuzzed, and g++ builds what the sanitizers test"
@@ -167,7 +167,7 @@ show_steps() {
     case $line in
       *"Re-checking globbed"* | *"Re-running CMake"* | "ninja: Entering directory"* | "ninja: no work to do."* | \
         "-- Configuring done"* | "-- Generating done"* | "-- Build files have been"*) ;;
-      '['[0-9]*/[0-9]*']'*)
+      '['[0-9]*/[0-9]*' left'*']'*)
         if [ -t 1 ]; then
           printf '\r\033[K%s' "${line:0:$((${COLUMNS:-80} - 1))}" && open=true
         else
@@ -186,7 +186,7 @@ show_steps() {
 build_targets() {
   local folder=$1
   shift
-  ninja -C "$folder" "$@" 2>&1 | show_steps >&2 || fail "building: must succeed; see above"
+  NINJA_STATUS='[%f/%t, %u left, %e s] ' ninja -C "$folder" "$@" 2>&1 | show_steps >&2 || fail "building: must succeed; see above"
 }
 
 # build_web: the demos as a module for browsers, in build/web. False where this system has not what builds it, and a line says so.

@@ -25,6 +25,3 @@ tree_files() {
       -type f ! -name '*.part' ! -name compile_commands.json -printf '%P\0')
   fi | LC_ALL=C sort -zu | (cd "$root" && while IFS= read -r -d '' file; do [ ! -f "$file" ] || printf '%s\0' "$file"; done)
 }
-
-# tree_sums: the SHA-256 and the name of each.
-tree_sums() { tree_files | (cd "$root" && xargs -0 sha256sum); }

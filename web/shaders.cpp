@@ -35,9 +35,9 @@ void writeShader(const std::string& name, std::string text) {
 
 // What the library asks of files.
 
-bool addBuiltShader(const std::string&, std::string name, std::string text) {
+bool addBuiltShader(const char*, const char* name, const char* text) {
     files()[name] = {text, {}};
-    return addShaderFile(name, std::move(text), name);
+    return addShaderFile(name, text, name);
 }
 
 std::optional<std::filesystem::file_time_type> writtenAt(const std::filesystem::path& path) {

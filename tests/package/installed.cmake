@@ -23,6 +23,12 @@ foreach(header IN LISTS headers)
     endif()
   endforeach()
 endforeach()
+# What shows and measures demos is no user's to include: of run/ what the main function needs, of hosts and windows nothing.
+file(GLOB_RECURSE inner RELATIVE "${work}/installed/include/mv" "${work}/installed/include/mv/run/*" "${work}/installed/include/mv/host/*"
+  "${work}/installed/include/mv/window/*" "${work}/installed/include/mv/gl/layer.h")
+if(NOT inner STREQUAL "run/run.h")
+  message(FATAL_ERROR "installed headers of run/, host/, window/: must be run/run.h alone, ${inner}")
+endif()
 file(GLOB sources "${CMAKE_CURRENT_LIST_DIR}/*")
 file(COPY ${sources} DESTINATION "${work}/consumer")
 run(${CMAKE_COMMAND} -G Ninja -S "${work}/consumer" -B "${work}/build" "-DCMAKE_PREFIX_PATH=${work}/installed" -DCMAKE_BUILD_TYPE=Release)

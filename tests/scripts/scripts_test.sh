@@ -26,13 +26,11 @@ tool() {
 }
 tool dpkg-query 'echo "install ok installed"'
 tool clang-format 'exit 0'
-tool ldd 'exit 0' # the driver's libraries are large, and none of them changes here
 tool emcmake 'exec "$@"' # the module of the small project is no WebAssembly
 tool hb-subset
 tool npm 'mkdir -p node_modules/puppeteer-core'
-# Finds fault with a file that has the word FAULT, or whose header verdict.h has it.
-tool clang-tidy '[ "$1" != --version ] || exit 0' 'file=${@: -1}; echo "$file" >>"$(dirname "$0")/../analysed.log"' \
-    'cd "$(dirname "$file")/.." && ! grep -n FAULT "$file" common/verdict.h'
+# Finds fault with a file that has the word FAULT.
+tool clang-tidy 'file=${@: -1}; echo "$file" >>"$(dirname "$0")/../analysed.log"' '! grep -n FAULT "$file"'
 
 tree=$scratch/tree
 mkdir "$tree" && cp -r "$source/tests/scripts/project/." "$source/scripts" "$source/run" "$source/test" "$source/.clang-tidy" "$tree" || exit 1
@@ -152,7 +150,7 @@ needed() {
         rm -rf build/bin
         ./run one "$wrong" --list >out 2>err || fail "./run one $wrong: $(cat err)"
         says out "^from $tree: $wrong --list\$"
-        equal "all programs for $wrong" "bin/mvgl bin/one bin/two lib/libwindow-module.so " "$(made)"
+        equal "the launcher for $wrong" "bin/mvgl lib/libwindow-module.so " "$(made)"
     done
     # Of mvgl itself: no other demo is compiled, no test and no window.
     ninja -C "$built" -t commands cube-cull >commands || fail "mvgl's build has no target cube-cull"
@@ -188,113 +186,45 @@ studies() {
     says docs/errors-and-times/two.json '^measured$'
 }
 
-# Golden pictures and pages count for the tests that read them.
-reads() {
-    cat >>CMakeLists.txt <<'END'
-foreach(demo IN ITEMS one two)
-  foreach(kind IN ITEMS goldens pages)
-    add_test(NAME ${kind}.${demo} COMMAND test-claims ${kind}.${demo} "${PROJECT_SOURCE_DIR}/runs.log")
-    file(APPEND "${PROJECT_BINARY_DIR}/tests/of-demos.txt" "${kind}.${demo} ${demo} test-claims,bin/mvgl reads:${kind}\n")
-  endforeach()
-endforeach()
-END
-    mkdir tests/goldens
-    printf '# name, demo\none one\none-low one --height 2\ntwo two\n' >tests/goldens/cases.txt
-    for name in one one-low two; do echo "$name" >tests/goldens/$name.png; done
-    echo 'Try `./run two` beside it.' >demos/one.md
-    echo 'Try `./run two`.' >demos/two.md
-    commit
-    everything && ran >/dev/null
-    everything
-    equal "nothing has changed" "shared " "$(ran)"
-    changed() { # WHAT FILE TESTS: with a line more in the file, these run
-        echo "two two-more" >>"$2"
-        everything
-        equal "$1 has changed" "$3" "$(ran)"
-    }
-    changed "a golden picture" tests/goldens/one-low.png "goldens.one goldens.one shared shared "
-    changed "a demo's page" demos/one.md "pages.one pages.one shared shared "
-    changed "a page of what another page starts" demos/two.md "pages.one pages.one pages.two pages.two shared shared "
-    changed "another page" README.md "shared shared "
-    changed "what only pages are made of" web/live.js "shared "
-    mkdir -p docs/errors-and-times && echo '{}' >docs/errors-and-times/two.json
-    echo 'It is <!--= study two; a; b; 1; rms -->0.1<!--/--> wide.' >demos/one.md
-    commit
-    everything && ran >/dev/null
-    changed "a study of which another page tells a number" docs/errors-and-times/two.json \
-        "goldens.two goldens.two pages.one pages.one pages.two pages.two shared shared two two "
-    sed -i 's/^two two/two two --spin 3/' tests/goldens/cases.txt
-    everything
-    equal "one line of the pictures' list has changed" "goldens.two goldens.two shared shared " "$(ran)"
-    echo '// more' >>common/mvgl.cpp && sed -i 's/from/From/' common/mvgl.cpp
-    everything
-    equal "a program that the tests start has changed" \
-        "goldens.one goldens.one goldens.two goldens.two pages.one pages.one pages.two pages.two shared shared " "$(ran)"
-}
-
-# The ten longest, the longest first, of both build folders.
-expensive() {
-    (
-        # shellcheck source=/dev/null
-        . scripts/setup.sh && . scripts/passed.sh
-        mkdir -p build/asan
-        for second in 1 9.5 10.25 2 3 4 5 6 7 8; do
-            echo "	<testcase name=\"t.$second\" classname=\"t.$second\" time=\"$second\" status=\"run\">"
-        done >build/tests.xml
-        echo '	<testcase name="left.out" classname="left.out" time="99" status="notrun">' >>build/tests.xml
-        echo '	<testcase name="failed" classname="failed" time="100.5" status="fail">' >build/asan/tests.xml
-        most_expensive "$build" "$build/asan" >out
-    )
-    equal "how many" 10 "$(wc -l <out)"
-    equal "the first" "100.5 s failed (asan)" "$(sed -n 1p out | xargs)"
-    equal "the second" "10.2 s t.10.25" "$(sed -n 2p out | xargs)"
-    equal "the third" "9.5 s t.9.5" "$(sed -n 3p out | xargs)"
-    equal "the last" "2.0 s t.2" "$(sed -n 10p out | xargs)"
-}
-
+# What differs from the given commit, the last tag, or the commit before.
 analysis() {
     commit
-    everything
-    says out 'all files, as tests/analysed.txt is missing: '
-    equal "without a list all is analysed" "common/mvgl.cpp common/window.cpp demos/one.cpp demos/two.cpp tests/claims.cpp " "$(looked)"
-    says tests/analysed.txt "^# commit $(git rev-parse HEAD)\$"
-    commit
-    rm -rf build/tidy
-    everything
-    says out 'differs from .*: 0 files to analyse'
-    equal "in a clean clone of what was analysed" "" "$(looked)"
-    rm -rf build/tidy tests/analysed.txt && echo '// more' >>common/verdict.h
-    everything
-    says out ': 3 files to analyse; 2 more are as they were'
-    equal "of all, what includes a header that differs" "demos/one.cpp demos/two.cpp tests/claims.cpp " "$(looked)"
-    says tests/analysed_with_headers.txt ' demos/two.cpp$'
-    rm -rf build/tidy tests/analysed.txt && sed -i '/ demos.two.cpp$/d' tests/analysed_with_headers.txt
-    everything
-    equal "of all, what the list lacks" "demos/two.cpp " "$(looked)"
-    git checkout -q . && rm -rf build/tidy
-    echo '// more' >>demos/one.cpp && commit && echo '// and more' >>demos/one.cpp && commit
-    echo '// new' >demos/three.cpp && rm -rf build/tidy
-    everything
-    says out '^\[1 of 1\] demos/one.cpp: '
-    equal "after two commits" "demos/one.cpp " "$(looked)"
-    everything
-    says out ': 0 files to analyse; 1 more are as they were'
-    echo '// FAULT' >>common/verdict.h
-    ./test >out 2>err && fail "a fault in a header must be found"
+    everything --full
+    says out '^6 files to analyse$'
+    equal "of one commit all is analysed" \
+        "common/mvgl.cpp common/verdict.h common/window.cpp demos/one.cpp demos/two.cpp tests/claims.cpp " "$(looked)"
+    git tag first
+    echo '// more' >>common/verdict.h && commit && echo '// new' >demos/three.cpp && echo '// more' >>demos/one.cpp
+    everything --full
+    says out '^2 files to analyse: what differs from first$'
+    says out '^\[2 of 2\] '
+    equal "what differs from the last tag" "common/verdict.h demos/one.cpp " "$(looked)"
+    everything --full --since HEAD
+    equal "what differs from a commit" "demos/one.cpp " "$(looked)"
+    git tag -d first >out && commit && echo '// FAULT' >>common/verdict.h
+    ./test --full >out 2>err && fail "a fault in a header must be found"
     says err 'clang-tidy: must find nothing; see above; in 1 files'
-    equal "a header, by a file that is analysed anyway" "demos/one.cpp " "$(looked)"
-    ./test >out 2>err && fail "a fault must be found again"
-    equal "what had a fault is analysed again" "demos/one.cpp " "$(looked)"
-    git checkout -q . && rm -rf .git
+    says out '^== failed: static analysis$'
+    equal "without a tag, what differs from the commit before" "common/verdict.h demos/one.cpp " "$(looked)"
+    ./test --full --since nowhere >out 2>err && fail "a commit that there is not"
+    says err '^error: --since: must be a commit'
+    git checkout -q .
     everything
-    equal "without git" "demos/one.cpp " "$(looked)"
+    equal "./test analyses nothing" "" "$(looked)"
+    everything --long
+    equal "--long without a tag analyses all" \
+        "common/mvgl.cpp common/verdict.h common/window.cpp demos/one.cpp demos/two.cpp tests/claims.cpp " "$(looked)"
+    rm -rf .git
+    everything --full
+    equal "and so does --full without git" \
+        "common/mvgl.cpp common/verdict.h common/window.cpp demos/one.cpp demos/two.cpp tests/claims.cpp " "$(looked)"
 }
 
 # Without git, and in a clone that git does not trust, all is tested; and no word of formatting.
 git_() {
     everything
     says err '^note: this source tree is in no git repository; its files are found without git$'
-    equal "tests without git" "one one shared shared two two " "$(ran)"
+    equal "tests without git" "one two " "$(ran)"
     commit
     GIT_TEST_ASSUME_DIFFERENT_OWNER=1 ./test >out 2>err || fail "./test in another's clone: $(cat out err)"
     says err "^note: git trusts no clone of another user (git config --global --add safe.directory '$tree' lets it); its"
@@ -304,42 +234,40 @@ git_() {
     silent err formatting
 }
 
-passed() {
-    # Notes of tests whose names look like a library's are no programs of the build.
-    sed -i 's/claims\.${demo} /claims.${demo}.soft /' CMakeLists.txt
+# Each command builds and runs what it is to, says what it left, and a failure is told at once and at the end.
+tiers() {
     commit
     everything
-    equal "first" "one one shared shared two two " "$(ran)" # once more under the sanitizers
-    says out '^the ten most expensive tests'
-    for name in one two; do says out "^ *[0-9.]* s  claims.$name.soft\$" && says out "^ *[0-9.]* s  claims.$name.soft (asan)\$"; done
+    equal "./test" "one two " "$(ran)"
+    [ ! -e build/tests/test-sweep ] || fail "./test has built what it does not run"
+    says out '^left to --full and --long, as are the sanitizers and static analysis, tests: 2$'
+    says out '^== processor s, s$'
+    for stage in build claims; do says out "^ *[0-9]* *[0-9]*  $stage\$"; done
     everything
-    equal "nothing has changed" "shared " "$(ran)"
-    says out '^2 tests of demos are left out'
-    echo '"yes" ""' >shaders/one.frag
-    everything
-    equal "one shader has changed" "one one shared shared " "$(ran)"
-    everything --all
-    equal "--all" "one one shared shared two two " "$(ran)"
+    silent err 'Building'
+    equal "./test again" "one two " "$(ran)"
+    everything --full
+    equal "--full, and the same under the sanitizers" "one one sweep sweep two two " "$(ran)"
+    says out '^left to --long, tests: 1$'
+    everything --long
+    equal "--long" "one one pairs pairs sweep sweep two two " "$(ran)"
+    silent out '^left to'
     echo '"no"' >shaders/two.frag
-    for _ in 1 2; do
-        ./test >out 2>err && fail "a failure must fail"
-        says err 'failed under the sanitizers'
-        equal "a failure is no pass" "shared two " "$(ran)"
-    done
+    ./test >out 2>err && fail "a failure must fail"
+    says out '^== failed: claims$'
+    equal "after a failure" "one two " "$(ran)"
     ./test --only claims.one >out 2>err || fail "--only: $(cat out err)"
     equal "--only" "one " "$(ran)"
     ./test --only claims.two >out 2>err && fail "--only must fail, too"
     equal "--only" "two " "$(ran)"
-    echo '"yes"' >shaders/two.frag
-    echo 'data' >tests/data.txt
-    everything
-    equal "a file that all may read" "one one shared shared two two " "$(ran)"
-    MESA_DEBUG=1 everything
-    equal "a variable of the driver" "one one shared shared two two " "$(ran)"
+    rm -rf build/tests/test-* build/bin
     ./test --only claims.one --repeat 3 >out 2>err || fail "--repeat: $(cat out err)"
     equal "--repeat 3" "one one one " "$(ran)"
     says out '^each passed 3 times in a row$'
-    for wrong in "--repeat 3" "--only one --repeat 0" "--only one --repeat x" "--only one --long" "--only" "--all --update-goldens" "-x"; do
+    [ ! -e build/tests/test-sweep ] && [ ! -e build/bin/mvgl ] || fail "--only has built what it does not run"
+    ./test --only sweep >out 2>err || fail "--only sweep: $(cat out err)"
+    equal "--only what ./test does not build" "sweep " "$(ran)"
+    for wrong in "--repeat 3" "--only one --repeat 0" "--only one --repeat x" "--only one --long" "--only" "--full --update-goldens" "--since HEAD" "-x"; do
         # shellcheck disable=SC2086  # several words
         ./test $wrong >out 2>err
         equal "status of ./test $wrong" 2 $?
@@ -349,7 +277,7 @@ passed() {
 
 case $case in
     git) git_ ;;
-    flags | site | moved | waiting | needed | analysis | passed | only | studies | reads | expensive) "$case" ;;
+    flags | site | moved | waiting | needed | analysis | tiers | only | studies) "$case" ;;
     *) fail "there is no case '$case'" ;;
 esac
 [ $failures -eq 0 ] && echo "passed: $case"

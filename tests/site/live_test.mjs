@@ -1,11 +1,8 @@
 // node live_test.mjs SOURCE MVGL NATIVE BUILD [--software] [--all-ends] [DEMO...]: the demos alive in their pages, in headless Chromium
 // that draws through the same Mesa: pictures, readouts, matrices and sentences are the native program's, of each demo at its presets
-// (all but the first a quarter as large), and of one whose sources are not as tests/site/met.txt says at each end of each knob.
-// --all-ends meets each end of all (./test --long does) and writes that file. With --software Chromium draws by its own SwiftShader, and
-// pictures may differ a little: each demo as it opens, one whose sources are not as that file says at its presets, and with --all-ends
-// all at theirs.
+// (all but the first a quarter as large), and with --all-ends at each end of each knob (./test --long does). With --software Chromium
+// draws by its own SwiftShader, and pictures may differ a little: each demo as it opens, and with --all-ends at its presets.
 import { execFileSync } from 'node:child_process';
-import crypto from 'node:crypto';
 import fs from 'node:fs';
 import path from 'node:path';
 import { browserOf, counted, demosOf, equal, expect, made, opened, scratch, served, skipUnlessBuilt, throughMesa } from './support.mjs';
@@ -14,19 +11,6 @@ const [source, program, native, build, ...rest] = process.argv.slice(2);
 const software = rest.includes('--software'), allEnds = rest.includes('--all-ends') || Boolean(process.env.MVGL_LONG);
 const named = rest.filter((word) => !word.startsWith('--'));
 skipUnlessBuilt(build);
-
-// ---- which demos have changed since each end of their knobs was met
-
-const record = path.join(source, 'tests/site/met.txt');
-const recorded = () => (fs.existsSync(record) ? [...fs.readFileSync(record, 'utf8').matchAll(/^([0-9a-f]{64}) (\S+)$/gm)].map(([, sum, demo]) => [demo, sum]) : []);
-const noted = new Map(recorded()), met = new Map();
-function sumOf(demo) {
-  const sum = crypto.createHash('sha256');
-  for (const folder of ['demos', 'shaders'])
-    for (const file of fs.readdirSync(path.join(source, folder)).sort())
-      if (file.startsWith(`${demo}.`) && !/\.(md|study\.cpp)$/.test(file)) sum.update(file).update(fs.readFileSync(path.join(source, folder, file)));
-  return sum.digest('hex');
-}
 
 // ---- what may differ, by name and with its reason
 
@@ -106,9 +90,8 @@ const replaced = async (width, height) => {
 const standsForAnother = ['displacement', 'gpu-stages', 'environment'];
 
 async function meet(demo) {
-  const more = allEnds || noted.get(demo) !== sumOf(demo), full = more && !software;
-  const cases = more ? (software ? [] : ['--ends']) : [software ? '--opening' : '--smaller'];
-  const before = counted.failures, start = Date.now();
+  const cases = allEnds ? (software ? [] : ['--ends']) : [software ? '--opening' : '--smaller'];
+  const start = Date.now();
   const folder = fs.mkdtempSync(path.join(scratch, 'native-'));
   const all = JSON.parse(execFileSync(native, [folder, demo, ...cases], { encoding: 'utf8', maxBuffer: 1 << 28 }));
   const page = await opened(browser, address, `${demo}.html`);
@@ -140,8 +123,7 @@ async function meet(demo) {
   }
   await page.close();
   fs.rmSync(folder, { recursive: true });
-  if (full && counted.failures === before) met.set(demo, sumOf(demo));
-  console.log(`${demo}: ${all.length} setting${all.length > 1 ? 's' : ''}${full ? ', each end of each knob among them' : ''}, ${((Date.now() - start) / 1000).toFixed(1)} s`);
+  console.log(`${demo}: ${all.length} setting${all.length > 1 ? 's' : ''}, ${((Date.now() - start) / 1000).toFixed(1)} s`);
 }
 
 for (const demo of demos) {
@@ -161,14 +143,5 @@ for (const demo of demos) {
 }
 await browser.close();
 
-if (allEnds && !software && !counted.failures) {
-  const now = new Map([...recorded(), ...met]); // another run may have written meanwhile
-  const lines = demosOf(program).filter((demo) => now.has(demo)).map((demo) => `${now.get(demo)} ${demo}`).join('\n');
-  const text = `# The sources of each demo when its page met each end of each knob; ./test meets what differs so, ./test --long all, and writes this.\n${lines}\n`;
-  if (!fs.existsSync(record) || fs.readFileSync(record, 'utf8') !== text) {
-    fs.writeFileSync(record, text);
-    console.log('tests/site/met.txt is new: commit it');
-  }
-}
 console.log(`${demos.length} demos, ${pictures} pictures, ${same} ${software ? 'alike everywhere' : 'byte for byte the native ones'}, the worst ${worst[0]} with ${(100 * worst[1]).toFixed(3)} % others;${software ? '' : ` on ${standing} pages the picture that stands first is the one that is drawn;`} ${counted.checks} checks, ${counted.failures} failed`);
 process.exit(counted.failures ? 1 : 0);

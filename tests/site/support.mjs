@@ -46,8 +46,8 @@ export function skipUnlessBuilt(build) {
     process.exit(77);
   };
   if (!chromium) skip('there is no Chromium');
-  if (!fs.existsSync(path.join(build, 'web/mvgl.wasm'))) skip('the demos are not built for browsers (./test does, with emscripten)');
-  if (!fs.existsSync(path.join(build, 'npm/node_modules/puppeteer-core'))) skip('puppeteer-core is not installed (./test does, with npm)');
+  if (!fs.existsSync(path.join(build, 'web/mvgl.wasm'))) skip('the demos are not built for browsers (./test --full does, with emscripten)');
+  if (!fs.existsSync(path.join(build, 'npm/node_modules/puppeteer-core'))) skip('puppeteer-core is not installed (./test --full does, with npm)');
 }
 
 // What puppeteer-core, of BUILD/npm, starts: a browser that draws through the Mesa of the native program, or with other flags.

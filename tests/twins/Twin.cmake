@@ -1,5 +1,5 @@
-# mvgl_make_twin(<demo>): the object library twin-<demo>, made from demos/<demo>.cpp with the one change that
-# tests/twins/<demo>.txt names; its shaders are the demo's. The file's lines:
+# Each <demo>.txt here is one line of a demo, and what a student could have written instead: a wrong sign, a wrong order, a state that
+# is not set. mvgl_make_twin(<demo>) makes the object library twin-<demo> with that change; its shaders are the demo's. The file's lines:
 #   golden <the golden picture that the twin must not match>
 #   - <a line of the demo, or a part of one that occurs once>
 #   + <what a student could have written instead>
@@ -7,9 +7,6 @@ function(mvgl_make_twin demo)
   set(recipe "${CMAKE_CURRENT_SOURCE_DIR}/twins/${demo}.txt")
   set(source "${PROJECT_SOURCE_DIR}/demos/${demo}.cpp")
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${recipe}" "${source}")
-  if(NOT EXISTS "${recipe}")
-    message(FATAL_ERROR "${recipe}: must exist, a line of the demo and what a student could write instead; see step 4 of CONTRIBUTING.md")
-  endif()
   file(READ "${recipe}" recipeText)
   if(NOT recipeText MATCHES "\n- ([^\n]+)\n\\+ ([^\n]*)\n$")
     message(FATAL_ERROR "${recipe}: must end with a line '- old' and a line '+ new'")
@@ -31,15 +28,13 @@ function(mvgl_make_twin demo)
   target_precompile_headers(twin-${demo} REUSE_FROM mvgl-test-support)
 endfunction()
 
-# cube-cull -> CubeCull, the name of its test suite
-function(mvgl_suite_name output demo)
-  string(REPLACE "-" ";" words "${demo}")
-  set(name "")
-  foreach(word IN LISTS words)
-    string(SUBSTRING "${word}" 0 1 head)
-    string(SUBSTRING "${word}" 1 -1 tail)
-    string(TOUPPER "${head}" head)
-    string(APPEND name "${head}${tail}")
-  endforeach()
-  set(${output} "${name}" PARENT_SCOPE)
-endfunction()
+# All demos, those three with their change.
+set(twinObjects "")
+foreach(demo IN LISTS MVGL_DEMO_NAMES)
+  if(EXISTS "${CMAKE_CURRENT_SOURCE_DIR}/twins/${demo}.txt")
+    mvgl_make_twin(${demo})
+    list(APPEND twinObjects $<TARGET_OBJECTS:twin-${demo}> $<FILTER:$<TARGET_OBJECTS:demo-${demo}>,INCLUDE,demo-${demo}-shaders>)
+  else()
+    list(APPEND twinObjects $<TARGET_OBJECTS:demo-${demo}>)
+  endif()
+endforeach()

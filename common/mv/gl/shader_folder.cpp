@@ -4,7 +4,6 @@
 
 #include <fstream>
 #include <map>
-#include <utility>
 
 #include "mv/gl/shader_source.h"
 
@@ -47,10 +46,10 @@ std::optional<std::filesystem::file_time_type> writtenAt(const std::filesystem::
     return written;
 }
 
-bool addBuiltShader(const std::string& group, std::string name, std::string text) {
+bool addBuiltShader(const char* group, const char* name, const char* text) {
     const std::filesystem::path folder = shaderFolder(group);
     const std::string path = folder.empty() ? "" : (folder / name).string();
-    return addShaderFile(std::move(name), std::move(text), path);
+    return addShaderFile(name, text, path);
 }
 
 }  // namespace mv

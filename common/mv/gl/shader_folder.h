@@ -13,7 +13,8 @@ std::filesystem::path libraryFolder();
 // is none: the build writes it, and nothing installs it, so that no program has a path of the machine that built it.
 std::filesystem::path shaderFolder(const std::string& group);
 
-// addShaderFile for a file of that group; called by what the build makes of the shader files. Returns true.
-bool addBuiltShader(const std::string& group, std::string name, std::string text);
+// addShaderFile for a file of that group. Returns true. What the build makes of the shader files calls this; it declares it by itself
+// (cmake/EmbedShaders.cmake).
+bool addBuiltShader(const char* group, const char* name, const char* text);
 
 }  // namespace mv

@@ -326,6 +326,7 @@ std::map<std::string, std::string>& committedTexts() {
 bool addStudyFile(const std::string& demo, std::string text) {
     return committedTexts().emplace(demo, std::move(text)).second;
 }
+bool addStudyFile(const char* demo, const char* text) { return addStudyFile(std::string(demo), std::string(text)); }
 
 std::optional<StudyRun> committedStudy(const std::string& demo) {
     const auto found = committedTexts().find(demo);

@@ -93,6 +93,7 @@ StudyRun readStudy(const std::string& json);
 
 // For the code that builds the committed studies in; see cmake/EmbedShaders.cmake.
 bool addStudyFile(const std::string& demo, std::string text);
+bool addStudyFile(const char* demo, const char* text);
 
 // The committed study of a demo, which is built in beside its shaders (docs/errors-and-times/<demo>.json); nothing
 // where there is none.
