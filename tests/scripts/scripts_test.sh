@@ -181,11 +181,11 @@ studies() {
     ./test --update-studies >out 2>err && fail "no study must be an error"
     says err '^error: --update-studies: demos/\*.study.cpp must hold a study'
     echo 'static const bool added = addStudy("two", study());' >demos/two.study.cpp
-    mkdir -p build/studies/two && echo 'measured' >build/studies/two/study.json
+    mkdir -p build/studies/two && echo '# renderer: llvmpipe' >build/studies/two/study.csv
     ./test --update-studies >out 2>err || fail "./test --update-studies: $(cat out err)"
     says out ": two --study $tree/build/studies/two --headless$"
     silent out ': one --study'
-    says docs/errors-and-times/two.json '^measured$'
+    says docs/errors-and-times/two.processor.csv '^# renderer: llvmpipe$'
 }
 
 # Golden pictures and pages count for the tests that read them.
@@ -217,11 +217,11 @@ END
     changed "a page of what another page starts" demos/two.md "pages.one pages.one pages.two pages.two shared shared "
     changed "another page" README.md "shared shared "
     changed "what only pages are made of" web/live.js "shared "
-    mkdir -p docs/errors-and-times && echo '{}' >docs/errors-and-times/two.json
+    mkdir -p docs/errors-and-times && echo '{}' >docs/errors-and-times/two.processor.csv
     echo 'It is <!--= study two; a; b; 1; rms -->0.1<!--/--> wide.' >demos/one.md
     commit
     everything && ran >/dev/null
-    changed "a study of which another page tells a number" docs/errors-and-times/two.json \
+    changed "a study of which another page tells a number" docs/errors-and-times/two.processor.csv \
         "goldens.two goldens.two pages.one pages.one pages.two pages.two shared shared two two "
     sed -i 's/^two two/two two --spin 3/' tests/goldens/cases.txt
     everything

@@ -8,7 +8,6 @@
 #include "mv/demo/demo.h"
 #include "mv/host/context.h"
 #include "mv/run/stage.h"
-#include "mv/run/study_bound.h"
 
 namespace mv {
 
@@ -40,8 +39,6 @@ struct Command {
     bool json = false;                // --knobs=json
     bool all = false;                 // --audit --all
     std::string folder;               // of --gallery, --docs and --study
-    std::optional<StudyBound> bound;  // --within or --error: which setting of the study is drawn
-    bool measureHere = false;         // by times measured here, not the committed ones
     std::string vary;                 // of --study: KNOB=A..B:N or KNOB=a,b,c; "" for the demo's own study
     std::optional<int> until;         // --until: the frame is stopped after so many draws
     std::string text;                 // what --help prints
