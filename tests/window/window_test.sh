@@ -965,7 +965,7 @@ bound() { # a click on an axis of the study's plot chooses what keeps it
 measuring() {
     mkdir -p tmp && export TMPDIR=$PWD/tmp PROBE_HOLD=$state/hold
     touch "$PROBE_HOLD"
-    start 'mvgl: integral' "$launcher" integral --n 16 --size 400x1000
+    start 'mvgl: integral' "$launcher" integral --n 16 --size 400x1100
     clickOn "Measure here"
     awaitReport measuring true
     child=$(pgrep -P $pid)

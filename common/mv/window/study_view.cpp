@@ -12,7 +12,7 @@
 namespace mv {
 namespace {
 
-// ---- The looks of the lines, as study_look.h has them
+// ---- The looks of the lines, as mv/study/look.h has them
 
 ImU32 colorOf(const SeriesLook& look) {
     const Rgb rgb = look.on(whiteInk);
