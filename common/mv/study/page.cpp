@@ -50,8 +50,8 @@ std::string countTable(const StudyRun& run) {
         }
         text += "\n";
     }
-    return std::string(run.width > 0 ? "\n### Work of a frame\n\n" : "\n### Counts\n\n") + head + "\n" + line + "\n" +
-           text;
+    return std::string(run.width > 0 ? "\n### Work of a frame on " : "\n### Counts on ") + machineName(run) + "\n\n" +
+           head + "\n" + line + "\n" + text;
 }
 
 std::string slopeList(const StudyRun& run) {
@@ -68,7 +68,9 @@ std::string slopeList(const StudyRun& run) {
         if (time) text += std::string(error ? "," : "") + " time ~ p^" + formatted("%.2f", *time);
         text += "\n";
     }
-    return text.empty() ? "" : "\n### Slopes\n\nBy least squares over the logarithms:\n\n" + text;
+    return text.empty()
+               ? ""
+               : "\n### Slopes on " + machineName(run) + "\n\nBy least squares over the logarithms:\n\n" + text;
 }
 
 std::string setUp(const StudyRun& run) {
