@@ -1,6 +1,6 @@
 # Run as a script: writes OUTPUT, a C++ file that adds each of FILES to the embedded shaders. It includes nothing: there is one for
 # each demo, and headers would take longer than all the rest of it.
-# STUDY, where it exists, is the committed study of the demo NAME.
+# STUDIES are the committed studies of the demo NAME, a machine each; none where they are empty.
 # A file in a folder called include keeps that folder in its name. GROUP names the file that says where they are edited.
 # With BARE they are without comments and indents, each line at its number.
 set(code "// Generated from shader files; do not edit.\nnamespace mv {\nbool addBuiltShader(const char* group, const char* name, const char* text);\nbool addStudyFile(const char* demo, const char* text);\n}\n\n")
@@ -25,10 +25,14 @@ if(entries)
     "    for (const auto& file : files) mv::addBuiltShader(\"${GROUP}\", file[0], file[1]);\n"
     "    return true;\n}();\n")
 endif()
-if(STUDY AND EXISTS "${STUDY}")
-  file(READ "${STUDY}" text)
-  # Longer than the 65,536 characters that the standard wants of every compiler.
-  string(PREPEND code "#pragma GCC diagnostic ignored \"-Woverlength-strings\"\n")
-  string(APPEND code "static const bool addedStudy = mv::addStudyFile(\"${NAME}\", R\"json(${text})json\");\n")
-endif()
+set(number 0)
+foreach(study IN LISTS STUDIES)
+  file(READ "${study}" text)
+  if(number EQUAL 0)
+    # Longer than the 65,536 characters that the standard wants of every compiler.
+    string(PREPEND code "#pragma GCC diagnostic ignored \"-Woverlength-strings\"\n")
+  endif()
+  string(APPEND code "static const bool addedStudy${number} = mv::addStudyFile(\"${NAME}\", R\"csv(${text})csv\");\n")
+  math(EXPR number "${number} + 1")
+endforeach()
 file(WRITE "${OUTPUT}" "${code}")

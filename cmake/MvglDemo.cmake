@@ -3,7 +3,7 @@
 # Makes the program <name> of one demo: <name>.cpp in the current folder (or SOURCE), with the shader files
 # <name>.vert, <name>.frag, <name>.<variant>.vert ... of the folder SHADERS (default: ../shaders beside the current
 # folder, else the current folder) built in, and the folder's include/*.glsl with them; the demo's <name>.study.cpp, where
-# it stands beside the source; and its committed study, where ../docs/errors-and-times beside the shaders has one.
+# it stands beside the source; and its committed studies, where ../docs/errors-and-times beside the shaders has some.
 # The program is the target <target> (default: <name>); the demo's objects are demo-<target>, for programs of several demos.
 #
 # Built programs read the shaders where they are edited. Installed ones must not: so no path is built in. It stands in a file
@@ -16,13 +16,13 @@ function(mvgl_embed_shaders target name folder)
   if(NOT files)
     message(FATAL_ERROR "${name}: no shader files ${name}.vert, ${name}.frag in ${folder}")
   endif()
-  file(GLOB study CONFIGURE_DEPENDS "${folder}/../docs/errors-and-times/${name}.json")
+  file(GLOB studies CONFIGURE_DEPENDS "${folder}/../docs/errors-and-times/${name}.*.csv")
   set(output "${CMAKE_CURRENT_BINARY_DIR}/${target}-shaders.cpp")
   add_custom_command(OUTPUT "${output}"
     COMMAND "${CMAKE_COMMAND}" "-DOUTPUT=${output}" "-DFILES=${files}" "-DGROUP=${target}"
-      "-DSTUDY=${study}" "-DNAME=${name}"
+      "-DSTUDIES=${studies}" "-DNAME=${name}"
       -P "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/EmbedShaders.cmake"
-    DEPENDS ${files} ${study} "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/EmbedShaders.cmake" VERBATIM
+    DEPENDS ${files} ${studies} "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/EmbedShaders.cmake" VERBATIM
     COMMENT "Embedding the shaders of ${name}")
   target_sources(${target} PRIVATE "${output}")
   set_source_files_properties("${output}" PROPERTIES SKIP_PRECOMPILE_HEADERS ON)

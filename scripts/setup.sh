@@ -6,16 +6,17 @@ build=$root/build
 # Each with its reason in the README's table of dependencies.
 run_packages=(g++ cmake ninja-build libglfw3-dev libimgui-dev libglm-dev libstb-dev libpng-dev
   libturbojpeg0-dev libcli11-dev nlohmann-json3-dev libgl-dev libegl-dev libegl1 libgl1-mesa-dri fonts-dejavu-core
-  gnuplot-nox libosmesa6)
+  libosmesa6)
 site_packages=(nodejs cmark-gfm highlight terser)
 web_packages=(emscripten binaryen libharfbuzz-bin)
 test_packages=(git libgtest-dev libboost-dev xvfb x11-utils xdotool imagemagick clang-format)
-full_packages=("${site_packages[@]}" "${web_packages[@]}" chromium libgles2 clang-tidy clang libclang-rt-dev libembree-dev)
+full_packages=("${site_packages[@]}" "${web_packages[@]}" chromium libgles2 mesa-vulkan-drivers clang-tidy clang libclang-rt-dev libembree-dev)
 # Node's own packages bring npm; Debian's has it apart.
 command -v npm >/dev/null || full_packages+=(npm)
 # What serves in the place of a package that not every distribution has.
 declare -A instead=([libosmesa6]="EGL draws the pictures instead"
   [libclang-rt-dev]="pictures and command lines are not fuzzed, and g++ builds what the sanitizers test"
+  [mesa-vulkan-drivers]="pictures and claims are not met by zink"
   [chromium]="what the pages' scripts do is not tested"
   [emscripten]="the pages have pictures in the place of live demos"
   [binaryen]="the pages have pictures in the place of live demos"

@@ -160,27 +160,6 @@ TEST(Hostile, killed_while_writing) {
     }
 }
 
-// Told to end while gnuplot draws (a gnuplot that never ends), it leaves no temporary folder behind.
-TEST(Hostile, ended_while_it_plots) {
-    for (const int signal : {SIGTERM, SIGHUP}) {
-        const TemporaryFolder folder;
-        fs::create_directory(folder / "bin");
-        fs::create_directory(folder / "tmp");
-        std::ofstream(folder.file("bin/gnuplot"))
-            << "#!/bin/sh\necho $$ > \"$NOTE.part\"; mv \"$NOTE.part\" \"$NOTE\"\nexec sleep 600\n";
-        fs::permissions(folder / "bin/gnuplot", fs::perms::owner_all);
-        const ProcessResult run =
-            runShell("PATH=\"$PWD/bin:$PATH\" " + program("cube-shadows") +
-                         " --study out --vary plane-distance=1 --headless=osmesa &\n"
-                         "while [ ! -e note ] && kill -0 $!; do sleep 0.01; done; ls tmp > during; kill -" +
-                         std::to_string(signal) + " $!; wait $!; status=$?; kill $(cat note); exit $status",
-                     folder.path().string(), {"TMPDIR=" + folder.file("tmp"), "NOTE=" + folder.file("note")});
-        EXPECT_EQ(run.status, 128 + signal) << run.err;
-        EXPECT_NE(fileText(folder.file("during")).find("mvgl-plot-"), std::string::npos);
-        EXPECT_TRUE(fs::is_empty(folder / "tmp"));
-    }
-}
-
 // No home folder, nor anything else of the surroundings.
 TEST(Hostile, no_home_folder) {
     const TemporaryFolder folder;

@@ -10,7 +10,6 @@
 #include <iterator>
 #include <map>
 #include <optional>
-#include <regex>
 #include <set>
 #include <sstream>
 #include <string>
@@ -20,7 +19,7 @@
 #include "mv/run/command_line.h"
 #include "mv/run/docs.h"
 #include "mv/run/page_numbers.h"
-#include "mv/run/study.h"
+#include "mv/study/study.h"
 #include "support/demo_run.h"
 #include "support/process.h"
 
@@ -193,10 +192,10 @@ void expectOutcome(const PageLine& line, const Trial& trial, const ProcessResult
         }
     }
     if (command.action == Action::study) {
-        for (const char* name : {"study.csv", "study.json", "study.svg"}) {
+        for (const char* name : {"study.csv", "study.svg"}) {
             EXPECT_TRUE(fs::exists(folder.path() / command.folder / name)) << name;
         }
-        for (const StudyRow& row : readStudy(fileText(folder.path() / command.folder / "study.json")).rows) {
+        for (const StudyRow& row : readStudy(fileText(folder.path() / command.folder / "study.csv")).rows) {
             EXPECT_TRUE(row.ok()) << row.parameter << ": " << row.status;
         }
     }
@@ -225,31 +224,6 @@ std::string pageWord(const testing::TestParamInfo<std::string>& page) {
     std::string word = fs::path(page.param).stem().string();
     std::replace(word.begin(), word.end(), '-', '_');
     return word;
-}
-
-// The text of a page without what is no prose: code, generated tables, what stands between a marker's comments.
-std::string proseOf(const std::string& page, const std::string& file) {
-    std::string text;
-    std::size_t done = 0;
-    for (const PageNumber& number : pageNumbers(page, file)) {
-        text += page.substr(done, number.from - done) + "marked";
-        done = number.from + number.text.size();
-    }
-    text += page.substr(done);
-    std::istringstream lines(text);
-    std::string prose;
-    bool inCode = false, isGenerated = false;
-    const std::regex inlineCode("`[^`]*`"), comment("<!--.*?-->"), picture(R"(!\[[^\]]*\])");
-    for (std::string line; std::getline(lines, line);) {
-        if (line.starts_with("```")) inCode = !inCode;
-        if (line == "<!-- knobs -->" || line == "<!-- demos -->") isGenerated = true;
-        const bool isProse = !inCode && !isGenerated && !line.starts_with("    ");
-        if (line.starts_with("<!-- /")) isGenerated = false;
-        line = std::regex_replace(line, comment, "");
-        line = std::regex_replace(line, inlineCode, "CODE");
-        prose += (isProse ? std::regex_replace(line, picture, "") : "") + "\n";
-    }
-    return prose;
 }
 
 // What ./run does without the program: the tests `site` and `scripts.site` try it.
@@ -287,17 +261,16 @@ TEST_P(Pages, every_command_does_what_it_says) {
 TEST_P(Pages, every_marked_number_is_made) {
     if (GetParam() == "CONTRIBUTING.md") return;  // it shows markers as code
     const std::string page = fileText(fs::path(MVGL_SOURCE_DIR) / GetParam());
-    NumberSources sources([](const std::string& demo) { return studyInTree(MVGL_SOURCE_DIR, demo); },
+    NumberSources sources([](const std::string& demo) { return studiesInTree(MVGL_SOURCE_DIR, demo); },
                           []() -> Stage& { return stage(); });
     int made = 0;
     for (const PageNumber& number : pageNumbers(page, GetParam())) {
         SCOPED_TRACE(GetParam() + ":" + std::to_string(number.line) + ": " + number.source);
         try {
-            const std::optional<MadeNumber> is = sources.make(number.source);
-            if (!is) continue;
+            const MadeNumber is = sources.make(number.source);
             ++made;
-            EXPECT_TRUE(tells(number.text, *is)) << "it says " << number.text << ", it is " << numberText(is->value)
-                                                 << "; ./run --docs . writes " << toldLike(number.text, *is);
+            EXPECT_TRUE(tells(number.text, is)) << "it says " << number.text << ", it is " << numberText(is.value)
+                                                << "; ./run --docs . writes " << toldLike(number.text, is);
         } catch (const Error& error) {
             ADD_FAILURE() << error.what();
         }
@@ -305,40 +278,4 @@ TEST_P(Pages, every_marked_number_is_made) {
     std::printf("%s: %d numbers made anew\n", GetParam().c_str(), made);
 }
 
-// A number with a unit in which something is measured has a marker, if only to say that it is exact. (Angles and lengths
-// are what a lesson's scene is made of; what was measured of them is marked, too, but no rule can tell it apart.)
-TEST_P(Pages, a_number_with_a_measuring_unit_is_marked) {
-    if (GetParam() == "README.md" || GetParam() == "CONTRIBUTING.md") return;  // they teach no measurement
-    std::istringstream prose(proseOf(fileText(fs::path(MVGL_SOURCE_DIR) / GetParam()), GetParam()));
-    const std::regex measured(R"(\b[0-9][0-9.]*(e-?[0-9]+)? ?(%|ms\b|milliseconds|pixels?\b|px\b|times\b|seconds?\b))");
-    int number = 0;
-    for (std::string line; std::getline(prose, line);) {
-        ++number;
-        std::smatch found;
-        EXPECT_FALSE(std::regex_search(line, found, measured))
-            << GetParam() << ":" << number << ": '" << found.str() << "' has no marker";
-    }
-}
-
 INSTANTIATE_TEST_SUITE_P(All, Pages, testing::ValuesIn(pages()), pageWord);
-
-// "tested: SUITE.NAME" is a test that there is.
-TEST(PageNumbers, tests_that_hold_a_number_are_there) {
-    std::string tests;
-    for (const auto& entry : fs::recursive_directory_iterator(fs::path(MVGL_SOURCE_DIR) / "tests")) {
-        if (entry.path().extension() == ".cpp") tests += fileText(entry.path());
-    }
-    int held = 0;
-    for (const std::string& page : pagesOfNumbers()) {
-        for (const PageNumber& number : pageNumbers(fileText(fs::path(MVGL_SOURCE_DIR) / page), page)) {
-            if (!number.source.starts_with("tested: ")) continue;
-            const std::string name = number.source.substr(8);
-            const auto dot = name.find('.');
-            ++held;
-            ASSERT_NE(dot, std::string::npos) << page << ":" << number.line << ": must be SUITE.NAME";
-            EXPECT_TRUE(has(tests, "TEST(" + name.substr(0, dot) + ", " + name.substr(dot + 1) + ")"))
-                << page << ":" << number.line << ": no test " << name;
-        }
-    }
-    EXPECT_GT(held, 0);
-}

@@ -153,30 +153,6 @@ TEST(Program, notes_a_knob_that_does_nothing) {
     EXPECT_EQ(notes({"--cull", "none", "--winding", "cw", "--knobs"}), "") << "the list tells it by itself";
 }
 
-// The setting that a bound chooses is drawn, and said with its reason; a bound that nothing keeps is an error.
-TEST(Program, draws_the_setting_that_keeps_a_bound) {
-    TemporaryFolder folder;
-    const auto run = [&](std::vector<std::string> words) {
-        words.insert(words.begin(), program("pipeline"));
-        return runProcess(words, {.folder = folder.path().string()});
-    };
-    // By times measured here, too: at this offset only matrices multiplied in double keep it, on any machine.
-    const ProcessResult chosen = run({"--offset", "1e6", "--error", "0.001", "--measure-here", "--shot", "a.png"});
-    EXPECT_EQ(chosen.status, 0) << chosen.err;
-    EXPECT_NE(
-        chosen.err.find("note: --error 0.001 in 'the cube at 3': one product, double matrices, offset 1e6: root mean "
-                        "square error 5.51e-06, "),
-        std::string::npos)
-        << chosen.err;
-    EXPECT_NE(chosen.err.find("note: times measured here, of the values alone: "), std::string::npos) << chosen.err;
-    EXPECT_EQ(run({"--offset", "1e6", "--products", "once", "--shot", "b.png"}).status, 0);
-    EXPECT_EQ(fileText(folder.file("a.png")), fileText(folder.file("b.png")));
-    const ProcessResult none = run({"--offset", "1e6", "--error", "1e-9", "--shot", "c.png"});
-    EXPECT_EQ(none.status, 1);
-    EXPECT_EQ(none.err.find("error: --error: must be at least 5.51"), 0U) << none.err;
-    EXPECT_FALSE(std::filesystem::exists(folder.file("c.png")));
-}
-
 TEST(Program, run_is_what_a_copied_line_begins_with) {
     TemporaryFolder folder;
     fs::copy_file(MVGL_SOURCE_DIR "/run", folder.path() / "run");

@@ -56,6 +56,29 @@ function sourcesOf(name) {
   return [`demos/${name}.cpp`, ...shaders.map((file) => `shaders/${file}`)];
 }
 
+// The fields of a line of CSV, in which a quoted one may hold commas.
+const fields = (line) => [...line.matchAll(/("(?:[^"]|"")*"|[^,]*)(?:,|$)/g)].map((found) => found[1].replace(/^"|"$/g, '').replaceAll('""', '"'));
+
+// The committed studies of a demo, a processor's first: the facts of the file's head, what each row sets, and the plot.
+function studiesOf(name) {
+  const files = ['processor', 'gpu'].map((drawer) => `docs/errors-and-times/${name}.${drawer}`);
+  return files.filter((file) => fs.existsSync(path.join(root, `${file}.csv`))).map((file) => {
+    const lines = text(`${file}.csv`).split('\n').filter(Boolean), facts = {};
+    while (lines[0].startsWith('# ')) {
+      const [, fact, value] = lines.shift().match(/^# (.*?): (.*)$/);
+      facts[fact] = value;
+    }
+    const columns = fields(lines.shift());
+    const settings = lines.map((line) => {
+      const row = fields(line);
+      return Object.fromEntries(columns.map((column, i) => [column, row[i]]).filter(([column, value]) => column.startsWith('--') && value).map(([column, value]) => [column.slice(2), value]));
+    });
+    const svg = text(`${file}.svg`);
+    // Its title ends with whose times they are.
+    return { facts, settings, svg, machine: svg.match(/<text [^>]*>[^<]*, on ([^<]*)<\/text>/)[1] };
+  });
+}
+
 // Scripts without what only people read.
 function shorter(scripts) {
   const env = { ...process.env, NODE_PATH: '/usr/share/nodejs' };
@@ -120,11 +143,7 @@ for (const [i, demo] of demos.entries()) {
   demo.pictures.forEach((picture) => copy(picture.file));
   demo.presets = JSON.parse(run(program, [demo.name, '--knobs=json'])).presets;
   Object.assign(demo, lesson(`demos/${demo.name}.md`));
-  const study = `docs/errors-and-times/${demo.name}`;
-  if (fs.existsSync(path.join(root, `${study}.json`))) {
-    demo.study = JSON.parse(text(`${study}.json`));
-    copy(`${study}.svg`);
-  }
+  demo.studies = studiesOf(demo.name);
   demo.sources = sourcesOf(demo.name).map((file) => ({
     file,
     html: run('highlight', ['-O', 'html', '-f', '--syntax=c++', path.join(root, file)]),

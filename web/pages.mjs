@@ -83,20 +83,17 @@ ${small.join('\n')}
 `;
 }
 
-// The committed study: its picture, which a script replaces by a curve to ask.
+// The committed studies: the SVG of each machine, which a script makes a curve to ask.
 function curve(demo) {
-  if (!demo.study) return '';
-  const { quantity, reference, renderer, processor } = demo.study;
-  const rows = demo.study.rows
-    .filter((row) => row.status === 'ok' && row.ms_median > 0)
-    .map(({ scene, method, parameter, settings, all, ms_median, ms_mad, best }) => ({ scene, method, parameter, settings, rms: all.rms, max: all.max, fraction: all.fraction, ms: ms_median, mad: ms_mad, best }));
-  const data = JSON.stringify({ demo: demo.name, axis: demo.study.axis, rows }).replace(/</g, '\\u003c');
+  if (demo.studies.length === 0) return '';
+  const { compared, reference } = demo.studies[0].facts;
+  const data = JSON.stringify({ demo: demo.name, settings: demo.studies.map((study) => study.settings) }).replace(/</g, '\\u003c');
+  const figures = demo.studies.map(({ machine, svg }) => `<figure class="drawn" data-machine="${machine}">\n${svg}</figure>`);
   return `<section class="curve">
 <h2 id="error-against-run-time">${word('study')}</h2>
-<p>${word('studyWhat', { quantity: escaped(quantity), reference: escaped(reference), renderer: escaped(renderer), processor: escaped(processor), table: `../docs/errors-and-times/${demo.name}.html` })}</p>
+<p>${word('studyWhat', { quantity: escaped(compared), reference: escaped(reference), table: `../docs/errors-and-times/${demo.name}.html` })}</p>
 <p class="choices"></p>
-<div class="drawn"><img src="../docs/errors-and-times/${demo.name}.svg" alt="${word('study')}" loading="lazy"></div>
-<ul class="legend"></ul>
+${figures.join('\n')}
 <p class="told" role="status"></p>
 <pre class="command"><code>./run ${demo.name} --study out</code></pre>
 <script type="application/json">${data}</script>

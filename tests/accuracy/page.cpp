@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "mv/error.h"
+#include "mv/study/study.h"
 
 namespace mv::accuracy {
 namespace {
@@ -92,21 +93,6 @@ std::string formatted(const char* format, double value) {
     char text[64];
     std::snprintf(text, sizeof text, format, value);
     return text;
-}
-
-// Names beside the curve's points, moved up where they would cover each other.
-struct Label {
-    double x, y;
-    std::string text;
-};
-void spread(std::vector<Label>& labels) {
-    std::sort(labels.begin(), labels.end(), [](const Label& a, const Label& b) { return a.y < b.y; });
-    for (std::size_t i = 1; i < labels.size(); ++i) {
-        for (std::size_t k = 0; k < i; ++k) {
-            const bool isNear = labels[k].x < 100 * labels[i].x && labels[i].x < 100 * labels[k].x;
-            if (isNear) labels[i].y = std::max(labels[i].y, labels[k].y * 1.09);
-        }
-    }
 }
 
 }  // namespace
@@ -327,56 +313,34 @@ float form got arguments that are floats already, so its error is its own, in ul
     return page.str();
 }
 
-std::string curveScript(const ErrorTable& errors, const TimeTable& times) {
+std::string libraryCurve(const ErrorTable& errors, const TimeTable& times) {
     const Numbers numbers{errors, times};
-    std::ostringstream script;
-    script << R"gnuplot(set terminal svg size 900,640 font "DejaVu Sans,12" background "white"
-set logscale xy
-set xlabel "largest error, ordinary arguments, as a part of the largest entry (2e-17: exact)"
-set ylabel "time per call (ns)"
-set xrange [1e-17:10]
-set format x "1e%T"
-set grid lc rgb "#dddddd"
-set key top right
-$lines << EOD
-)gnuplot";
-    std::vector<Label> labels;
-    for (const Function& function : functions()) {
-        if (!hasTwin(function)) continue;
-        for (const Form& form : function.forms) {
-            const double error = part(numbers.error(function, form.name, Domain::ordinary, shortRun), form.isFloat);
-            const double ns = numbers.time(function, form.name).nanoseconds;
-            script << twoDigits(error) << " " << twoDigits(ns) << " "
-                   << (form.name == "mv" ? 0
-                       : form.isFloat    ? 2
-                                         : 1)
-                   << "\n";
-            if (form.isFloat) labels.push_back({error, ns, function.name});
+    StudyRun run;
+    run.demo = "mv/math";
+    run.quantity = "results";
+    run.reference = "50 digits (Boost.Multiprecision)";
+    run.axis = ErrorAxis::max;
+    run.processor = times.machine;
+    run.threads = 1;
+    for (const char* form : {"mv", "GLM double", "GLM float"}) {
+        for (const Function& function : functions()) {
+            const auto found = std::ranges::find(function.forms, form, &Form::name);
+            if (!hasTwin(function) || found == function.forms.end()) continue;
+            StudyRow row;
+            row.method = found->isFloat        ? "GLM, float"
+                         : found->name == "mv" ? "mv, double, arguments checked"
+                                               : "GLM, double";
+            row.parameter = function.name;
+            row.all.max = part(numbers.error(function, form, Domain::ordinary, shortRun), found->isFloat);
+            row.msMedian = numbers.time(function, form).nanoseconds;
+            row.rounds = 1;
+            run.rows.push_back(row);
         }
-        script << "\n";
     }
-    script << "EOD\n$names << EOD\n";
-    spread(labels);
-    for (const Label& label : labels) {
-        script << twoDigits(label.x) << " " << twoDigits(label.y) << " " << label.text << "\n";
-    }
-    script << R"gnuplot(EOD
-plot $lines using 1:2 with lines lc rgb "#cccccc" notitle, \
-  $lines using ($3==1?$1:1/0):2 with points pt 6 ps 0.8 lc rgb "#d95f02" title "GLM, double", \
-  $lines using ($3==2?$1:1/0):2 with points pt 4 ps 0.8 lc rgb "#7570b3" title "GLM, float", \
-  $lines using ($3==0?$1:1/0):2 with points pt 7 ps 0.8 lc rgb "#1b9e77" title "mv, double, arguments checked", \
-  $names using 1:2:3 with labels left offset 1,0 font ",9" notitle
-)gnuplot";
-    return script.str();
-}
-
-std::string curveStamp(const ErrorTable& errors, const TimeTable& times) {
-    // Source: the FNV-1a hash.
-    std::uint64_t hash = 14695981039346656037U;
-    for (const char letter : curveScript(errors, times)) {
-        hash = (hash ^ static_cast<unsigned char>(letter)) * 1099511628211U;
-    }
-    return "<!-- drawn from library-errors.csv and library-times.csv, " + std::to_string(hash) + " -->";
+    return studySvg(run, {.title = "Functions of mv and of GLM, on " + times.machine,
+                          .error = "largest error, ordinary arguments, as a part of the largest entry (2e-17: exact)",
+                          .time = "time per call (ns)",
+                          .joined = false});
 }
 
 }  // namespace mv::accuracy

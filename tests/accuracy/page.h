@@ -59,8 +59,7 @@ TimeTable timesFrom(const std::string& text);
 
 // The page: a function of the three tables and of the words in functions(). Error: a function without its numbers.
 std::string libraryPage(const ErrorTable& errors, const TimeTable& times, const WorstTable& worst);
-// What the curve docs/library.svg is drawn from, as gnuplot's input; and a line that says which numbers a curve shows.
-std::string curveScript(const ErrorTable& errors, const TimeTable& times);
-std::string curveStamp(const ErrorTable& errors, const TimeTable& times);
+// The curve docs/library.svg, a function of the same tables.
+std::string libraryCurve(const ErrorTable& errors, const TimeTable& times);
 
 }  // namespace mv::accuracy

@@ -12,7 +12,6 @@
 #include "bench/benches.h"
 #include "mv/error.h"
 #include "mv/image/file.h"
-#include "mv/run/gnuplot.h"
 
 namespace mv::bench {
 namespace {
@@ -65,12 +64,6 @@ std::string machineName() {
     return "an unnamed processor";
 }
 
-// gnuplot's drawing of the curve, with the stamp of its numbers at the end.
-void drawCurve(const fs::path& file, const accuracy::ErrorTable& errors, const accuracy::TimeTable& times) {
-    const std::string svg = drawnByGnuplot(curveScript(errors, times));
-    writeFileAtomically(file, std::string_view(svg + curveStamp(errors, times) + "\n"));
-}
-
 }  // namespace
 
 void accuracyBench(const std::string& folder) {
@@ -94,7 +87,7 @@ void accuracyBench(const std::string& folder) {
         std::cout << page;
         return;
     }
-    drawCurve(fs::path(folder) / "library.svg", keptErrors, keptTimes);
+    writeFileAtomically(fs::path(folder) / "library.svg", std::string_view(libraryCurve(keptErrors, keptTimes)));
     writeFileAtomically(fs::path(folder) / "library-errors.csv", std::string_view(errorsFile));
     writeFileAtomically(fs::path(folder) / "library-times.csv", std::string_view(timesFile));
     writeFileAtomically(fs::path(folder) / "library.md", std::string_view(page));

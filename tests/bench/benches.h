@@ -32,13 +32,13 @@ namespace mv::bench {
 [[nodiscard]] std::vector<Row> raysBench(int rounds);
 // The errors of mv/math's functions and their times beside GLM's: prints the page, or with a folder ("docs") writes it
 // there as library.md, with its curve library.svg and the numbers library-errors.csv and library-times.csv. Takes
-// minutes: 100,000 samples a function. Error: gnuplot is missing.
+// minutes: 100,000 samples a function.
 void accuracyBench(const std::string& folder);
 
 // The errors and times of mv/motion's integrators beside CVODE and Odeint: prints the page, or with a folder ("docs") writes
 // it there as work-precision.md, with its curves work-precision.svg and its rows work-precision.csv. Takes under three
-// minutes. Where SUNDIALS is not installed it prints the rows of the others. Error: gnuplot is missing; with a folder,
-// SUNDIALS is.
+// minutes. Where SUNDIALS is not installed it prints the rows of the others. Error: with a folder,
+// SUNDIALS is missing.
 void workPrecisionBench(const std::string& folder);
 // Prints the references that it compares with, tests/work_precision/references.csv.
 void workPrecisionReferences();

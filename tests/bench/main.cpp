@@ -1,6 +1,6 @@
 // mvgl-bench: what the suite costs, as ratios of interleaved runs against the bare way of doing the same.
 //     mvgl-bench [png] [math] [frame] [process] [rays] [shadows] [volumes] [--rounds N]
-//     mvgl-bench accuracy [--write FOLDER]    the errors and times of mv/math: docs/library.* (gnuplot draws the curve)
+//     mvgl-bench accuracy [--write FOLDER]    the errors and times of mv/math: docs/library.*
 //     mvgl-bench work-precision [--write FOLDER]    those of the integrators: docs/work-precision.*
 //     mvgl-bench work-precision --references    what they are compared with: tests/work_precision/references.csv
 // Exit status 0: every bound holds; 1: one is broken, or a run was too noisy to tell.

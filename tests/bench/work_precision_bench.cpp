@@ -9,7 +9,7 @@
 #include "bench/cvode.h"
 #include "mv/error.h"
 #include "mv/image/file.h"
-#include "mv/run/study.h"
+#include "mv/study/study.h"
 #include "work_precision/page.h"
 
 namespace mv::bench {
@@ -121,7 +121,7 @@ void workPrecisionBench(const std::string& folder) {
         std::cout << page;
         return;
     }
-    const std::string curve = studySvg(kept) + work_precision::curveStamp(rows) + "\n";
+    const std::string curve = studySvg(kept);
     writeFileAtomically(fs::path(folder) / "work-precision.csv", std::string_view(rows));
     writeFileAtomically(fs::path(folder) / "work-precision.svg", std::string_view(curve));
     writeFileAtomically(fs::path(folder) / "work-precision.md", std::string_view(page));

@@ -8,7 +8,7 @@
 #include "mv/geometry/ray_caster.h"
 #include "mv/math/shadow.h"
 #include "mv/math/transform.h"
-#include "mv/run/study.h"
+#include "mv/study/study.h"
 #include "shared/scenes.h"
 #include "support/demo_run.h"
 

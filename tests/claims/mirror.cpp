@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "mv/demo/demo.h"
-#include "mv/run/study.h"
+#include "mv/study/study.h"
 #include "support/demo_run.h"
 
 using namespace mv;

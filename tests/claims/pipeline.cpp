@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "mv/demo/demo.h"
-#include "mv/run/study.h"
+#include "mv/study/study.h"
 #include "shared/gpu_product.h"
 #include "support/demo_run.h"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "mv/geometry/light_view.h"
-#include "mv/run/study.h"
+#include "mv/study/study.h"
 #include "shared/lit_reference.h"
 #include "shared/scenes.h"
 #include "support/demo_run.h"

@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "mv/run/study.h"
+#include "mv/study/study.h"
 #include "support/demo_run.h"
 
 using namespace mv;

@@ -9,7 +9,7 @@
 #include "mv/demo/demo.h"
 #include "mv/gl/gl.h"
 #include "mv/math/transform.h"
-#include "mv/run/study.h"
+#include "mv/study/study.h"
 #include "support/demo_run.h"
 
 using namespace mv;

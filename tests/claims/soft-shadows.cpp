@@ -6,7 +6,7 @@
 
 #include "mv/demo/demo.h"
 #include "mv/math/projection.h"
-#include "mv/run/study.h"
+#include "mv/study/study.h"
 #include "shared/scenes.h"
 #include "support/demo_run.h"
 

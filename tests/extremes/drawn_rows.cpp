@@ -6,7 +6,7 @@
 #include "mv/geometry/shapes.h"
 #include "mv/gl/gl.h"
 #include "mv/math/transform.h"
-#include "mv/run/study.h"
+#include "mv/study/study.h"
 #include "shared/lit_reference.h"
 #include "support/demo_run.h"
 

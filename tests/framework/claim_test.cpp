@@ -1,4 +1,4 @@
-#include "mv/run/claims.h"
+#include "mv/study/claims.h"
 
 #include <gtest/gtest.h>
 

@@ -120,13 +120,6 @@ TEST(CommandLine, refuses_with_the_rule_and_the_nearest_name) {
         line.insert(line.end(), windowless.begin(), windowless.end());
         EXPECT_TRUE(has(refusal(line), "--window")) << windowless.front();
     }
-    for (const char* time : {"5", "ms", "-1ms", "5min"}) {
-        EXPECT_TRUE(has(refusal({"cube-cull", "--within", time}), "--within: must be a time above 0")) << time;
-    }
-    for (const char* error : {"x", "-1", "5ms"}) {
-        EXPECT_TRUE(has(refusal({"cube-cull", "--error", error}), "--error: must be a number from 0 on")) << error;
-    }
-    EXPECT_TRUE(has(refusal({"--error", "0.1"}), "must be named first"));
     EXPECT_TRUE(has(refusal({"--report"}), "must be named first"));
     EXPECT_TRUE(has(refusal({"--shot", "a.png"}), "must be named first"));
     EXPECT_TRUE(has(refusal({"--gallery", "g", "--compare", "cull=back,front"}), "does nothing beside --gallery"));
@@ -150,9 +143,6 @@ TEST(CommandLine, every_pair_of_flags_means_something_or_is_refused) {
                                              {"--window", {"--window"}},
                                              {"--study", {"--study", "out"}},
                                              {"--vary", {"--vary", "z-dist=1,2"}},
-                                             {"--within", {"--within", "5ms"}},
-                                             {"--error", {"--error", "0.01"}},
-                                             {"--measure-here", {"--measure-here"}},
                                              {"--until", {"--until", "1"}},
                                              {"--audit", {"--audit"}},
                                              {"--all", {"--all"}},
@@ -181,21 +171,15 @@ TEST(CommandLine, every_pair_of_flags_means_something_or_is_refused) {
         {"--report", {"--window"}},
         {"--until",
          {"--preset", "--cull", "--at", "--shot", "--frame", "--size", "--headless", "--report", "--window",
-          "--copyable", "--within", "--error"}},
+          "--copyable"}},
         {"--study", {"--vary"}},
-        {"--within",
-         {"--cull", "--preset", "--shot", "--frame", "--size", "--headless", "--report", "--window", "--audit",
-          "--copyable", "--measure-here"}},
-        {"--error",
-         {"--cull", "--preset", "--shot", "--frame", "--size", "--headless", "--report", "--window", "--audit",
-          "--copyable", "--measure-here"}},
         {"--audit", {"--all"}}};
     const auto may = [&](const std::string& a, const std::string& b) {
         const auto found = together.find(a);
         return found != together.end() && std::count(found->second.begin(), found->second.end(), b) > 0;
     };
     // Alone it does nothing; and what is of no demo.
-    const std::set<std::string> idle{"--vary", "--frames", "--all", "--measure-here"},
+    const std::set<std::string> idle{"--vary", "--frames", "--all"},
         ofNoDemo{"--gallery", "--docs", "--all"};
     // All flags of the program are here.
     const auto demo = findDemo("cube-cull").make();
@@ -239,7 +223,7 @@ TEST(CommandLine, every_pair_of_flags_means_something_or_is_refused) {
             EXPECT_TRUE(bothNamed || demoMissing || oneIdle) << a << " " << b << ": " << said;
         }
     }
-    EXPECT_EQ(understood + refused, 25 * 24);
+    EXPECT_EQ(understood + refused, 22 * 21);
     EXPECT_NE(refusal({"cube-cull", "--gallery", "g"}), "accepted") << "it would be of all demos";
     EXPECT_NE(refusal({"cube-cull", "--audit", "--all"}), "accepted");
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <regex>
 #include <string>
 #include <vector>
@@ -22,8 +23,13 @@ const std::vector<std::vector<std::string>> storeys = {
 // The highest floor that a demo includes: it draws, and asks for neither a host nor a command line.
 const std::string highestForDemos = "gl";
 
-// The number of the storey that `floor` is on, from 0; -1 for no floor.
-int storeyOf(const std::string& floor) {
+// A room of a floor has a folder of its own, and its files and the floor's include each other.
+const std::map<std::string, std::string> rooms = {{"study", "run"}};
+std::string floorOfRoom(const std::string& folder) { return rooms.contains(folder) ? rooms.at(folder) : folder; }
+
+// The number of the storey that `folder` is on, from 0; -1 for no floor.
+int storeyOf(const std::string& folder) {
+    const std::string floor = floorOfRoom(folder);
     for (int i = 0; i < static_cast<int>(storeys.size()); ++i) {
         if (std::ranges::count(storeys[static_cast<size_t>(i)], floor)) return i;
     }
@@ -40,7 +46,7 @@ std::string wrongInclude(const std::string& floor, const std::string& line) {
     if (std::regex_search(line, lessons) && floor != "demos") return "the library knows nothing that only lessons use";
     if (std::regex_search(line, windows) && floor != "window") return "only mv/window knows GLFW and Dear ImGui";
     if (std::regex_search(line, contexts) && floor != "host") return "only mv/host knows EGL and OSMesa";
-    if (!std::regex_search(line, match, ours) || match[1] == floor) return "";
+    if (!std::regex_search(line, match, ours) || floorOfRoom(match[1]) == floorOfRoom(floor)) return "";
     const int below = storeyOf(match[1]);
     if (below < 0) return "there is no such floor";
     if (floor == "demos") return below <= storeyOf(highestForDemos) ? "" : "a demo includes no floor above mv/gl";

@@ -179,11 +179,11 @@ studies() {
     ./test --update-studies >out 2>err && fail "no study must be an error"
     says err '^error: --update-studies: demos/\*.study.cpp must hold a study'
     echo 'static const bool added = addStudy("two", study());' >demos/two.study.cpp
-    mkdir -p build/studies/two && echo 'measured' >build/studies/two/study.json
+    mkdir -p build/studies/two && echo '# renderer: llvmpipe' >build/studies/two/study.csv
     ./test --update-studies >out 2>err || fail "./test --update-studies: $(cat out err)"
     says out ": two --study $tree/build/studies/two --headless$"
     silent out ': one --study'
-    says docs/errors-and-times/two.json '^measured$'
+    says docs/errors-and-times/two.processor.csv '^# renderer: llvmpipe$'
 }
 
 # What differs from the given commit, the last tag, or the commit before.

@@ -126,12 +126,13 @@ if (chromium) {
     equal(all(page, /(aria-current="true")/g).length, 1, `${where}: pictures that are marked`);
   }
   const studied = opened(`${address}demos/ray-trace.html`);
-  const study = JSON.parse(fs.readFileSync(path.join(source, 'docs/errors-and-times/ray-trace.json'), 'utf8'));
-  const rows = study.rows.filter((row) => row.scene === study.rows[0].scene && row.status === 'ok');
-  const points = all(studied, /<circle [^>]*cy="([^"]*)"/g);
-  equal(points.length, rows.length, 'points of the curve of the first scene');
-  expect(points.every((y) => Number(y) > 0 && Number(y) < 420), `points within the curve: ${points}`);
-  for (const row of rows) expect(studied.includes(`aria-label="${row.method}, ${row.parameter}: `), `a point of ${row.method}, ${row.parameter}`);
+  const rows = (name) => fs.readFileSync(path.join(source, `docs/errors-and-times/${name}.csv`), 'utf8').split('\n').filter((line) => line.includes(',ok,')).length;
+  equal(all(studied, /(<g data-row="\d+" tabindex="0" role="button" aria-label="[^"]+")/g).length, rows('ray-trace.processor'), 'points of the curve, each to be asked');
+  expect(!studied.includes('<select'), 'one machine is no choice');
+  const both = opened(`${address}demos/shadow-map.html`);
+  equal(all(both, /<figure class="drawn" data-machine="([^"]*)"/g).join('; '), 'a processor (llvmpipe); this GPU (NVIDIA H100 80GB HBM3)', 'machines');
+  equal(all(both, /(<figure [^>]*hidden)/g).length, 1, 'machines that are not shown at first');
+  equal(all(both, /(<g data-row="\d+" tabindex)/g).length, rows('shadow-map.processor') + rows('shadow-map.gpu'), 'points of both');
   for (const file of ['docs/library.html', 'demos/clipping.html']) opened(address + file);
 }
 console.log(`${pages.size} pages, ${counted.checks} checks, ${counted.failures} failed${chromium ? '' : ', without a browser'}`);

@@ -15,7 +15,7 @@
 #include "mv/gl/gl.h"
 #include "mv/gl/object.h"
 #include "mv/gl/shader_source.h"
-#include "mv/run/study_data.h"
+#include "mv/study/data.h"
 
 using namespace mv;
 
@@ -166,6 +166,7 @@ std::string committedIntegral() {
                 row.scene = scene.name;
                 row.method = line.method;
                 row.parameter = n;
+                if (!n.empty()) row.knob = "n";
                 row.settings = {{"function", scene.name}, {"rule", line.method}};
                 if (!n.empty()) row.settings.push_back({"n", n});
                 const double strips = n.empty() ? 10000 : std::stod(n);
@@ -183,7 +184,7 @@ std::string committedIntegral() {
         }
     }
     markBest(run);
-    return studyJson(run);
+    return studyCsv(run);
 }
 
 constexpr Declaration integralDeclaration{

@@ -3,15 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <optional>
 #include <sstream>
 
 #include "mv/error.h"
-#include "mv/run/claims.h"
-#include "mv/run/study.h"
+#include "mv/study/claims.h"
+#include "mv/study/study.h"
 
 namespace mv::work_precision {
 namespace {
@@ -49,8 +48,9 @@ StudyRow bareRow(const std::string& problem, const std::string& method, const st
     StudyRow row;
     row.scene = problem;
     row.method = method;
+    row.knob = tolerance ? "tolerance" : "steps";
     row.parameter = parameter;
-    row.settings = {{tolerance ? "tolerance" : "steps", parameter}};
+    row.settings = {{row.knob, parameter}};
     return row;
 }
 
@@ -247,15 +247,6 @@ std::string saysText(const StudyRun& run, const std::vector<Saying>& says) {
     return text;
 }
 
-// FNV-1a, of 64 bits.
-std::string hashOf(const std::string& text) {
-    std::uint64_t hash = 0xcbf29ce484222325;
-    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
-    char result[24];
-    std::snprintf(result, sizeof result, "%016llx", static_cast<unsigned long long>(hash));
-    return result;
-}
-
 std::string rowTable(const StudyRun& run, const std::string& scene) {
     std::string text =
         "| method | p | error | by tolerance | ms | evaluations | Jacobians | factorizations | accepted | rejected | "
@@ -374,8 +365,6 @@ std::vector<Saying> sayings() {
              "is "
              "told: a test does so with every row of ours that has a tolerance and an end.")};
 }
-
-std::string curveStamp(const std::string& rows) { return "<!-- rows " + hashOf(rows) + " -->"; }
 
 std::string page(const StudyRun& run) {
     int rounds = 0;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "mv/demo/claim.h"
-#include "mv/run/study_data.h"
+#include "mv/study/data.h"
 #include "work_precision/solver.h"
 
 namespace mv::work_precision {
@@ -33,6 +33,5 @@ std::vector<Saying> sayingsAtEqualErrors();
 
 std::string page(const StudyRun& run);
 // A line that says which rows a curve shows, by the text of their file.
-std::string curveStamp(const std::string& rows);
 
 }  // namespace mv::work_precision

@@ -111,10 +111,9 @@ constexpr std::string_view severalTimes = "--at";
 // The flags of the command line; each has one line here, and its value is read below. Which go together: flag_table.cpp.
 struct Flags {
     std::string preset, shot, frame, frames, headless, size, compare, report, knobs, gallery, docs, study, vary;
-    std::string within, error, until;
+    std::string until;
     std::vector<std::pair<std::string, std::string>> at;
     bool list = false, version = false, copyable = false, audit = false, all = false, window = false;
-    bool measureHere = false;
 };
 
 void declareFlags(CLI::App& app, Flags& flags, bool launcher) {
@@ -136,19 +135,7 @@ void declareFlags(CLI::App& app, Flags& flags, bool launcher) {
                  "open no window; =osmesa, =egl or =egl-device chooses the host");
     app.add_option("--compare", flags.compare, "two settings of a knob in one window, or side by side with --shot")
         ->type_name("KNOB=A,B");
-    app.add_option(
-           "--within", flags.within,
-           "the most exact setting of the demo's study that takes at most this time, as 5ms;\nflags of knobs that "
-           "are given, too, restrict the choice")
-        ->type_name("TIME");
-    app.add_option(
-           "--error", flags.error,
-           "the cheapest setting of the demo's study with at most this error, as 0.01 or 1%: the\nnumber that its "
-           "plot shows; flags of knobs restrict the choice")
-        ->type_name("E");
-    app.add_flag("--measure-here", flags.measureHere,
-                 "choose by times measured now, on this machine (with --within or --error)");
-    app.add_option("--study", flags.study, "error against run time: study.csv, study.json, study.svg and a table")
+    app.add_option("--study", flags.study, "error against run time: study.csv, study.svg and a table")
         ->type_name("DIR");
     app.add_option("--vary", flags.vary, "a study by hand: N values of a knob, or KNOB=a,b,c (with --study)")
         ->type_name("KNOB=A..B:N");
@@ -272,15 +259,12 @@ Command readFlags(const Flags& flags, Command command, Demo* demo) {
     command.shot = flags.shot;
     command.folder = flags.gallery + flags.docs + flags.study;  // of which one at most is given
     command.vary = flags.vary;
-    if (!flags.within.empty()) command.bound = readWithin(flags.within);
-    if (!flags.error.empty()) command.bound = readError(flags.error);
-    command.measureHere = flags.measureHere;
     command.all = flags.all;
     const bool wantsDemo = command.action == Action::knobs || command.action == Action::copyable ||
                            command.action == Action::render || command.action == Action::study ||
                            (command.action == Action::audit && !command.all) || !flags.compare.empty() ||
-                           !flags.preset.empty() || !flags.size.empty() || command.frameGiven || command.bound ||
-                           !flags.at.empty() || command.until;
+                           !flags.preset.empty() || !flags.size.empty() || command.frameGiven || !flags.at.empty() ||
+                           command.until;
     if (!demo && wantsDemo) {
         throw UsageError("demo", "must be named first, as in: mvgl cube-cull --shot a.png (--list shows them)");
     }

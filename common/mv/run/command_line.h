@@ -8,7 +8,6 @@
 #include "mv/demo/demo.h"
 #include "mv/host/context.h"
 #include "mv/run/stage.h"
-#include "mv/run/study_bound.h"
 
 namespace mv {
 
@@ -37,15 +36,13 @@ struct Command {
     std::string compareKnob;  // "" for no comparison
     std::vector<std::string> compareValues;
     ReportForm report = ReportForm::none;
-    bool json = false;                // --knobs=json
-    bool all = false;                 // --audit --all
-    std::string folder;               // of --gallery, --docs and --study
-    std::optional<StudyBound> bound;  // --within or --error: which setting of the study is drawn
-    bool measureHere = false;         // by times measured here, not the committed ones
-    std::string vary;                 // of --study: KNOB=A..B:N or KNOB=a,b,c; "" for the demo's own study
-    std::optional<int> until;         // --until: the frame is stopped after so many draws
-    std::string text;                 // what --help prints
-    std::string program;  // how the program was started: what to type to start it once more; "" where nobody knows
+    bool json = false;         // --knobs=json
+    bool all = false;          // --audit --all
+    std::string folder;        // of --gallery, --docs and --study
+    std::string vary;          // of --study: KNOB=A..B:N or KNOB=a,b,c; "" for the demo's own study
+    std::optional<int> until;  // --until: the frame is stopped after so many draws
+    std::string text;          // what --help prints
+    std::string program;       // how the program was started: what to type to start it once more; "" where nobody knows
 };
 
 // Reads the arguments after the program's name. With one demo linked in, that is the demo; with more, the first

@@ -14,8 +14,8 @@
 #include "mv/run/audit.h"
 #include "mv/run/page_numbers.h"
 #include "mv/run/render.h"
-#include "mv/run/study.h"
 #include "mv/run/words.h"
+#include "mv/study/study.h"
 
 namespace mv {
 namespace {
@@ -164,11 +164,18 @@ Picture pictureStrip() {
     return strip;
 }
 
-StudyRun studyInTree(const std::string& root, const std::string& demo) {
-    const std::string file = root + "/docs/errors-and-times/" + demo + ".json";
-    if (!std::filesystem::exists(file))
-        throw Error("study", "must be one of those committed in docs/errors-and-times", demo);
-    return readStudy(fileText(file));
+// docs/errors-and-times/DEMO.processor, without what follows.
+static std::string studyStem(const std::string& root, const std::string& demo, Drawer drawer) {
+    return root + "/docs/errors-and-times/" + demo + "." + nameOf(drawer);
+}
+
+std::vector<StudyRun> studiesInTree(const std::string& root, const std::string& demo) {
+    std::vector<StudyRun> runs;
+    for (const Drawer drawer : {Drawer::processor, Drawer::gpu}) {
+        const std::string file = studyStem(root, demo, drawer) + ".csv";
+        if (std::filesystem::exists(file)) runs.push_back(readStudy(fileText(file)));
+    }
+    return runs;
 }
 
 std::vector<std::string> pagesWithNumbers(const std::string& root) {
@@ -191,12 +198,15 @@ std::vector<std::string> pagesWithNumbers(const std::string& root) {
 // The pages and plots of the studies whose runs are committed.
 static void writeStudyDocs(const std::string& root) {
     for (const DemoInfo& info : catalogue()) {
-        const std::string stem = root + "/docs/errors-and-times/" + info.name;
-        if (!std::filesystem::exists(stem + ".json")) continue;
-        const StudyRun run = studyInTree(root, info.name);
-        writeFileAtomically(stem + ".md", std::string_view(studyPage(run, info)));
-        writeFileAtomically(stem + ".svg", std::string_view(studySvg(run)));
-        std::cout << stem << ".md, .svg\n";
+        const std::vector<StudyRun> runs = studiesInTree(root, info.name);
+        if (runs.empty()) continue;
+        const std::string page = root + "/docs/errors-and-times/" + info.name + ".md";
+        writeFileAtomically(page, std::string_view(studyPage(runs, info)));
+        for (const StudyRun& run : runs) {
+            const std::string svg = studyStem(root, info.name, drawerOf(run.renderer)) + ".svg";
+            writeFileAtomically(svg, std::string_view(studySvg(run)));
+        }
+        std::cout << page << " and its plots\n";
     }
 }
 
@@ -210,7 +220,7 @@ static std::map<std::string, std::string> pagesAnew(const std::string& root) {
         pages[page] = lessonPage(fileText(folder + page), info);
     }
     std::optional<HeadlessStage> headless;
-    NumberSources sources([&](const std::string& demo) { return studyInTree(root, demo); },
+    NumberSources sources([&](const std::string& demo) { return studiesInTree(root, demo); },
                           [&]() -> Stage& { return (headless ? *headless : headless.emplace()).stage; });
     for (const std::string& page : pagesWithNumbers(root)) {
         const auto [text, isNew] = pages.try_emplace(page);

@@ -1,10 +1,11 @@
 // Pages made from the declarations, so that nothing about a demo is written twice.
 #pragma once
 #include <string>
+#include <vector>
 
 #include "mv/demo/demo.h"
 #include "mv/image/picture.h"
-#include "mv/run/study_data.h"
+#include "mv/study/data.h"
 
 namespace mv {
 
@@ -19,9 +20,10 @@ std::string lessonPage(const std::string& page, const DemoInfo& info);
 // Error: the markers are missing.
 std::string readmePage(const std::string& page);
 
-// The committed study of a demo, read from a source tree: not from what is built in, so that a study that was just measured
-// needs no build between. Error: there is none, or it cannot be read.
-StudyRun studyInTree(const std::string& root, const std::string& demo);
+// The committed runs of a demo's study, read from a source tree (docs/errors-and-times/DEMO.*.csv), a processor's first: not from
+// what is built in, so that a study that was just measured needs no build between. Empty where there is none. Error: a file
+// cannot be read.
+std::vector<StudyRun> studiesInTree(const std::string& root, const std::string& demo);
 
 // The pages of a source tree that tell marked numbers (mv/run/page_numbers.h), as paths below `root`: README.md, the lessons
 // and what stands in docs, in this order.

@@ -17,7 +17,7 @@ struct Use {
 
 // All that says which settings of a demo are meant, and these.
 std::vector<std::string_view> settingsAnd(const std::vector<std::string_view>& more) {
-    std::vector<std::string_view> all{demoName, anyKnob, "--preset", "--within", "--error", "--measure-here"};
+    std::vector<std::string_view> all{demoName, anyKnob, "--preset"};
     all.insert(all.end(), more.begin(), more.end());
     return all;
 }
@@ -44,13 +44,8 @@ const std::vector<Use>& uses() {
 }
 
 // Flags of one action that leave each other nothing to do.
-constexpr std::array<std::array<std::string_view, 2>, 9> apart{{
+constexpr std::array<std::array<std::string_view, 2>, 4> apart{{
     {"--frame", "--frames"},    // two ways to say which
-    {"--within", "--error"},    // as well
-    {"--compare", "--within"},  // a bound is for one setting
-    {"--compare", "--error"},
-    {"--at", "--within"},
-    {"--at", "--error"},
     {"--until", "--frames"},    // a list is of one frame
     {"--until", "--compare"},   // and of one setting
     {"--report", "--compare"},  // a report is of one setting (a window with both reports what is shown)
@@ -103,9 +98,6 @@ Action actionOf(const GivenFlags& given) {
         if (given.has(one) && given.has(other)) {
             throw UsageError(one, std::string("must not stand beside ").append(other));
         }
-    }
-    if (given.has("--measure-here") && !given.has("--within") && !given.has("--error")) {
-        throw UsageError("--measure-here", "needs --within or --error, and does nothing without");
     }
     return use.action;
 }

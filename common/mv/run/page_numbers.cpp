@@ -4,13 +4,12 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 #include <utility>
 
-#include "mv/image/compare.h"
-#include "mv/run/audit.h"
 #include "mv/run/command_line.h"
-#include "mv/run/study.h"
 #include "mv/run/words.h"
+#include "mv/study/study.h"
 
 namespace mv {
 namespace {
@@ -212,18 +211,14 @@ bool isSlope(const std::string& column, const std::string& parameter) {
     return parameter.empty() && (column == "slope" || column == "time slope");
 }
 
-MadeNumber columnOf(const StudyRun& run, const StudyRow& row, const std::string& column, bool isCommitted) {
-    const auto error = [&](double value) { return isCommitted ? committedNumber(value) : measured(value); };
-    if (column == "rms") return error(row.all.rms);
-    if (column == "max") return error(row.all.max);
-    if (column == "wrong %") return error(100 * row.all.fraction);
-    if (column == "away from edges %") return error(100 * row.awayFromEdges.fraction);
+MadeNumber columnOf(const StudyRun& run, const StudyRow& row, const std::string& column) {
+    if (column == "rms") return committedNumber(row.all.rms);
+    if (column == "max") return committedNumber(row.all.max);
+    if (column == "wrong %") return committedNumber(100 * row.all.fraction);
+    if (column == "away from edges %") return committedNumber(100 * row.awayFromEdges.fraction);
     if (column == "wrong pixels") return counted(std::round(row.all.fraction * double(row.all.n)));
     if (column == "n") return counted(double(row.all.n));
     if (column == "unmatched") return counted(double(row.unmatched));
-    const bool isTime = column == "ms" || column == "MAD" || column == "time slope";
-    if (isTime && !isCommitted)
-        throw Error("column", "must not be a time here: times come from committed studies alone");
     if (column == "ms") return committedNumber(row.msMedian);
     if (column == "MAD") return committedNumber(row.msMad);
     for (const auto& [name, amount] : row.counts) {
@@ -232,7 +227,7 @@ MadeNumber columnOf(const StudyRun& run, const StudyRow& row, const std::string&
     if (column == "slope" || column == "time slope") {
         const auto slope = (column == "slope" ? errorSlope : timeSlope)(run, row.scene, row.method);
         if (!slope) throw Error("slope", "needs three rows with a number each");
-        return error(*slope);
+        return committedNumber(*slope);
     }
     std::vector<std::string> names{"rms", "max", "wrong %", "away from edges %", "wrong pixels", "n", "unmatched",
                                    "ms",  "MAD", "slope",   "time slope"};
@@ -240,28 +235,20 @@ MadeNumber columnOf(const StudyRun& run, const StudyRow& row, const std::string&
     refuseName("column", names, column);
 }
 
-// "run viewpoints view=5 frame=100" as arguments; the word that says what is done comes last.
-std::vector<std::string> argumentsOf(const std::string& command, std::string& action) {
+// "run viewpoints view=5 frame=100" as arguments.
+std::vector<std::string> argumentsOf(const std::string& command) {
     std::vector<std::string> words = parts(command, " "), arguments;
     std::erase(words, "");
     for (std::size_t i = 1; i < words.size(); ++i) {
-        const auto equals = words[i].find('=');
-        const std::string flag = "--" + words[i].substr(0, equals);
         if (i == 1) {
             arguments.push_back(words[i]);
             continue;
         }
-        if (flag == "--vary" || flag == "--compare" || flag == "--audit" || flag == "--frames") action = flag;
-        arguments.push_back(flag);
+        const auto equals = words[i].find('=');
+        arguments.push_back("--" + words[i].substr(0, equals));
         if (equals != std::string::npos) arguments.push_back(words[i].substr(equals + 1));
     }
-    const auto add = [&](const std::vector<std::string>& more) {
-        arguments.insert(arguments.end(), more.begin(), more.end());
-    };
-    if (action == "--vary") add({"--study", "out"});
-    if (action == "--compare") add({"--shot", "number.png"});
-    if (action == "--frames") add({"--shot", "number%d.png"});
-    if (action.empty()) add({"--report"});
+    arguments.emplace_back("--report");
     return arguments;
 }
 
@@ -285,166 +272,70 @@ Quantities quantitiesOf(Stage& stage, int frame) {
     return result;
 }
 
-Quantities drawn(Stage& stage, const Command& command) {
-    Quantities result;
-    for (int frame = command.firstFrame; frame <= command.lastFrame; ++frame) {
-        Quantities here = quantitiesOf(stage, frame);
-        if (command.firstFrame == command.lastFrame) return here;
-        for (const auto& [name, made] : here) {
-            for (const bool isLargest : {true, false}) {
-                const auto [place, isNew] = result.emplace((isLargest ? "largest " : "smallest ") + name, made);
-                if (!isNew && (made.value > place->second.value) == isLargest) place->second = made;
-            }
-        }
-    }
-    return result;
-}
-
-Quantities compared(Stage& stage, const Command& command) {
-    std::vector<Picture> pictures;
-    for (const std::string& value : command.compareValues) {
-        stage.demo().knob(command.compareKnob).parse(value);
-        stage.draw(command.firstFrame);
-        pictures.push_back(stage.picture());
-    }
-    const Difference difference = compare(pictures.at(0), pictures.at(1));
-    return {{"different pixels", counted(double(difference.beyond))},
-            {"greatest difference", counted(difference.maximum)}};
-}
-
-Quantities audited(Stage& stage, const Command& command) {
-    Quantities result;
-    const AuditReport report = auditDemo(stage, *command.demo, command.knobs, command.firstFrame);
-    for (const Finding& finding : report.findings)
-        result[finding.kind] = counted(result[finding.kind].value + finding.times);
-    return result;
-}
-
 }  // namespace
 
-NumberSources::NumberSources(std::function<StudyRun(const std::string&)> study, std::function<Stage&()> stage)
-    : readStudy_(std::move(study)), stage_(std::move(stage)) {}
+NumberSources::NumberSources(std::function<std::vector<StudyRun>(const std::string&)> studies,
+                             std::function<Stage&()> stage)
+    : readStudies_(std::move(studies)), stage_(std::move(stage)) {}
 
-const StudyRun& NumberSources::committed(const std::string& demo) {
-    const auto found = studies_.find(demo);
-    return found != studies_.end() ? found->second : studies_.emplace(demo, readStudy_(demo)).first->second;
+const StudyRun& NumberSources::committed(const std::string& demo, Drawer drawer) {
+    auto found = studies_.find(demo);
+    if (found == studies_.end()) found = studies_.emplace(demo, readStudies_(demo)).first;
+    for (const StudyRun& run : found->second) {
+        if (drawerOf(run.renderer) == drawer) return run;
+    }
+    throw Error("study", std::string("must be one of those committed in docs/errors-and-times, of a ") + nameOf(drawer),
+                demo);
 }
 
 MadeNumber NumberSources::ofRun(const std::vector<std::string>& fields) {
     const std::string& text = fields.front();
-    const bool isVaried = text.find(" vary=") != std::string::npos;
-    if (fields.size() != (isVaried ? 3U : 2U)) {
-        throw Error("source",
-                    isVaried ? "must be run DEMO ... vary=KNOB=a,b; P; COLUMN" : "must be run DEMO ...; QUANTITY");
-    }
-    if (!varied_.contains(text) && !drawn_.contains(text)) {
-        std::string action;
-        const Command command = parseCommandLine(argumentsOf(text, action));
+    if (fields.size() != 2) throw Error("source", "must be run DEMO ...; READOUT");
+    if (!drawn_.contains(text)) {
+        const Command command = parseCommandLine(argumentsOf(text));
         if (!command.demo) throw Error("source", "must name a demo after 'run'");
-        const DemoInfo& info = *command.demo;
         Stage& stage = stage_();
-        if (action == "--audit") {
-            drawn_[text] = audited(stage, command);
-        } else {
-            Study study;
-            if (isVaried) study = studyOf(info, command.knobs, command.vary);
-            study.width = command.width ? command.width : isVaried ? study.width : info.width;
-            study.height = command.height ? command.height : isVaried ? study.height : info.height;
-            if (command.frameGiven) study.frame = command.firstFrame;
-            stage.open(info, study.width, study.height);
-            stage.begin(command.knobs, command.changes);
-            if (isVaried) {
-                varied_[text] = runStudy(stage, study, {.timed = false});
-            } else {
-                drawn_[text] = action == "--compare" ? compared(stage, command) : drawn(stage, command);
-            }
-            stage.close();
-        }
-    }
-    if (isVaried) {
-        const StudyRun& run = varied_.at(text);
-        const StudyRow& first = run.rows.at(0);
-        return columnOf(run, rowOf(run, first.scene, first.method, fields[1], isSlope(fields[2], fields[1])), fields[2],
-                        false);
+        stage.open(*command.demo, command.width ? command.width : command.demo->width,
+                   command.height ? command.height : command.demo->height);
+        stage.begin(command.knobs, command.changes);
+        drawn_[text] = quantitiesOf(stage, command.firstFrame);
+        stage.close();
     }
     const Quantities& quantities = drawn_.at(text);
     const auto found = quantities.find(fields[1]);
     if (found != quantities.end()) return found->second;
     std::vector<std::string> names;
     for (const auto& [name, made] : quantities) names.push_back(name);
-    refuseName("quantity", names, fields[1]);
+    refuseName("readout", names, fields[1]);
 }
 
-MadeNumber NumberSources::quantity(const std::vector<std::string>& fields) {
+MadeNumber NumberSources::make(const std::string& source) {
+    const std::vector<std::string> fields = parts(source, ";");
     if (fields.front().starts_with("run ")) return ofRun(fields);
     if (!fields.front().starts_with("study ")) {
-        throw Error("source", "must begin with 'study', 'run', 'tested:' or 'exact:'", "'" + fields.front() + "'");
+        throw Error("source", "must begin with 'study' or 'run'", "'" + fields.front() + "'");
     }
     if (fields.size() != 5) throw Error("source", "must be study DEMO; SCENE; METHOD; P; COLUMN");
-    const StudyRun& run = committed(trimmed(fields.front().substr(6)));
-    return columnOf(run, rowOf(run, fields[1], fields[2], fields[3], isSlope(fields[4], fields[3])), fields[4], true);
-}
-
-std::optional<MadeNumber> NumberSources::make(const std::string& source) {
-    for (const std::string kind : {"exact", "tested"}) {
-        if (!source.starts_with(kind)) continue;
-        if (source.size() < kind.size() + 3 || source.compare(kind.size(), 2, ": ") != 0) {
-            throw Error("source", "must be exact: REASON or tested: SUITE.NAME");
-        }
-        return {};
+    const std::vector<std::string> whose = parts(fields.front(), " ");
+    if (whose.size() > 3 || (whose.size() == 3 && whose[2] != "gpu")) {
+        throw Error("source", "must be study DEMO, or study DEMO gpu", "'" + fields.front() + "'");
     }
-    std::string quantities = source, form;
-    if (const auto as = source.rfind(" as "); as != std::string::npos) {
-        quantities = source.substr(0, as);
-        form = trimmed(source.substr(as + 4));
-    }
-    const std::vector<std::string> ratio = parts(quantities, " / ");
-    if (ratio.size() > 2) throw Error("source", "must have one ' / ' at most", "'" + source + "'");
-    const std::vector<std::string> fields = parts(ratio[0], ";");
-    MadeNumber made = quantity(fields);
-    if (ratio.size() == 2) {
-        std::vector<std::string> below = parts(ratio[1], ";");
-        if (below.size() > fields.size()) throw Error("source", "must have as many parts below ' / ' as above it");
-        below.insert(below.begin(), fields.begin(), fields.end() - static_cast<std::ptrdiff_t>(below.size()));
-        const MadeNumber divisor = quantity(below);
-        if (divisor.value == 0) throw Error("source", "must not divide by 0", "'" + ratio[1] + "'");
-        const double value = made.value / divisor.value;
-        // Relative errors of a quotient add up.
-        const double relative =
-            (made.value == 0 ? 0 : made.tolerance / std::abs(made.value)) + divisor.tolerance / std::abs(divisor.value);
-        made = {value, relative * std::abs(value), false};
-    }
-    const auto scale = [&](double by, double from) {
-        made = {by * made.value + from, std::abs(by) * made.tolerance, false};
-    };
-    const bool ofRatio = form == "percent more" || form == "percent less";
-    if (ofRatio && ratio.size() != 2) throw Error("source", "must be a ratio, A / B, for 'as " + form + "'");
-    if (form == "percent") {
-        scale(100, 0);
-    } else if (form == "percent more") {
-        scale(100, -100);
-    } else if (form == "percent less") {
-        scale(-100, 100);
-    } else if (form == "thousands") {
-        scale(0.001, 0);
-    } else if (!form.empty()) {
-        refuseName("as", {"percent", "percent more", "percent less", "thousands"}, form);
-    }
-    return made;
+    const StudyRun& run = committed(whose[1], whose.size() == 3 ? Drawer::gpu : Drawer::processor);
+    return columnOf(run, rowOf(run, fields[1], fields[2], fields[3], isSlope(fields[4], fields[3])), fields[4]);
 }
 
 std::string withNumbers(const std::string& page, const std::string& file, NumberSources& sources) {
     std::string text;
     std::size_t done = 0;
     for (const PageNumber& number : pageNumbers(page, file)) {
-        std::optional<MadeNumber> made;
+        MadeNumber made;
         try {
             made = sources.make(number.source);
         } catch (const Error& error) {
             throw Error(file + ":" + std::to_string(number.line) + ", '" + number.source + "'", error.what());
         }
-        if (!made || tells(number.text, *made)) continue;
-        text += page.substr(done, number.from - done) + toldLike(number.text, *made);
+        if (tells(number.text, made)) continue;
+        text += page.substr(done, number.from - done) + toldLike(number.text, made);
         done = number.from + number.text.size();
     }
     return text + page.substr(done);

@@ -6,29 +6,21 @@
 //
 // What makes it is one of
 //
-//     study DEMO; SCENE; METHOD; P; COLUMN     a row of the committed study, docs/errors-and-times/DEMO.json
-//     run DEMO FLAG=VALUE ...; QUANTITY        a readout, or a count, of the frame that these flags draw
-//     run DEMO ... frames=A..B; largest QUANTITY          the same over several frames; or smallest
-//     run DEMO ... compare=KNOB=a,b; different pixels     of the two pictures
-//     run DEMO ... audit; KIND                 how many findings of that kind --audit has
-//     run DEMO ... vary=KNOB=a,b,c; P; COLUMN  a row of the study that --study out --vary KNOB=a,b,c makes
-//     tested: SUITE.NAME                       nothing here: that test, which holds the number
-//     exact: REASON                            nothing: a number that was not measured, and why it is what it is
+//     study DEMO; SCENE; METHOD; P; COLUMN       a row of the committed study of a processor, docs/errors-and-times/DEMO.processor.csv
+//     study DEMO gpu; SCENE; METHOD; P; COLUMN   the same of a GPU
+//     run DEMO FLAG=VALUE ...; READOUT           a readout, or a count, of the frame that these flags draw
 //
 // A column is a heading of the study's page ("rms", "max", "wrong %", "away from edges %", "ms", "MAD"), one of "n",
 // "unmatched", "wrong pixels", "slope" and "time slope", or the name of a count ("fragments"). Flags stand without their
-// dashes, since a comment must not hold two of them. Two of these with " / " between them are a ratio; what the second
-// leaves out in front is as in the first. " as percent", " as percent more", " as percent less" and " as thousands" at the
-// end say how the number is told.
+// dashes, since a comment must not hold two of them. What follows from a formula or is held by a test has no marker.
 #pragma once
 #include <functional>
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "mv/run/stage.h"
-#include "mv/run/study_data.h"
+#include "mv/study/data.h"
 
 namespace mv {
 
@@ -55,22 +47,20 @@ std::vector<PageNumber> pageNumbers(const std::string& page, const std::string& 
 // Makes numbers from their sources. What was drawn or read for one of them is kept for the next.
 class NumberSources {
   public:
-    // `study` gives the committed study of a demo (an Error where there is none), `stage` a stage to draw on.
-    NumberSources(std::function<StudyRun(const std::string& demo)> study, std::function<Stage&()> stage);
-    // Nothing for what is exact, or what a test holds. Error: no such study, row, column, demo, flag or readout; a row that
-    // failed; a source that is none of the above.
-    std::optional<MadeNumber> make(const std::string& source);
+    // `studies` gives the committed runs of a demo's study, a processor's first, `stage` a stage to draw on.
+    NumberSources(std::function<std::vector<StudyRun>(const std::string& demo)> studies, std::function<Stage&()> stage);
+    // Error: no such study, row, column, demo, flag or readout; a row that failed; a source that is none of the above.
+    MadeNumber make(const std::string& source);
 
   private:
     using Quantities = std::map<std::string, MadeNumber>;
-    MadeNumber quantity(const std::vector<std::string>& fields);
-    const StudyRun& committed(const std::string& demo);
+    const StudyRun& committed(const std::string& demo, Drawer drawer);
     MadeNumber ofRun(const std::vector<std::string>& fields);
-    std::function<StudyRun(const std::string& demo)> readStudy_;
+    std::function<std::vector<StudyRun>(const std::string& demo)> readStudies_;
     std::function<Stage&()> stage_;
-    std::map<std::string, StudyRun> studies_;  // by demo
-    std::map<std::string, StudyRun> varied_;   // by command
-    std::map<std::string, Quantities> drawn_;  // by command
+    std::map<std::string, std::vector<StudyRun>> studies_;  // by demo
+    std::map<std::string, StudyRun> varied_;                // by command
+    std::map<std::string, Quantities> drawn_;               // by command
 };
 
 // Whether the page may go on telling `text`: the number made rounds to it, give or take its tolerance. A plain "0" says

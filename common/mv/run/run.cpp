@@ -15,9 +15,9 @@
 #include "mv/run/render.h"
 #include "mv/run/report.h"
 #include "mv/run/sentence.h"
-#include "mv/run/study.h"
 #include "mv/run/window_module.h"
 #include "mv/run/words.h"
+#include "mv/study/study.h"
 
 namespace mv {
 namespace {
@@ -127,7 +127,6 @@ int runMain(int count, char** arguments) {
         Command command = parseCommandLine({arguments + 1, arguments + count});
         if (count > 0) command.program = arguments[0];
         if (command.demo) subject = command.demo->name;
-        if (command.bound) chooseByStudy(command);
         act(command);
         return 0;
     } catch (const UsageError& error) {

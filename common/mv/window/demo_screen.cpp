@@ -51,9 +51,8 @@ DemoScreen::DemoScreen(Window& window, Gui& gui, Stage& stage, const Command& co
       program_(command.program),
       menu_(menu),
       knobs_(gui, session_),
-      study_(*command.demo, gui),
+      study_(*command.demo, gui, stage.driver().renderer),
       steps_(window, session_) {
-    if (command.bound) study_.ask(*command.bound);
     const bool sizeGiven = command.width > 0;
     const int width = stage_.front().width(), height = stage_.front().height();
     if (!command.compareKnob.empty()) {

@@ -6,7 +6,7 @@
 
 #include "mv/run/sentence.h"
 #include "mv/run/stage.h"
-#include "mv/run/study.h"
+#include "mv/study/study.h"
 #include "mv/window/study_view.h"
 
 namespace mv {
@@ -29,22 +29,26 @@ std::optional<std::pair<int, int>> stepOf(const std::string& line) {
 
 }  // namespace
 
-StudySection::StudySection(const DemoInfo& info, Gui& gui) : info_(info), gui_(gui) {
+StudySection::StudySection(const DemoInfo& info, Gui& gui, const std::string& renderer) : info_(info), gui_(gui) {
     try {
-        if (auto run = committedStudy(info.name)) take(std::move(*run), false);
+        runs_ = committedStudies(info.name);
+        std::size_t first = 0;
+        for (std::size_t i = 0; i < runs_.size(); ++i) {
+            if (runs_[i].width > 0 && drawerOf(runs_[i].renderer) == drawerOf(renderer)) first = i;
+        }
+        if (!runs_.empty()) show(first);
     } catch (const std::exception&) {
         problem_ = caughtSentence("study");
     }
 }
 
-void StudySection::take(StudyRun run, bool measuredHere) {
-    shown_ = std::move(run);
-    measuredHere_ = measuredHere;
-    scenes_ = scenesOf(*shown_);
+void StudySection::show(std::size_t run) {
+    run_ = run;
+    scenes_ = scenesOf(shown());
     if (scene_ >= scenes_.size()) scene_ = 0;
     settings_.clear();
     const auto demo = info_.make();
-    for (const StudyRow& row : shown_->rows) {
+    for (const StudyRow& row : shown().rows) {
         auto& settings = settings_.emplace_back(row.settings);
         try {
             applyKnobs(*demo, *settings);
@@ -88,14 +92,17 @@ bool StudySection::advance() {
 }
 
 void StudySection::finish(int status) {
-    // The numbers come before the SVG: where gnuplot is missing they are there all the same.
-    const auto file = measurement_->folder.path() / "study.json";
+    const auto file = measurement_->folder.path() / "study.csv";
     problem_ = measurement_->problem;
     if (problem_.empty() && status != 0) problem_ = "the measurement ended with status " + std::to_string(status);
     std::error_code ignored;
     if (std::filesystem::exists(file, ignored)) {
         try {
-            take(readStudy(readTextFile(file, largestStudy)), true);
+            StudyRun run = readStudy(readTextFile(file, largestStudy));
+            if (measured_) runs_.pop_back();
+            runs_.push_back(std::move(run));
+            measured_ = true;
+            show(runs_.size() - 1);
         } catch (const std::exception&) {
             problem_ = caughtSentence("study");
         }
@@ -108,11 +115,6 @@ void StudySection::showMeasurement() {
     if (!measurement_) {
         if (info_.study && button("Measure here", {width, 0})) start();
         tooltip("runs the study on this machine, in a program of its own without a window");
-        if (measuredHere_ && button("Back to the committed study", {width, 0})) {
-            shown_.reset();
-            measuredHere_ = false;
-            if (auto run = committedStudy(info_.name)) take(std::move(*run), false);
-        }
         if (!problem_.empty()) wrapped(color::error, problem_);
         return;
     }
@@ -132,9 +134,9 @@ void StudySection::showMeasurement() {
 
 std::optional<std::size_t> StudySection::rowHere(const Demo& demo) const {
     std::optional<std::size_t> here;
-    if (!shown_ || scenes_.empty()) return here;
-    for (std::size_t i = 0; i < shown_->rows.size(); ++i) {
-        if (shown_->rows[i].scene != scenes_[scene_] || !settings_[i]) continue;
+    if (runs_.empty() || scenes_.empty()) return here;
+    for (std::size_t i = 0; i < shown().rows.size(); ++i) {
+        if (shown().rows[i].scene != scenes_[scene_] || !settings_[i]) continue;
         const bool same = std::all_of(settings_[i]->begin(), settings_[i]->end(), [&](const KnobSetting& setting) {
             return demo.knob(setting.name).text() == setting.text;
         });
@@ -145,8 +147,8 @@ std::optional<std::size_t> StudySection::rowHere(const Demo& demo) const {
 }
 
 std::string StudySection::origin() const {
-    if (!shown_) return "";
-    return (measuredHere_ ? "Measured here: " : "Committed, measured on: ") + machineText(*shown_) + ".";
+    if (runs_.empty()) return "";
+    return (isMeasuredHere(run_) ? "Measured here: " : "Committed, measured on: ") + machineText(shown()) + ".";
 }
 
 // The scene to begin with: that of the present settings.
@@ -160,14 +162,14 @@ void StudySection::findScene(const Demo& demo) {
 
 std::string StudySection::here(const Demo& demo) const {
     const auto row = rowHere(demo);
-    return row ? rowName(shown_->rows[*row]) : "";
+    return row ? rowName(shown().rows[*row]) : "";
 }
 
 // The rows of the shown scene that compete for the present problem; none where the study has not that problem, which a click
 // on an axis says.
 std::vector<std::size_t> StudySection::choosable(const Demo& demo) const {
     try {
-        return rowsOfProblem(*shown_, scenes_[scene_], demo, "axis");
+        return rowsOfProblem(shown(), scenes_[scene_], demo, "axis");
     } catch (const Error&) {
         return {};
     }
@@ -179,7 +181,7 @@ bool StudySection::take(Demo& demo, std::size_t row) {
         applyKnobs(demo, *settings_[row]);
         return true;
     }
-    problem_ = rowName(shown_->rows[row]) + ": its settings are no longer what the knobs take";
+    problem_ = rowName(shown().rows[row]) + ": its settings are no longer what the knobs take";
     return false;
 }
 
@@ -187,23 +189,41 @@ bool StudySection::choose(Demo& demo, const StudyBound& bound, const std::vector
     bound_ = bound;
     problem_.clear();
     try {
-        if (rows.empty()) rowsOfProblem(*shown_, scenes_[scene_], demo, "axis");  // says why there are none
+        if (rows.empty()) rowsOfProblem(shown(), scenes_[scene_], demo, "axis");  // says why there are none
     } catch (const Error& error) {
         problem_ = error.what();
         return false;
     }
-    if (const auto chosen = rowWithin(*shown_, rows, bound)) return take(demo, *chosen);
-    const auto nearest = nearestTo(*shown_, rows, bound);
+    if (const auto chosen = rowWithin(shown(), rows, bound)) return take(demo, *chosen);
+    const auto nearest = nearestTo(shown(), rows, bound);
     problem_ = "No setting keeps " + boundText(bound) +
-               (nearest ? "; the nearest is " + rowSentence(*shown_, shown_->rows[*nearest]) : "");
+               (nearest ? "; the nearest is " + rowSentence(shown(), shown().rows[*nearest]) : "");
     return false;
 }
 
 std::string StudySection::asked(const Demo& demo) const {
-    if (!bound_ || !shown_ || scenes_.empty()) return "";
-    const auto chosen = rowWithin(*shown_, choosable(demo), *bound_);
+    if (!bound_ || runs_.empty() || scenes_.empty()) return "";
+    const auto chosen = rowWithin(shown(), choosable(demo), *bound_);
     return std::string(bound_->of == StudyBound::Of::time ? "time " : "error ") + boundText(*bound_) + ": " +
-           (chosen ? rowName(shown_->rows[*chosen]) : "nothing");
+           (chosen ? rowName(shown().rows[*chosen]) : "nothing");
+}
+
+void StudySection::chooseMachine() {
+    const auto nameOfRun = [&](std::size_t i) {
+        return isMeasuredHere(i) ? std::string("this machine, measured here") : machineName(runs_[i]);
+    };
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+    const bool open = ImGui::BeginCombo("##machine", ("On " + nameOfRun(run_)).c_str());
+    if (!open) {
+        notePlace("machine");
+        return;
+    }
+    for (std::size_t i = 0; i < runs_.size(); ++i) {
+        if (ImGui::Selectable(nameOfRun(i).c_str(), i == run_)) show(i);
+        notePlace("machine " + nameOfRun(i));
+    }
+    if (gui_.wantsPopupClosed()) ImGui::CloseCurrentPopup();
+    ImGui::EndCombo();
 }
 
 void StudySection::chooseScene() {
@@ -223,25 +243,26 @@ void StudySection::chooseScene() {
 
 void StudySection::showWords(const Demo& demo, std::optional<std::size_t> here) const {
     if (here) {
-        const std::string others = measuredOtherwise(shown_->rows[*here], demo);
+        const std::string others = measuredOtherwise(shown().rows[*here], demo);
         if (!others.empty()) wrapped(color::note, "Here, but measured with other values of " + others + ".");
     }
-    for (const StudyRow& row : shown_->rows) {
+    for (const StudyRow& row : shown().rows) {
         if (row.scene == scenes_[scene_] && !row.ok()) wrapped(color::error, rowName(row) + ": " + row.status);
     }
-    wrapped(color::dim, "Of: " + shown_->quantity + ". Reference: " + referenceText(*shown_) + ".");
-    wrapped(measuredHere_ ? color::note : color::dim, origin());
+    wrapped(color::dim, "Of: " + shown().quantity + ". Reference: " + referenceText(shown()) + ".");
+    wrapped(isMeasuredHere(run_) ? color::note : color::dim, origin());
 }
 
 bool StudySection::show(Demo& demo) {
     bool moved = false;
-    if (shown_ && !scenes_.empty()) {
+    if (!runs_.empty() && !scenes_.empty()) {
         if (!sceneFound_) findScene(demo);
+        if (runs_.size() > 1) chooseMachine();
         if (scenes_.size() > 1) chooseScene();
         const auto here = rowHere(demo);
         StudyPlotMarks marks{.here = here, .bound = bound_, .rows = choosable(demo)};
-        if (bound_) marks.chosen = rowWithin(*shown_, marks.rows, *bound_);
-        const StudyPlotClick click = showStudyPlot(*shown_, scenes_[scene_], marks, gui_.scale());
+        if (bound_) marks.chosen = rowWithin(shown(), marks.rows, *bound_);
+        const StudyPlotClick click = showStudyPlot(shown(), scenes_[scene_], marks, gui_.scale());
         if (click.bound) moved = choose(demo, *click.bound, marks.rows);
         if (click.row) {
             bound_.reset();

@@ -1,4 +1,4 @@
-// The panel's part about error and time: the demo's study, committed or measured on this machine.
+// The panel's part about error and time: the demo's study, committed of one or more machines, or measured on this one.
 #pragma once
 #include <optional>
 #include <string>
@@ -6,7 +6,7 @@
 
 #include "mv/demo/demo.h"
 #include "mv/image/file.h"
-#include "mv/run/study_choice.h"
+#include "mv/study/choice.h"
 #include "mv/window/child.h"
 #include "mv/window/gui.h"
 
@@ -14,19 +14,18 @@ namespace mv {
 
 class StudySection {
   public:
-    StudySection(const DemoInfo& info, Gui& gui);
+    // `renderer` draws the window: of the committed runs, that of its kind is shown first.
+    StudySection(const DemoInfo& info, Gui& gui, const std::string& renderer);
 
     // Whether the demo has a study at all.
-    bool any() const { return info_.study.has_value() || shown_.has_value(); }
+    bool any() const { return info_.study.has_value() || !runs_.empty(); }
     // Listens to a measurement that runs; true when there is something new to show.
     bool advance();
     // Shows the plot and the buttons; true when the settings of a point were taken.
     bool show(Demo& demo);
-    // Marks what the command line asked for, whose setting the demo has.
-    void ask(const StudyBound& bound) { bound_ = bound; }
 
     bool measuring() const { return measurement_.has_value(); }
-    // Where the study that is shown was measured, in a sentence; "" where none is.
+    // Where the run that is shown was measured, in a sentence; "" where none is.
     std::string origin() const;
     // The row of the present settings: its name, "" for none.
     std::string here(const Demo& demo) const;
@@ -42,7 +41,9 @@ class StudySection {
         explicit Measurement(const std::string& demo)
             : child({demo, "--study", folder.path().string(), "--headless"}) {}
     };
-    void take(StudyRun run, bool measuredHere);
+    const StudyRun& shown() const { return runs_[run_]; }
+    bool isMeasuredHere(std::size_t run) const { return measured_ && run + 1 == runs_.size(); }
+    void show(std::size_t run);
     void start();
     void finish(int status);
     std::optional<std::size_t> rowHere(const Demo& demo) const;
@@ -52,12 +53,14 @@ class StudySection {
     bool take(Demo& demo, std::size_t row);
     void showWords(const Demo& demo, std::optional<std::size_t> here) const;
     void showMeasurement();
+    void chooseMachine();
     void chooseScene();
 
     const DemoInfo& info_;
     Gui& gui_;
-    std::optional<StudyRun> shown_;
-    bool measuredHere_ = false;
+    std::vector<StudyRun> runs_;  // a machine each; the last is what was measured here, where something was
+    bool measured_ = false;
+    std::size_t run_ = 0;  // that is shown
     std::vector<std::string> scenes_;
     std::size_t scene_ = 0;
     bool sceneFound_ = false;

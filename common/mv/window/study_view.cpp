@@ -1,77 +1,40 @@
 #include "mv/window/study_view.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <vector>
 
-#include "mv/run/study.h"
-#include "mv/run/study_chart.h"
 #include "mv/run/words.h"
+#include "mv/study/chart.h"
+#include "mv/study/study.h"
 
 namespace mv {
 namespace {
 
-// ---- The looks of the lines, as study_look.h has them
+// ---- The looks of the lines, as mv/study/look.h has them
 
 ImU32 colorOf(const SeriesLook& look) {
     const Rgb rgb = look.on(whiteInk);
     return IM_COL32(rgb >> 16U & 0xFFU, rgb >> 8U & 0xFFU, rgb & 0xFFU, 255);
 }
 
-// Corners round a middle, from the top on; the first is `turn` of a whole turn further.
-std::array<ImVec2, 5> cornersRound(ImVec2 at, std::size_t count, float radius, float turn) {
-    std::array<ImVec2, 5> corners{};
-    for (std::size_t i = 0; i < count; ++i) {
-        const float angle = 6.2831853F * (static_cast<float>(i) / static_cast<float>(count) + turn);
-        corners[i] = {at.x + radius * std::sin(angle), at.y - radius * std::cos(angle)};
-    }
-    return corners;
-}
-
 void drawMarker(ImDrawList& list, ImVec2 at, const SeriesLook& look, float size, float scale) {
     const ImU32 color = colorOf(look);
-    const float stroke = 1.6F * scale;
-    const auto corners = [&](std::size_t count, float radius, float turn, bool filled) {
-        const auto points = cornersRound(at, count, radius * size, turn);
-        if (filled) return list.AddConvexPolyFilled(points.data(), static_cast<int>(count), color);
-        list.AddPolyline(points.data(), static_cast<int>(count), color, ImDrawFlags_Closed, stroke);
-    };
-    const auto strokes = [&](std::size_t count, float turn) {  // through the middle
-        for (std::size_t i = 0; i < count; ++i) {
-            const float part = static_cast<float>(i) / static_cast<float>(2 * count) + turn;
-            const auto [to, from, unused1, unused2, unused3] = cornersRound(at, 2, 1.25F * size, part);
-            list.AddLine(from, to, color, stroke);
+    const MarkShape shape = shapeOf(look.mark);
+    if (shape.paths.empty()) return list.AddCircleFilled(at, size, color);
+    for (const auto& places : shape.paths) {
+        std::vector<ImVec2> corners;
+        for (const MarkShape::Place& place : places) {
+            corners.emplace_back(at.x + size * static_cast<float>(place.x), at.y + size * static_cast<float>(place.y));
         }
-    };
-    switch (look.mark) {
-        case Mark::disc:
-            return list.AddCircleFilled(at, size, color);
-        case Mark::square:
-            return corners(4, 1.3F, 0.125F, true);
-        case Mark::triangle:
-            return corners(3, 1.4F, 0, true);
-        case Mark::diamond:
-            return corners(4, 1.4F, 0, true);
-        case Mark::wedge:
-            return corners(3, 1.4F, 0.5F, true);
-        case Mark::openSquare:
-            return corners(4, 1.3F, 0.125F, false);
-        case Mark::openTriangle:
-            return corners(3, 1.4F, 0, false);
-        case Mark::openDiamond:
-            return corners(4, 1.4F, 0, false);
-        case Mark::openWedge:
-            return corners(3, 1.4F, 0.5F, false);
-        case Mark::cross:
-            return strokes(2, 0.125F);
-        case Mark::plus:
-            return strokes(2, 0);
-        case Mark::pentagon:
-            return corners(5, 1.3F, 0, true);
-        case Mark::star:
-            return strokes(3, 0);
+        const int count = static_cast<int>(corners.size());
+        if (shape.filled) {
+            list.AddConvexPolyFilled(corners.data(), count, color);
+        } else {
+            const ImDrawFlags closed = count > 2 ? ImDrawFlags_Closed : ImDrawFlags_None;
+            list.AddPolyline(corners.data(), count, color, closed, 1.6F * scale);
+        }
     }
 }
 
@@ -89,14 +52,10 @@ void drawDashes(ImDrawList& list, ImVec2 from, ImVec2 to, ImU32 color, float thi
 
 void drawStroke(ImDrawList& list, ImVec2 from, ImVec2 to, const SeriesLook& look, float scale) {
     const float thickness = 1.5F * scale;
-    switch (look.dash) {
-        case Dash::solid:
-            return list.AddLine(from, to, colorOf(look), thickness);
-        case Dash::dashed:
-            return drawDashes(list, from, to, colorOf(look), thickness, 7 * scale, 4 * scale);
-        case Dash::dotted:
-            return drawDashes(list, from, to, colorOf(look), thickness, 2 * scale, 3 * scale);
-    }
+    const DashLengths dash = lengthsOf(look.dash);
+    if (dash.on == 0) return list.AddLine(from, to, colorOf(look), thickness);
+    drawDashes(list, from, to, colorOf(look), thickness, static_cast<float>(dash.on) * scale,
+               static_cast<float>(dash.off) * scale);
 }
 
 ImVec2 onScreen(double x, double y) { return {static_cast<float>(x), static_cast<float>(y)}; }

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "mv/run/study_choice.h"
+#include "mv/study/choice.h"
 #include "mv/window/gui.h"
 
 namespace mv {
