@@ -1,6 +1,6 @@
 # Run as a script: writes OUTPUT, a C++ file that adds each of FILES to the embedded shaders.
 # STUDY, where it exists, is the committed study of the demo NAME.
-# A file in a folder called include keeps that folder in its name. GROUP names the file that says where they are edited.
+# The name of a file is its path from the folder ROOT: "include/light.glsl", "cube-cull/cube-cull.vert". GROUP names the file that says where they are edited.
 # With BARE they are without comments and indents, each line at its number.
 set(code "// Generated from shader files; do not edit.\n#include \"mv/gl/shader_folder.h\"\n\n")
 set(entries "")
@@ -10,12 +10,7 @@ foreach(file IN LISTS FILES)
     string(REGEX REPLACE "[ \t]*//[^\n]*" "" text "${text}")
     string(REGEX REPLACE "\n[ \t]+" "\n" text "${text}")
   endif()
-  get_filename_component(name "${file}" NAME)
-  get_filename_component(folder "${file}" DIRECTORY)
-  get_filename_component(folder "${folder}" NAME)
-  if(folder STREQUAL "include")
-    set(name "include/${name}")
-  endif()
+  file(RELATIVE_PATH name "${ROOT}" "${file}")
   string(APPEND entries "{\"${name}\", R\"glsl(${text})glsl\"},\n")
 endforeach()
 if(entries)

@@ -1,20 +1,31 @@
 # awk -v keys=FOLDER/ -v machine=TEXT -f demo_keys.awk OF-DEMOS LINKED LINKED-SUMS READ-SUMS (see passed.sh): for each test of
 # one demo a file FOLDER/NUMBER with the text and the sums that its key is made of, and a line "TEST NUMBER".
 
-# The demo whose own a file is, by the names that the tree and CMake give: shaders/NAME.*, demo-NAME.dir/ ...; else empty.
+# The demo whose own a file is, by the names that the tree and CMake give: demos/NAME/*, shaders/NAME.*, demo-NAME.dir/ ...; else
+# empty.
 # A golden picture's is the one that draws it.
 function ownerOf(file,    name) {
     if (file in drawnBy) return drawnBy[file]
     if (match(file, /(demo|twin)-[^\/]*\.dir\//)) {
         name = substr(file, RSTART + 5, RLENGTH - 10)
+    } else if (match(file, /^(demos|shaders|tests)\/[^\/]+\//) || match(file, /test-claims\.dir\/[^\/]+\/claims\.cpp/)) {
+        name = file
+        sub(/.*test-claims\.dir\//, "", name)
+        sub(/^(demos|shaders|tests)\//, "", name)
+        sub(/\/.*/, "", name)
+        if (name == "claims" || name == "twins") name = flatName(file)
     } else if (match(file, /mvgl-shaders\/demo-/)) {
         name = substr(file, RSTART + RLENGTH)
     } else if (file ~ /^(shaders|docs\/errors-and-times|tests\/twins|demos)\/[^\/]*$/ || file ~ /(^|\/)claims\/[^\/]*$/) {
-        name = file
-        sub(/.*\//, "", name)
-        sub(/\..*/, "", name)
+        name = flatName(file)
     }
     return (name in demos) ? name : ""
+}
+
+function flatName(file) {
+    sub(/.*\//, "", file)
+    sub(/\..*/, "", file)
+    return file
 }
 
 function textOf(file,    text, line) {
@@ -26,13 +37,18 @@ function textOf(file,    text, line) {
     return texts[file]
 }
 
+function textsOfFolder(demo,    folder) {
+    folder = "demos/" demo "/"
+    return textOf(folder demo ".cpp") textOf(folder "knobs.cpp") textOf(folder "study.cpp") textOf("tests/" demo "/claims.cpp")
+}
+
 # Whether a source of the demo's names the other one, in quotes, or a page that is read has a command, or a number, of it:
 # what is the other's then counts, too.
 function names(number, other,    demo) {
     demo = demoOf[number]
     if (demo == other) return 1
-    if (index(textOf("demos/" demo ".cpp") textOf("tests/claims/" demo ".cpp"), "\"" other "\"") > 0) return 1
-    return reads[number] == "pages" && textOf("demos/" demo ".md") ~ ("(run|study) " other "[^a-z0-9-]")
+    if (index(textOf("demos/" demo ".cpp") textOf("tests/claims/" demo ".cpp") textsOfFolder(demo), "\"" other "\"") > 0) return 1
+    return reads[number] == "pages" && (textOf("demos/" demo ".md") textOf("demos/" demo "/" demo ".md")) ~ ("(run|study) " other "[^a-z0-9-]")
 }
 
 # Golden pictures and pages are read only by the tests that say so.

@@ -113,9 +113,8 @@ std::string whatItSays(const StudyRun& run, const Study& study) {
 std::string studyPage(const StudyRun& run, const DemoInfo& info) {
     if (!info.study) throw Error(info.name, "must declare the study that its page shows");
     return "# Error and time: " + run.demo + "\n\nMade by `./run --docs .` from [" + run.demo + ".json](" + run.demo +
-           ".json); do not edit. The demo: [" + run.demo + "](../../demos/" + run.demo +
-           ".md).\n\n![Error against run time](" + run.demo + ".svg)\n\n" + whatItSays(run, *info.study) +
-           "\n## How it was measured\n\n" + setUp(run) +
+           ".json); do not edit. The demo: [" + run.demo + "](../../" + info.page + ").\n\n![Error against run time](" +
+           run.demo + ".svg)\n\n" + whatItSays(run, *info.study) + "\n## How it was measured\n\n" + setUp(run) +
            "\nErrors and counts are the same on every machine with the same OpenGL driver, and a test measures them\n"
            "again; milliseconds, their deviation and so what is best belong to the machine named above. Measure "
            "yours:\n\n"
