@@ -26,7 +26,7 @@ struct Settings {
     std::vector<vec2> leaves{{1, 2}, {3, 4}};
     vec2 handle{5, 6};
     std::array<vec2, 2> feet{vec2(7, 8), vec2(9, 10)};
-    Fire fire;
+    Fire fire = {};
 };
 struct Gpu {};
 
@@ -168,9 +168,9 @@ TEST(Lessons, controls_and_handles_move_the_settings) {
     EXPECT_TRUE(demo.handles()[1].drag(frame, 1, {8, 9}));
     EXPECT_EQ(demo.settings().leaves[1], vec2(8, 9));
     auto misspelt = kettle();
-    misspelt.controls = {wheel("haet", 1)};
+    misspelt.controls = {wheel("heats", 1)};
     EXPECT_EQ(refusalOf([&] { Kettle(std::make_shared<const Lesson<Settings, Gpu>>(misspelt)); }),
-              "--haet: is no knob of this demo; did you mean 'heat'?");
+              "--heats: is no knob of this demo; did you mean 'heat'?");
     misspelt = kettle();
     misspelt.handles.front().knobs = {"lid"};
     EXPECT_EQ(refusalOf([&] { Kettle(std::make_shared<const Lesson<Settings, Gpu>>(misspelt)); }),
