@@ -1,7 +1,8 @@
 # Run as a script: writes OUTPUT, a C++ file that adds each of FILES to the embedded shaders. It includes nothing: there is one for
 # each demo, and headers would take longer than all the rest of it.
 # STUDIES are the committed studies of the demo NAME, a machine each; none where they are empty.
-# A file in a folder called include keeps that folder in its name. GROUP names the file that says where they are edited.
+# The name of a file is its path from the folder ROOT: "include/light.glsl", "cube-cull/cube-cull.vert". GROUP names the file that
+# says where they are edited.
 # With BARE they are without comments and indents, each line at its number.
 set(code "// Generated from shader files; do not edit.\nnamespace mv {\nbool addBuiltShader(const char* group, const char* name, const char* text);\nbool addStudyFile(const char* demo, const char* text);\n}\n\n")
 set(entries "")
@@ -11,12 +12,7 @@ foreach(file IN LISTS FILES)
     string(REGEX REPLACE "[ \t]*//[^\n]*" "" text "${text}")
     string(REGEX REPLACE "\n[ \t]+" "\n" text "${text}")
   endif()
-  get_filename_component(name "${file}" NAME)
-  get_filename_component(folder "${file}" DIRECTORY)
-  get_filename_component(folder "${folder}" NAME)
-  if(folder STREQUAL "include")
-    set(name "include/${name}")
-  endif()
+  file(RELATIVE_PATH name "${ROOT}" "${file}")
   string(APPEND entries "{\"${name}\", R\"glsl(${text})glsl\"},\n")
 endforeach()
 if(entries)

@@ -213,7 +213,7 @@ std::vector<std::string> pagesOfNumbers() { return pagesWithNumbers(MVGL_SOURCE_
 
 std::vector<std::string> pages() {
     std::vector<std::string> names{"README.md", "CONTRIBUTING.md"};
-    for (const DemoInfo& info : catalogue()) names.push_back("demos/" + info.name + ".md");
+    for (const DemoInfo& info : catalogue()) names.push_back(info.page);
     for (const std::string& page : pagesOfNumbers()) {
         if (page.starts_with("docs/")) names.push_back(page);
     }

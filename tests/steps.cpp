@@ -55,7 +55,7 @@ TEST_P(Steps, stop_after_every_draw) {
         const int all = drawsOf();
         ASSERT_GT(all, 0);
         // Every draw, or 12 of them, in the demo's own settings; the ends in the other presets.
-        const bool initial = &preset == findDemo(GetParam()).presets.begin();
+        const bool initial = &preset == findDemo(GetParam()).presets.data();
         if (sanitized && !initial) break;  // what stops a frame is the same in all
         for (const int draws :
              chosen(all, initial && !sanitized ? 12 : 1)) {  // each throws where OpenGL reports an error

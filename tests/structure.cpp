@@ -35,6 +35,16 @@ std::string fileText(const fs::path& path) {
     return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
+// What is written of a demo: its file, or those of its folder.
+std::string demoText(const std::string& name) {
+    if (!fs::is_directory(source / "demos" / name)) return fileText(source / "demos" / (name + ".cpp"));
+    std::string text;
+    for (const auto& entry : fs::directory_iterator(source / "demos" / name)) {
+        if (entry.path().extension() != ".md") text += fileText(entry.path());
+    }
+    return text;
+}
+
 std::set<std::string> matches(const std::string& text, const std::regex& pattern) {
     std::set<std::string> found;
     for (std::sregex_iterator i(text.begin(), text.end(), pattern), end; i != end; ++i) found.insert((*i)[1]);
@@ -67,9 +77,12 @@ class OfDemo : public testing::TestWithParam<std::string> {};
 }  // namespace
 
 TEST_P(OfDemo, each_claim_has_a_test_and_each_test_a_claim) {
+    const fs::path ofFolder = source / "tests" / GetParam() / "claims.cpp";
+    const std::string text =
+        fileText(fs::exists(ofFolder) ? ofFolder : source / "tests/claims" / (GetParam() + ".cpp"));
+    // In the demo's head; a lesson that is a folder has them in the head of their tests
     const auto claims =
-        matches(fileText(source / "demos" / (GetParam() + ".cpp")), std::regex(R"(// - \[([a-z0-9-]+)\])"));
-    const std::string text = fileText(source / "tests/claims" / (GetParam() + ".cpp"));
+        matches(fs::exists(ofFolder) ? text : demoText(GetParam()), std::regex(R"(// - \[([a-z0-9-]+)\])"));
     const auto tests = matches(text, std::regex(R"(TEST\(\w+, (\w+)\))"));
     std::set<std::string> ids;
     for (std::string id : tests) {
@@ -83,7 +96,7 @@ TEST_P(OfDemo, each_claim_has_a_test_and_each_test_a_claim) {
 }
 
 TEST_P(OfDemo, the_page_has_fresh_tables_and_links_that_lead_somewhere) {
-    const fs::path file = source / "demos" / (GetParam() + ".md");
+    const fs::path file = source / findDemo(GetParam()).page;
     const std::string page = fileText(file);
     EXPECT_EQ(page, lessonPage(page, findDemo(GetParam()))) << "./run --docs . makes it anew";
     expectLinksLead(file);
@@ -151,7 +164,7 @@ TEST_P(Shaders, compile_as_es) {
     int compiled = 0;
     for (const std::string& file : filesEndingIn(".vert")) {
         const std::string stem = file.substr(0, file.size() - 5);
-        if (stem.substr(0, stem.find('.')) != GetParam()) continue;
+        if (stem.substr(0, stem.find_first_of("/.")) != GetParam()) continue;
         bool needsMore = false;  // a stage that ES lacks: said, before anything is compiled
         for (const char* ending : {".geom", ".tesc", ".tese"}) needsMore |= !filesEndingIn(stem + ending).empty();
         if (needsMore) {
@@ -162,8 +175,7 @@ TEST_P(Shaders, compile_as_es) {
         ++compiled;
     }
     // One that draws lines and words alone has the library's programs.
-    const std::string text = fileText(source / "demos" / (GetParam() + ".cpp"));
-    const bool hasPrograms = text.find("Program") != std::string::npos;
+    const bool hasPrograms = demoText(GetParam()).find("Program") != std::string::npos;
     EXPECT_EQ(compiled > 0, hasPrograms) << "shaders/" << GetParam()
                                          << ".vert and .frag must be there for a demo with programs";
     EXPECT_EQ(liveObjects(), 0);

@@ -27,7 +27,9 @@ std::vector<std::string> twins() {
 }
 
 std::string goldenOfTwin(const std::string& demo) {
-    std::ifstream recipe(MVGL_SOURCE_DIR "/tests/twins/" + demo + ".txt");
+    const std::string inFolder = MVGL_SOURCE_DIR "/tests/" + demo + "/twin.txt";
+    std::ifstream recipe(std::filesystem::exists(inFolder) ? inFolder
+                                                           : MVGL_SOURCE_DIR "/tests/twins/" + demo + ".txt");
     std::string word, name;
     recipe >> word >> name;
     return word == "golden" ? name : "";
@@ -37,7 +39,7 @@ std::string goldenOfTwin(const std::string& demo) {
 
 TEST_P(Twin, does_not_match) {
     const std::string name = goldenOfTwin(GetParam());
-    ASSERT_FALSE(name.empty()) << "tests/twins/" << GetParam() << ".txt must begin with: golden <name>";
+    ASSERT_FALSE(name.empty()) << "the twin's file of " << GetParam() << " must begin with: golden <name>";
     for (const GoldenCase& golden : goldenCases()) {
         if (golden.name != name) continue;
         ASSERT_TRUE(std::filesystem::exists(goldenFile(name))) << "./test --update-goldens draws it";

@@ -10,9 +10,9 @@ export const linksIn = (html, to) =>
 
 // Each picture with the size that `sizeOf(link)` tells, so that nothing moves as it arrives.
 export const imagesIn = (html, sizeOf) =>
-  html.replace(/<img src="([^"]+)"/g, (all, link) => {
-    const { width, height } = sizeOf(link);
-    return `${all}${width ? ` width="${width}" height="${height}"` : ''} loading="lazy"`;
+  html.replace(/<img src="([^"]+)"/g, (_, link) => {
+    const { width, height, src = link } = sizeOf(link);
+    return `<img src="${src}"${width ? ` width="${width}" height="${height}"` : ''} loading="lazy"`;
   });
 
 // A heading's anchor, as the pages' links have it: its words in small letters with - between them.

@@ -52,8 +52,13 @@ function sizeOf(file) {
 }
 
 function sourcesOf(name) {
-  const shaders = fs.readdirSync(path.join(root, 'shaders')).filter((file) => file.split('.')[0] === name).sort();
-  return [`demos/${name}.cpp`, ...shaders.map((file) => `shaders/${file}`)];
+  const filesOf = (folder) => (fs.existsSync(path.join(root, folder)) ? fs.readdirSync(path.join(root, folder)).sort().map((file) => `${folder}/${file}`) : []);
+  const shaders = filesOf('shaders').filter((file) => path.basename(file).startsWith(`${name}.`));
+  if (!fs.existsSync(path.join(root, 'demos', name))) return [`demos/${name}.cpp`, ...shaders];
+  // A lesson's folder: the technique first.
+  const rank = (file) => [`${name}.cpp`, `${name}.h`].indexOf(path.basename(file)) >>> 0;
+  const code = filesOf(`demos/${name}`).filter((file) => !file.endsWith('.md'));
+  return [...code.sort((a, b) => rank(a) - rank(b)), ...filesOf(`shaders/${name}`)];
 }
 
 // The fields of a line of CSV, in which a quoted one may hold commas.
@@ -100,6 +105,9 @@ function copy(file) {
   if (!written.has(file)) write(file, fs.readFileSync(path.join(root, file)));
 }
 
+// Where the page of a file of Markdown is: demos/NAME/NAME.md has it as demos/NAME.html.
+const placeOf = (file) => file.replace(/^demos\/([^/]+)\/\1\.md$/, 'demos/$1.md').replace(/\.md$/, '.html');
+
 // Markdown that becomes a page of its own; a link to another one leads to what takes its place.
 const isPage = (file) => /^(demos|docs)\/.*\.md$/.test(file);
 const instead = { 'README.md': 'index.html' };
@@ -113,14 +121,14 @@ function lesson(file) {
     const to = path.posix.join(here, target);
     if (!fs.existsSync(path.join(root, to))) fail(file, 'must have links that lead somewhere', link);
     if (to in instead) return path.posix.relative(here, instead[to]);
-    if (isPage(to)) return target.replace(/\.md$/, '.html') + (anchor ? `#${anchor}` : '');
+    if (isPage(to)) return path.posix.relative(path.posix.dirname(placeOf(file)), placeOf(to)) + (anchor ? `#${anchor}` : '');
     copy(to);
-    return link;
+    return path.posix.relative(path.posix.dirname(placeOf(file)), to) + (anchor ? `#${anchor}` : '');
   });
   html = imagesIn(html, (link) => {
     const image = path.posix.join(here, link);
     copy(image);
-    return image.endsWith('.png') ? sizeOf(image) : {};
+    return { ...(image.endsWith('.png') ? sizeOf(image) : {}), src: path.posix.relative(path.posix.dirname(placeOf(file)), image) };
   });
   const title = html.match(/<h1>(.*?)<\/h1>/)?.[1] ?? file;
   return { title, html: wide(fold(numbered(html.replace(/<h1>.*?<\/h1>\s*/s, '')))) };
@@ -142,7 +150,8 @@ for (const [i, demo] of demos.entries()) {
   demo.pictures = shown[demo.name].map((picture) => ({ ...picture, ...sizeOf(picture.file) }));
   demo.pictures.forEach((picture) => copy(picture.file));
   demo.presets = JSON.parse(run(program, [demo.name, '--knobs=json'])).presets;
-  Object.assign(demo, lesson(`demos/${demo.name}.md`));
+  const inFolder = `demos/${demo.name}/${demo.name}.md`;
+  Object.assign(demo, lesson(fs.existsSync(path.join(root, inFolder)) ? inFolder : `demos/${demo.name}.md`));
   demo.studies = studiesOf(demo.name);
   demo.sources = sourcesOf(demo.name).map((file) => ({
     file,

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "mv/math/types.h"
-#include "shared/raster_line.h"
+#include "shared/pixel_step.h"
 
 namespace mv {
 

@@ -40,8 +40,9 @@ std::vector<Row> processBench(int rounds) {
     std::filesystem::create_directories(folder);
     const std::vector<std::string> ours{
         MVGL_BINARY_DIR "/bin/cube-cull", "--shot", folder / "ours.png", "--headless=osmesa", "--size", "512x512"};
-    const std::vector<std::string> bare{MVGL_BINARY_DIR "/bin/bare-cube", MVGL_SOURCE_DIR "/shaders/cube-cull.vert",
-                                        MVGL_SOURCE_DIR "/shaders/cube-cull.frag", folder / "bare.png"};
+    const std::vector<std::string> bare{MVGL_BINARY_DIR "/bin/bare-cube",
+                                        MVGL_SOURCE_DIR "/shaders/cube-cull/cube-cull.vert",
+                                        MVGL_SOURCE_DIR "/shaders/cube-cull/cube-cull.frag", folder / "bare.png"};
     std::vector<double> oursMemory, bareMemory;
     Row time{"process: cube-cull 512x512 / bare program", {}, 1.3};
     time.ratio =

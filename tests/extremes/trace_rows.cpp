@@ -9,7 +9,7 @@
 
 #include "extremes/row.h"
 #include "shared/fresnel.h"
-#include "shared/whitted.h"
+#include "ray-trace/whitted.h"
 #include "support/random.h"
 
 using namespace mv;

@@ -34,7 +34,7 @@ TEST(Docs, tables_stand_between_their_markers) {
 TEST(Docs, the_catalogue_names_every_demo) {
     const std::string page = cataloguePage();
     for (const DemoInfo& info : catalogue()) {
-        EXPECT_NE(page.find("[" + info.name + "](../demos/" + info.name + ".md)"), std::string::npos);
+        EXPECT_NE(page.find("[" + info.name + "](../" + info.page + ")"), std::string::npos);
         EXPECT_NE(page.find(info.lookFor), std::string::npos);
         EXPECT_FALSE(info.sentence.empty());
         EXPECT_FALSE(info.chapter.empty());
@@ -99,8 +99,7 @@ TEST(Docs, readme_has_all_demos_between_its_markers) {
     EXPECT_EQ(made.find("\nold\n"), std::string::npos);
     EXPECT_TRUE(made.starts_with("before\n<!-- demos -->\n") && made.ends_with("<!-- /demos -->\nafter\n")) << made;
     for (const DemoInfo& info : catalogue()) {
-        EXPECT_NE(made.find("| [" + info.name + "](demos/" + info.name + ".md) | " + info.sentence + " |\n"),
-                  std::string::npos)
+        EXPECT_NE(made.find("| [" + info.name + "](" + info.page + ") | " + info.sentence + " |\n"), std::string::npos)
             << info.name;
     }
     EXPECT_EQ(readmePage(made), made) << "made once, it stays";
@@ -147,18 +146,18 @@ TEST(Docs, readme_has_the_flags_of_help) {
 
 TEST(Docs, every_missing_page_is_named_at_once) {
     const TemporaryFolder folder;
-    const auto pages = folder.path() / "demos";
-    std::filesystem::create_directory(pages);
     for (const DemoInfo& info : catalogue()) {
-        if (info.name != "cube-cull" && info.name != "shadow") std::ofstream(pages / (info.name + ".md")) << "a page\n";
+        if (info.name == "cube-cull" || info.name == "shadow") continue;
+        std::filesystem::create_directories((folder.path() / info.page).parent_path());
+        std::ofstream(folder.path() / info.page) << "a page\n";
     }
     try {
         writeDocs(folder.path().string());
         FAIL() << "two pages are missing";
     } catch (const Error& error) {
-        EXPECT_EQ(std::string(error.what()),
-                  "docs in " + folder.path().string() +
-                      ": each demo must have its page, missing: demos/cube-cull.md, demos/shadow.md");
+        EXPECT_EQ(std::string(error.what()), "docs in " + folder.path().string() +
+                                                 ": each demo must have its page, missing: " +
+                                                 findDemo("cube-cull").page + ", " + findDemo("shadow").page);
     }
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "docs"));  // and nothing was written
 }

@@ -24,7 +24,7 @@ struct Kettle : Demo {
     void draw(const Frame&) override {}
 };
 
-DemoInfo kettle(const std::initializer_list<Preset>& presets) {
+DemoInfo kettle(const std::vector<Preset>& presets) {
     DemoInfo info;
     info.name = "kettle";
     info.presets = presets;
@@ -32,10 +32,10 @@ DemoInfo kettle(const std::initializer_list<Preset>& presets) {
     return info;
 }
 
-constexpr Preset half{"half-full", "It sings."};
-constexpr Preset empty{"empty", "It is silent.", {{"water", "0"}, {"lid", "off"}}};
-constexpr std::initializer_list<Preset> both{half, empty};
-constexpr Declaration withoutInitial{.name = "kettle", .presets = {empty}};
+const Preset half{"half-full", "It sings."};
+const Preset empty{"empty", "It is silent.", {{"water", "0"}, {"lid", "off"}}};
+const std::vector<Preset> both{half, empty};
+constexpr Declaration withoutInitial{.name = "kettle", .presets = {{"empty", "It is silent.", {{"water", "0"}}}}};
 
 std::string refusalOf(const std::function<void()>& act) {
     try {
@@ -65,7 +65,7 @@ TEST(Presets, set_every_knob) {
 }
 
 TEST(Presets, are_refused_where_they_are_no_presets) {
-    const auto refusal = [](const std::initializer_list<Preset>& presets) {
+    const auto refusal = [](const std::vector<Preset>& presets) {
         return refusalOf([&] { checkPresets(kettle(presets)); });
     };
     EXPECT_EQ(refusal({}), "accepted");

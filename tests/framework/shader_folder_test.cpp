@@ -20,7 +20,8 @@ TEST(ShaderFolder, is_the_source_trees_in_a_build_and_none_for_a_group_that_was_
 TEST(ShaderFolder, shaders_of_every_demo_are_read_from_it) {
     stage();  // a shader is put together for its context
     for (const std::string& name : demoNames()) {
-        for (const std::string& file : {name + ".vert", name + ".frag"}) {
+        for (const std::string& file :
+             {name + ".vert", name + ".frag", name + "/" + name + ".vert", name + "/" + name + ".frag"}) {
             if (!hasShaderFile(file)) continue;
             const ShaderSource source = assembleShader(file);
             EXPECT_EQ(source.readFrom.count(shaderFolder("demo-" + name) / file), 1U) << file;

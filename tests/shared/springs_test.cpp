@@ -8,10 +8,10 @@
 #include "mv/error.h"
 #include "mv/motion/ode_adaptive.h"
 #include "mv/motion/ode_stability.h"
-#include "shared/classic_curves.h"
-#include "shared/spring_game.h"
-#include "shared/spring_pictures.h"
-#include "shared/spring_scenes.h"
+#include "springs/classic.h"
+#include "springs/game.h"
+#include "springs/figure.h"
+#include "springs/scenes.h"
 
 using namespace mv;
 

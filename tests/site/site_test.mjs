@@ -61,12 +61,13 @@ for (const demo of demos) {
   const html = pages.get(`demos/${demo}.html`) ?? '';
   const shown = all(html, /data-name="([^"]+)"/g), expected = cases.filter((words) => words[1] === demo).map(([name]) => name);
   equal(shown.join(' '), expected.join(' '), `${demo}: its pictures`);
-  expect(html.includes(`<summary><code>demos/${demo}.cpp</code></summary>`), `${demo}: its code`);
+  const inFolder = fs.existsSync(path.join(source, `demos/${demo}/${demo}.md`)) ? `${demo}/${demo}` : demo;
+  expect(html.includes(`<summary><code>demos/${inFolder}.cpp</code></summary>`), `${demo}: its code`);
   const after = demos[demos.indexOf(demo) + 1];
   expect(!after || html.includes(`<a rel="next" href="${after}.html">`), `${demo}: leads on to ${after}`);
   // What the lesson says stands there, to its last words
   const words = (text) => text.replace(/<[^>]*>/g, ' ').replace(/&\w+;|[^\w]+/g, ' ');
-  const [last] = fs.readFileSync(path.join(source, `demos/${demo}.md`), 'utf8').split('<!-- knobs -->')[0].trim().split('\n').slice(-1);
+  const [last] = fs.readFileSync(path.join(source, `demos/${inFolder}.md`), 'utf8').split('<!-- knobs -->')[0].trim().split('\n').slice(-1);
   expect(/^#/.test(last) ? html.includes(last.replace(/^#+ /, '')) : words(html).includes(words(last.replace(/[`*]|\]\([^)]*\)/g, ' ')).trim().slice(-20)), `${demo}: '${last}'`);
 }
 

@@ -83,7 +83,7 @@ std::vector<std::string> HostileLines::meant() {
     const auto demo = info.make();
     std::vector<std::string> line{info.name};
     if (info.presets.size() > 0 && pick(3) == 0)
-        line.push_back("--preset=" + info.presets.begin()[pick(info.presets.size())].name);
+        line.push_back("--preset=" + info.presets[pick(info.presets.size())].name);
     for (std::size_t i = pick(4); i > 0; --i) {
         const Knob& knob = *demo->knobs()[pick(demo->knobs().size())];
         const std::vector<std::string> values = knob.sweep();

@@ -7,6 +7,7 @@
 
 #include "mv/demo/chapters.h"
 #include "mv/demo/number.h"
+#include "mv/demo/seen.h"
 
 namespace mv {
 
@@ -30,14 +31,7 @@ Scene Demo::scene(const FrameInfo&) const {
     throw Error("scene", "must be given by a demo that draws one; this one gives none");
 }
 
-Scene Demo::seen(const Frame& frame) const {
-    Scene scene = this->scene(frame);
-    if (const auto& camera = frame.camera()) {
-        scene.viewFromWorld = camera->viewFromWorld;
-        scene.clipFromView = camera->clipFromView;
-    }
-    return scene;
-}
+Scene Demo::seen(const Frame& frame) const { return mv::seen(scene(frame), frame); }
 
 std::vector<double> Demo::values() const {
     throw Error("values", "must be computed by a demo whose study is of values; this one computes none");
@@ -244,9 +238,15 @@ void addProbedReadouts(Demo& demo, std::string_view name) {
 }
 
 bool addDemo(const Declaration& declaration, std::unique_ptr<Demo> (*make)()) {
-    checkPresets(declaration);
-    DemoInfo info{declaration};
-    info.make = [make, name = info.name] {
+    return addDemo(declaration, {declaration.presets.begin(), declaration.presets.end()},
+                   "demos/" + declaration.name + ".md", make);
+}
+
+bool addDemo(const Declaration& declaration, std::vector<Preset> presets, std::string page,
+             std::function<std::unique_ptr<Demo>()> make) {
+    DemoInfo info{declaration, std::move(presets), std::move(page)};
+    checkPresets(info);
+    info.make = [make = std::move(make), name = info.name] {
         std::unique_ptr<Demo> demo = make();
         addProbedReadouts(*demo, name);
         return demo;

@@ -70,6 +70,9 @@ class Demo {
     // lost. They stand beside the errors.
     virtual std::vector<std::pair<std::string, double>> valueCounts() const { return {}; }
 
+    // For a lesson (mv/demo/lesson.h): its settings, if they are of the type that has this tag.
+    virtual bool copySettings(const void* /*type*/, void* /*to*/) const { return false; }
+
     const std::vector<Knob*>& knobs() const { return knobs_; }
     const std::vector<Readout*>& readouts() const { return readouts_; }
     const std::vector<Binding>& bindings() const { return bindings_; }
@@ -159,12 +162,14 @@ struct Declaration {
     Needs needs = {};
     // Two to six settings worth a look. The first has none of its own: it is the knobs' initial values, which are to teach
     // at first sight. Where there is an original, `original` is its first picture.
-    std::initializer_list<Preset> presets = {};
+    std::initializer_list<DeclaredPreset> presets = {};
     std::initializer_list<DeclaredWaste> waste = {};
 };
 
 // What is known of a demo before one is made.
 struct DemoInfo : Declaration {
+    std::vector<Preset> presets = {};  // with settings by name; hides how a declaration has them
+    std::string page = {};             // "demos/cube-cull.md"
     // What is to be measured, error against run time (--study), and read out: added by NAME.study.cpp.
     std::optional<Study> study = {};
     std::vector<Probe> probes = {};
@@ -178,6 +183,9 @@ const DemoInfo& findDemo(std::string_view name);
 // Adds a demo; called at file scope by the last line of its file. Error: two of one name, a chapter that there is not, or
 // presets that checkPresets() refuses.
 bool addDemo(const Declaration& declaration, std::unique_ptr<Demo> (*make)());
+// The same with presets of its own.
+bool addDemo(const Declaration& declaration, std::vector<Preset> presets, std::string page,
+             std::function<std::unique_ptr<Demo>()> make);
 // The constant is a template's argument, which must be there for as long as the program runs.
 template <class T, const Declaration& declaration>
 bool addDemo() {

@@ -229,7 +229,10 @@ bool WordChoice::step(double amount) {
 bool WordChoice::widget(Panel& panel) { return panel.choose(*this, index_, options_); }
 
 NumberChoice::NumberChoice(Demo* owner, Literal name, int initial, std::initializer_list<int> numbers, Literal help)
-    : WordChoice(owner, name, placeOf(initial, numbers), wordsOf(numbers), help), numbers_(numbers) {}
+    : NumberChoice(owner, name, initial, std::vector<int>(numbers), help) {}
+
+NumberChoice::NumberChoice(Demo* owner, Literal name, int initial, std::vector<int> numbers, Literal help)
+    : WordChoice(owner, name, placeOf(initial, numbers), wordsOf(numbers), help), numbers_(std::move(numbers)) {}
 
 void NumberChoice::parse(std::string_view text) {
     double number = 0;

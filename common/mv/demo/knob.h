@@ -242,6 +242,7 @@ class Choice : public WordChoice {
 class NumberChoice : public WordChoice {
   public:
     NumberChoice(Demo* owner, Literal name, int initial, std::initializer_list<int> numbers, Literal help);
+    NumberChoice(Demo* owner, Literal name, int initial, std::vector<int> numbers, Literal help);
     operator int() const { return numbers_[static_cast<std::size_t>(index())]; }
     void parse(std::string_view text) override;
 

@@ -13,7 +13,7 @@ bool isKebabCase(std::string_view name) {
            std::all_of(name.begin(), name.end(), allowed);
 }
 
-std::vector<std::string> namesOf(const Declaration& info) {
+std::vector<std::string> namesOf(const DemoInfo& info) {
     std::vector<std::string> names;
     for (const Preset& preset : info.presets) names.push_back(preset.name);
     return names;
@@ -21,7 +21,7 @@ std::vector<std::string> namesOf(const Declaration& info) {
 
 }  // namespace
 
-void checkPresets(const Declaration& info) {
+void checkPresets(const DemoInfo& info) {
     const std::vector<std::string> names = namesOf(info);
     for (const Preset& preset : info.presets) {
         const std::string subject = "preset '" + preset.name + "' of " + info.name;
@@ -30,16 +30,16 @@ void checkPresets(const Declaration& info) {
         if (preset.lookFor.empty()) throw Error(subject, "must say what to look for");
     }
     const auto first = info.presets.begin();
-    if (first != info.presets.end() && first->settings.size() > 0) {
+    if (first != info.presets.end() && !first->settings.empty()) {
         throw Error("preset '" + first->name + "' of " + info.name,
                     "must have no settings: the first preset is the knobs' initial values", settingsText(*first));
     }
 }
 
-const Preset& findPreset(const Declaration& info, std::string_view name) {
+const Preset& findPreset(const DemoInfo& info, std::string_view name) {
     const std::vector<std::string> names = namesOf(info);
     const auto found = std::find(names.begin(), names.end(), name);
-    if (found != names.end()) return info.presets.begin()[found - names.begin()];
+    if (found != names.end()) return info.presets[static_cast<std::size_t>(found - names.begin())];
     if (names.empty()) throw Error("--preset", "is of no use here: " + info.name + " has none");
     std::string rule = "must be ";
     for (const std::string& each : names) rule += (each == names.front() ? "" : " | ") + each;
@@ -48,7 +48,16 @@ const Preset& findPreset(const Declaration& info, std::string_view name) {
 
 void applyPreset(Demo& demo, const Preset& preset) {
     for (Knob* knob : demo.knobs()) knob->reset();
-    applyKnobs(demo, {preset.settings.begin(), preset.settings.end()});
+    applyKnobs(demo, preset.settings);
+}
+
+std::vector<KnobSetting> changedKnobs(const Demo& from, const Demo& to) {
+    std::vector<KnobSetting> changed;
+    for (std::size_t i = 0; i < to.knobs().size(); ++i) {
+        const std::string text = to.knobs()[i]->text();
+        if (text != from.knobs()[i]->text()) changed.push_back({to.knobs()[i]->name(), text});
+    }
+    return changed;
 }
 
 bool isAtPreset(const Demo& demo, const Preset& preset) {

@@ -80,6 +80,9 @@ struct Study {
     std::vector<Saying> says = {};
     // True: the demo's values() are compared and timed, without GL. False: pictures, drawn with frame.measuring().
     bool ofValues = false;
+    // The knobs that the reference depends on, of a lesson: it is kept while these are as they were. Empty: those that it asked
+    // for by name, and all of them where it asked for the scene or the settings.
+    std::vector<std::string> reads = {};
     // What is right for the demo's present settings, in the picture that `frame` describes (its size and index; not drawn
     // into); made by a method that shares nothing with the one under study. Slow ones report the part that is done.
     std::function<Reference(const Demo& demo, const ReferenceFrame& frame,

@@ -264,11 +264,15 @@ Program::Program(std::unique_ptr<State> state) : state_(std::move(state)) {
 
 Program::Program(const std::string& stem, const std::string& variant) {
     const std::string name = variant.empty() ? stem : stem + "." + variant;
-    std::vector<std::string> files{name + ".comp"};
+    // In the demo's own folder, where it has one
+    const std::string inFolder = stem + "/" + (variant.empty() ? stem : variant);
+    const bool isInFolder = hasShaderFile(inFolder + ".vert") || hasShaderFile(inFolder + ".comp");
+    const std::string& path = isInFolder ? inFolder : name;
+    std::vector<std::string> files{path + ".comp"};
     if (!hasShaderFile(files.front())) {
-        files = {name + ".vert", name + ".frag"};
+        files = {path + ".vert", path + ".frag"};
         for (const char* more : {".geom", ".tesc", ".tese"}) {
-            if (hasShaderFile(name + more)) files.push_back(name + more);
+            if (hasShaderFile(path + more)) files.push_back(path + more);
         }
     }
     *this = fromFiles(name, files);

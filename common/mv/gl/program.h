@@ -18,7 +18,8 @@ class Program {
   public:
     Program();
     // Compiles shaders/<stem>[.<variant>].vert and .frag (and .geom, .tesc, .tese where they exist) and links them; or .comp
-    // alone, where there is such a file. With stages of tessellation all of it is GLSL 4.00, a compute shader is 4.30.
+    // alone, where there is such a file. Where the demo has a folder of shaders, its files are shaders/<stem>/<variant>.vert
+    // ..., without a variant shaders/<stem>/<stem>.vert ... With stages of tessellation all of it is GLSL 4.00, a compute shader is 4.30.
     // Error: "shaders/<stem>.frag:7: message" for each mistake; a stage that the context lacks, or that the demo did not
     // declare: has() in mv/gl/beyond_es.h is to be asked before.
     explicit Program(const std::string& stem, const std::string& variant = "");

@@ -166,7 +166,7 @@ std::string needsPage() {
             versions += (&lacking == info.needs.beyondEs.begin() ? " without " : ", ") + lacking.feature;
         }
         if (info.needs.samples) buffers += ", " + std::to_string(info.needs.samples) + " samples";
-        text.append("| [").append(info.name).append("](../demos/").append(info.name).append(".md) | ");
+        text.append("| [").append(info.name).append("](../").append(info.page).append(") | ");
         text.append(buffers).append(" | ").append(versions).append(" | ");
         text += both([](const FrameWork& work) { return work.draws; });
         text += both([](const FrameWork& work) { return work.passes; });

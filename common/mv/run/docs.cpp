@@ -114,7 +114,7 @@ std::string cataloguePage() {
     for (const Chapter& chapter : catalogueByChapter()) {
         text += "\n## " + chapter.name + "\n";
         for (const DemoInfo* info : chapter.demos) {
-            text += "\n### [" + info->name + "](../demos/" + info->name + ".md)\n\n" + info->sentence +
+            text += "\n### [" + info->name + "](../" + info->page + ")\n\n" + info->sentence +
                     "\n\nLook for: " + info->lookFor + "\n\nNeeds: " + needsText(info->needs) +
                     ". Picture: " + std::to_string(info->width) + "x" + std::to_string(info->height) + ", " +
                     (info->animated ? "60 frames a second" : "drawn when something changes") + ".\n\n" + tables(*info);
@@ -124,7 +124,7 @@ std::string cataloguePage() {
 }
 
 std::string lessonPage(const std::string& page, const DemoInfo& info) {
-    return withGenerated(page, "demos/" + info.name + ".md", "knobs", tables(info));
+    return withGenerated(page, info.page, "knobs", tables(info));
 }
 
 std::string readmePage(const std::string& page) {
@@ -132,7 +132,7 @@ std::string readmePage(const std::string& page) {
     for (const Chapter& chapter : catalogueByChapter()) {
         text += "| **" + chapter.name + "** | |\n";
         for (const DemoInfo* info : chapter.demos) {
-            text += "| [" + info->name + "](demos/" + info->name + ".md) | " + tableCell(info->sentence) + " |\n";
+            text += "| [" + info->name + "](" + info->page + ") | " + tableCell(info->sentence) + " |\n";
         }
     }
     return withGenerated(page, "README.md", "demos", text);
@@ -180,7 +180,7 @@ std::vector<StudyRun> studiesInTree(const std::string& root, const std::string& 
 
 std::vector<std::string> pagesWithNumbers(const std::string& root) {
     std::vector<std::string> pages{"README.md"};
-    for (const DemoInfo& info : catalogue()) pages.push_back("demos/" + info.name + ".md");
+    for (const DemoInfo& info : catalogue()) pages.push_back(info.page);
     std::vector<std::string> docs;
     std::error_code none;  // a tree without docs has no pages there
     for (const auto& entry : std::filesystem::directory_iterator(root + "/docs", none)) {
@@ -216,8 +216,7 @@ static std::map<std::string, std::string> pagesAnew(const std::string& root) {
     std::map<std::string, std::string> pages;
     pages["README.md"] = readmePage(fileText(folder + "README.md"));
     for (const DemoInfo& info : catalogue()) {
-        const std::string page = "demos/" + info.name + ".md";
-        pages[page] = lessonPage(fileText(folder + page), info);
+        pages[info.page] = lessonPage(fileText(folder + info.page), info);
     }
     std::optional<HeadlessStage> headless;
     NumberSources sources([&](const std::string& demo) { return studiesInTree(root, demo); },
@@ -233,9 +232,8 @@ static std::map<std::string, std::string> pagesAnew(const std::string& root) {
 void writeDocs(const std::string& root) {
     std::string missing;
     for (const DemoInfo& info : catalogue()) {
-        const std::string page = "demos/" + info.name + ".md";
-        if (std::filesystem::exists(std::filesystem::path(root) / page)) continue;
-        missing.append(missing.empty() ? "" : ", ").append(page);
+        if (std::filesystem::exists(std::filesystem::path(root) / info.page)) continue;
+        missing.append(missing.empty() ? "" : ", ").append(info.page);
     }
     if (!missing.empty()) throw Error("docs in " + root, "each demo must have its page", "missing: " + missing);
     const std::map<std::string, std::string> pages = pagesAnew(root);

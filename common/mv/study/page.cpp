@@ -134,7 +134,7 @@ std::string studyPage(const std::vector<StudyRun>& runs, const DemoInfo& info) {
         "# Error and time: " + info.name +
         "\n\nMade by `./run --docs .` from the rows in CSV files; do not "
         "edit. The demo: [" +
-        info.name + "](../../demos/" + info.name + ".md).\n\n" + whatItSays(runs, *info.study) +
+        info.name + "](../../" + info.page + ").\n\n" + whatItSays(runs, *info.study) +
         "\nErrors and counts are the same on every machine with the same OpenGL driver, and a test measures "
         "them\nagain; milliseconds, their deviation and so what is best belong to the machine that a part is "
         "headed with. Measure yours:\n\n```\n./run " +

@@ -188,8 +188,9 @@ KnownReference referenceHere(const Demo& demo, const Study& study, bool ownError
     known.reference =
         study.makeReference(demo, {FrameInfo(study.frame, study.width, study.height), ownError}, progress);
     for (const Knob* knob : demo.knobs()) {
-        if (knob->wasRead()) known.madeOf.push_back({knob->name(), knob->text()});
+        if (study.reads.empty() && knob->wasRead()) known.madeOf.push_back({knob->name(), knob->text()});
     }
+    for (const std::string& name : study.reads) known.madeOf.push_back({name, demo.word(name)});
     const std::size_t pixels = static_cast<std::size_t>(study.width) * static_cast<std::size_t>(study.height);
     if (!study.ofValues && known.reference.values.size() != pixels) {
         throw Error("reference", "must have a value for each pixel", std::to_string(known.reference.values.size()));

@@ -163,7 +163,7 @@ bool showPresets(const DemoInfo& info, Demo& demo) {
     for (const Preset& preset : info.presets) {
         const float width = ImGui::CalcTextSize(preset.name.c_str()).x + 2 * style.FramePadding.x;
         // The next one in the line, while there is room for it
-        if (&preset != info.presets.begin()) {
+        if (&preset != info.presets.data()) {
             if (x + gap + width <= right) {
                 ImGui::SameLine(0, gap);
                 x += gap;

@@ -1,0 +1,273 @@
+// A lesson: functions of plain settings, and rows that say what the settings are. Only the file knobs.cpp of a lesson
+// includes this; the technique includes mv/demo/frame.h and mv/gl/gl.h.
+//
+//     struct Settings { ... };                                      // a value is a value
+//     struct Gpu { Program program{"cube-cull"}; ... };             // what is made once a context is there
+//     void draw(Gpu& gpu, const Settings& s, const Frame& frame);   // a function of its arguments
+//
+//     const bool added = addLesson(about, Lesson<Settings, Gpu>{.rows = {...}, .presets = {...}, .draw = draw});
+//
+// What is said of a Demo's functions of these names holds for a lesson's; addLesson() makes a Demo of it.
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "mv/demo/demo.h"
+#include "mv/demo/numbers.h"
+#include "mv/demo/row.h"
+
+namespace mv {
+
+// Settings worth a look. The first are Settings{}, which is how the lesson opens.
+template <class Settings>
+struct SettingsPreset {
+    Literal name;
+    Literal lookFor;
+    Settings settings = {};
+    std::vector<ExpectedReadout> expect = {};  // in frame 1; a test looks
+};
+
+// These settings with some of them changed: with(closeUp, [](Settings& s) { s.bias = 0; })
+template <class Settings, class Change>
+Settings with(Settings settings, Change change) {
+    change(settings);
+    return settings;
+}
+
+// A key, a drag or the wheel, which moves settings by their names.
+struct Control {
+    Gesture gesture;
+    Literal knob, other = {};  // `other`: of a drag, what moving down moves; of a key, the value that it sets
+    Key key = {}, otherKey = {};
+    double amount = 0, otherAmount = 0;
+};
+inline Control keys(Key less, Key more, Literal knob, double amount) {
+    return {.gesture = Gesture::key, .knob = knob, .key = less, .otherKey = more, .amount = amount};
+}
+inline Control keySets(Key key, Literal knob, Literal text) {
+    return {.gesture = Gesture::key, .knob = knob, .other = text, .key = key};
+}
+inline Control drag(Literal across, double perPixelAcross, Literal down, double perPixelDown) {
+    return {.gesture = Gesture::dragAcross,
+            .knob = across,
+            .other = down,
+            .amount = perPixelAcross,
+            .otherAmount = perPixelDown};
+}
+inline Control wheel(Literal knob, double perNotch) {
+    return {.gesture = Gesture::wheel, .knob = knob, .amount = perNotch};
+}
+
+// What is dragged in the picture: numbers by their names, or the points of one setting. `where` is the place of it in the
+// picture, in pixels from the lower left corner; nothing where these settings have no such place.
+template <class Settings>
+struct LessonHandle {
+    Literal name;
+    std::vector<Literal> knobs;
+    std::optional<vec2> (*where)(const Settings&, const FrameInfo&) = {};
+    std::optional<vec2> (*wherePoint)(const Settings&, const FrameInfo&, const vec2& value) = {};
+};
+
+// Of a lesson that remembers nothing.
+struct NothingKept {};
+
+namespace lesson_detail {
+
+// The functions of a lesson. `Kept` is what it remembers from frame to frame, or the picture that its passes make.
+template <class Settings, class Gpu, class Kept>
+struct Functions {
+    using Draw = void (*)(Gpu&, const Settings&, const Kept&, const Frame&);
+    using ReadOut = void (*)(Gpu&, const Settings&, const Kept&, const Frame&, Numbers&);
+};
+template <class Settings, class Gpu>
+struct Functions<Settings, Gpu, NothingKept> {
+    using Draw = void (*)(Gpu&, const Settings&, const Frame&);
+    using ReadOut = void (*)(Gpu&, const Settings&, const Frame&, Numbers&);
+};
+
+// The address of one for each type.
+template <class Settings>
+inline constexpr char typeTag = 0;
+
+}  // namespace lesson_detail
+
+template <class Settings, class Gpu, class Kept = NothingKept>
+struct Lesson {
+    using Functions = lesson_detail::Functions<Settings, Gpu, Kept>;
+
+    std::vector<Row<Settings>> rows = {};
+    std::vector<SettingsPreset<Settings>> presets = {};
+    std::vector<Control> controls = {};
+    std::vector<LessonHandle<Settings>> handles = {};
+    std::vector<Probe::Number> readouts = {};  // names, what they say, units
+
+    typename Functions::Draw draw = {};
+    typename Functions::Draw figure = {};      // what people need over the picture: Demo::annotate
+    typename Functions::ReadOut readOut = {};  // right after draw, where somebody reads the readouts
+    void (*check)(const Settings&) = {};
+    Scene (*scene)(const Settings&, const FrameInfo&) = {};
+    // A lesson that remembers: what it does at frame 0, and from frame index - 1 to index.
+    Kept (*start)(const Settings&) = {};
+    void (*step)(Kept&, const Settings&, int index) = {};
+    // A picture made in passes.
+    int (*passes)(const Settings&) = {};
+    void (*refine)(Kept&, const Settings&, const FrameInfo&, int pass) = {};
+    // For a study of values.
+    std::vector<double> (*values)(const Settings&) = {};
+    std::vector<std::pair<std::string, double>> (*valueCounts)(const Settings&) = {};
+};
+
+// What a lesson is as a Demo, but for the types of its settings.
+class LessonBase : public Demo {
+  protected:
+    // Makes the knobs, with the values of `initial`.
+    void addRow(const AnyRow& row, const void* initial);
+    void addControl(const Control& control);
+    void addReadout(const Probe::Number& number);
+    // Writes the knobs' values into settings.
+    void store(void* settings) const;
+    std::vector<Real*> reals(const std::vector<Literal>& names) const;
+    Points& points(Literal name) const;
+
+  private:
+    struct Bound {
+        const AnyRow* row;
+        std::unique_ptr<Knob> knob;
+    };
+    std::vector<Bound> bound_;
+    std::vector<std::unique_ptr<Readout>> told_;
+};
+
+template <class Settings, class Gpu, class Kept>
+class LessonDemo final : public LessonBase {
+  public:
+    using Of = Lesson<Settings, Gpu, Kept>;
+
+    // `initial`: the values that the knobs have at first.
+    explicit LessonDemo(std::shared_ptr<const Of> lesson, const Settings& initial = {}) : lesson_(std::move(lesson)) {
+        if (lesson_->step) remembered_.emplace(this);
+        for (const Row<Settings>& row : lesson_->rows) {
+            addRow(row, &initial);
+            for (const AnyRow::Condition& condition : row.conditions) {
+                knobs().back()->onlyWhen(
+                    [this, &condition] {
+                        const Settings now = settings();
+                        return condition.holds(&now);
+                    },
+                    condition.reason);
+            }
+        }
+        for (const Probe::Number& number : lesson_->readouts) addReadout(number);
+        for (const Control& control : lesson_->controls) addControl(control);
+        for (const LessonHandle<Settings>& handle : lesson_->handles) addHandle(handle);
+    }
+
+    Settings settings() const {
+        Settings now;
+        store(&now);
+        return now;
+    }
+
+    void init() override { gpu_.emplace(); }
+    void draw(const Frame& frame) override {
+        const Settings now = settings();
+        paint(lesson_->draw, now, frame);
+        if (!lesson_->readOut || !frame.readouts()) return;
+        Numbers numbers(*this);
+        if constexpr (remembers)
+            lesson_->readOut(*gpu_, now, kept(), frame, numbers);
+        else
+            lesson_->readOut(*gpu_, now, frame, numbers);
+    }
+    void annotate(const Frame& frame) override {
+        if (lesson_->figure) paint(lesson_->figure, settings(), frame);
+    }
+    void check() const override {
+        if (lesson_->check) lesson_->check(settings());
+    }
+    Scene scene(const FrameInfo& frame) const override {
+        return lesson_->scene ? lesson_->scene(settings(), frame) : Demo::scene(frame);
+    }
+    void reset() override {
+        if constexpr (remembers) {
+            if (lesson_->start) **remembered_ = lesson_->start(settings());
+        }
+    }
+    void step(int index) override {
+        if constexpr (remembers) {
+            if (lesson_->step) lesson_->step(**remembered_, settings(), index);
+        }
+    }
+    int passes(const FrameInfo&) const override { return lesson_->passes ? lesson_->passes(settings()) : 0; }
+    void refine(const FrameInfo& frame, int pass) override {
+        if constexpr (remembers) lesson_->refine(made_, settings(), frame, pass);
+    }
+    std::vector<double> values() const override {
+        return lesson_->values ? lesson_->values(settings()) : Demo::values();
+    }
+    std::vector<std::pair<std::string, double>> valueCounts() const override {
+        return lesson_->valueCounts ? lesson_->valueCounts(settings()) : Demo::valueCounts();
+    }
+    bool copySettings(const void* type, void* to) const override {
+        if (type != &lesson_detail::typeTag<Settings>) return false;
+        *static_cast<Settings*>(to) = settings();
+        return true;
+    }
+
+  private:
+    static constexpr bool remembers = !std::is_same_v<Kept, NothingKept>;
+
+    const Kept& kept() const { return remembered_ ? **remembered_ : made_; }
+    void paint(typename Of::Functions::Draw function, const Settings& now, const Frame& frame) {
+        if constexpr (remembers)
+            function(*gpu_, now, kept(), frame);
+        else
+            function(*gpu_, now, frame);
+    }
+    void addHandle(const LessonHandle<Settings>& handle) {
+        if (handle.where) {
+            bindHandle(handle.name, reals(handle.knobs),
+                       [this, &handle](const FrameInfo& frame) { return handle.where(settings(), frame); });
+        } else {
+            bindHandle(handle.name, points(handle.knobs.front()),
+                       [this, &handle](const FrameInfo& frame, const vec2& value) {
+                           return handle.wherePoint(settings(), frame, value);
+                       });
+        }
+    }
+
+    std::shared_ptr<const Of> lesson_;
+    std::optional<Gpu> gpu_;
+    std::optional<Memory<Kept>> remembered_;
+    Kept made_{};
+};
+
+// Adds a lesson to the catalogue; called at file scope by its knobs.cpp. Its page is demos/NAME/NAME.md. Error: as
+// addDemo(), or a preset with a value outside of its row's range.
+template <class Settings, class Gpu, class Kept>
+bool addLesson(const Declaration& about, Lesson<Settings, Gpu, Kept> lesson) {
+    using Made = LessonDemo<Settings, Gpu, Kept>;
+    const auto shared = std::make_shared<const Lesson<Settings, Gpu, Kept>>(std::move(lesson));
+    std::vector<Preset> presets;
+    for (const auto& preset : shared->presets)
+        presets.push_back(
+            {preset.name, preset.lookFor, changedKnobs(Made(shared), Made(shared, preset.settings)), preset.expect});
+    return addDemo(about, std::move(presets), "demos/" + about.name + "/" + about.name + ".md",
+                   [shared] { return std::unique_ptr<Demo>(new Made(shared)); });
+}
+
+// The settings of a demo that is a lesson: what its study and its probes compute with. Error: it has settings of another
+// type.
+template <class Settings>
+Settings settingsOf(const Demo& demo) {
+    Settings settings;
+    if (!demo.copySettings(&lesson_detail::typeTag<Settings>, &settings))
+        throw Error("settings", "must be asked of the lesson that has them");
+    return settings;
+}
+
+}  // namespace mv

@@ -1,0 +1,35 @@
+// cube-cull: a cube whose back faces, front faces or both are discarded before they are drawn.
+#include "cube-cull.h"
+
+#include "mv/gl/functions.h"
+#include "mv/math/projection.h"
+#include "mv/math/transform.h"
+
+namespace mv::cube_cull {
+
+void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
+    // Discard the faces not wanted. OpenGL begins with GL_CCW for front faces, and with GL_BACK to be discarded
+    if (s.cull != Cull::none) glEnable(GL_CULL_FACE);
+    if (s.cull == Cull::front) glCullFace(GL_FRONT);
+    if (s.cull == Cull::both) glCullFace(GL_FRONT_AND_BACK);
+    if (s.winding == Winding::cw) glFrontFace(GL_CW);
+    if (s.depth) glEnable(GL_DEPTH_TEST);
+
+    // Look at the middle from the z axis
+    const mat4 clipFromView = perspective(50, frame.aspect(), 0.2, 100);
+    frame.show("viewFromModel", viewFromModel(s));
+    frame.show("clipFromView", clipFromView);
+
+    // Draw
+    gpu.program.use();
+    gpu.program.set("viewFromModel", viewFromModel(s));
+    gpu.program.set("clipFromView", clipFromView);
+    gpu.cube.draw();
+    gpu.axes.draw();
+}
+
+mat4 viewFromModel(const Settings& s) {
+    return lookAt(vec3(0, 0, s.zDist), vec3(0, 0, 0), vec3(0, 1, 0)) * rotateX(-s.spinX) * rotateY(-s.spinY);
+}
+
+}  // namespace mv::cube_cull

@@ -1,0 +1,32 @@
+#pragma once
+#include "mv/demo/frame.h"
+#include "mv/demo/numbers.h"
+#include "mv/geometry/shapes.h"
+#include "mv/gl/mesh.h"
+#include "mv/gl/program.h"
+
+namespace mv::cube_cull {
+
+enum class Cull { none, back, front, both };
+enum class Winding { ccw, cw };
+
+struct Settings {
+    Cull cull = Cull::back;
+    Winding winding = Winding::ccw;
+    bool depth = true;
+    double zDist = -4;              // of the eye on the z axis
+    double spinX = 20, spinY = 30;  // degrees
+};
+
+struct Gpu {
+    Program program{"cube-cull"};
+    Mesh cube{colorCube(), "cube"};
+    Mesh axes{mv::axes(1.5), "axes"};
+};
+
+void draw(Gpu& gpu, const Settings& s, const Frame& frame);
+mat4 viewFromModel(const Settings& s);
+void check(const Settings& s);
+void readOut(Gpu& gpu, const Settings& s, const Frame& frame, Numbers& numbers);
+
+}  // namespace mv::cube_cull

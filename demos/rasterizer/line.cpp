@@ -1,0 +1,190 @@
+// A line: in each column, or row, the pixel nearest to it.
+#include "line.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+
+#include "sheet.h"
+#include "trials.h"
+
+namespace mv::rasterizer {
+
+static std::vector<PixelStep> pixelsOf(const Line& line, const Grid& grid) {
+    const auto [from, to] = line.ends;
+    return linePixels(line.method, grid.whole(from.x), grid.whole(from.y), grid.whole(to.x), grid.whole(to.y));
+}
+
+static void drawErrors(Gpu& gpu, const std::vector<PixelStep>& pixels, const Grid& grid, const Frame& frame);
+
+void drawLine(Gpu& gpu, const Line& line, const Grid& grid, const Frame& frame) {
+    const std::vector<PixelStep> pixels = pixelsOf(line, grid);
+    MeshData data{.primitive = Primitive::lines};
+    for (const vec2& end : line.ends) {
+        data.positions.emplace_back(grid.whole(end.x) + 0.5, grid.whole(end.y) + 0.5, 1);
+        data.colors.emplace_back(fvec3(colorOf(first)), 1);
+    }
+    const Picture mine = inked(grid, pixels), glPicture = byOpenGl(gpu, std::move(data), grid, frame);
+
+    showPictures(gpu, frame, grid, mine, glPicture, {{{line.ends[0] + 0.5, line.ends[1] + 0.5}}});
+    drawErrors(gpu, pixels, grid, frame);
+    showWords(gpu, frame, grid, std::string(nameOf(line.method)) + ": " + std::to_string(pixels.size()) + " pixels",
+              rounded("OpenGL: pixels set otherwise: %.0f", double(countDifferent(mine, glPicture))));
+}
+
+// The error term, in figures, where there is room for them.
+static void drawErrors(Gpu& gpu, const std::vector<PixelStep>& pixels, const Grid& grid, const Frame& frame) {
+    const Plot plot = plotOf(frame, grid);
+    if (plot.box.size().x / grid.columns < 15) return;
+    for (std::size_t i = 0; i < grid.made(pixels.size()); ++i) {
+        const PixelStep& pixel = pixels[i];
+        gpu.drawing.textAround(plot.pixel({pixel.x + 0.5, pixel.y + 0.5}),
+                               rounded(std::abs(pixel.error) < 10 ? "%.2g" : "%.0f", pixel.error),
+                               {9, pixel.coverage > 0.6 ? vec4(1) : ink, vec4(0)});
+    }
+}
+
+void readLine(const Gpu& gpu, const Line& line, const Grid& grid, Numbers& numbers) {
+    const std::vector<PixelStep> pixels = pixelsOf(line, grid);
+    numbers.set("set", double(pixels.size()));
+    numbers.set("differs", double(countDifferent(inked(grid, pixels), gpu.glPicture)));
+}
+
+}  // namespace mv::rasterizer
+
+namespace mv {
+namespace {
+
+std::vector<PixelStep> naive(int x1, int y1, int x2, int y2) {
+    std::vector<PixelStep> set;
+    const float m = static_cast<float>(y2 - y1) / static_cast<float>(x2 - x1);
+    auto y = static_cast<float>(y1);
+    for (int x = x1; x <= x2; ++x, y += m) {
+        // A vertical line has no m; its first pixel is all that is drawn.
+        if (!(std::abs(y) < 1e9F)) break;
+        set.push_back({x, static_cast<int>(std::lround(y)), static_cast<double>(y)});
+    }
+    return set;
+}
+
+// e counts in floats how far the line is above the pixel's middle; from `start`, against `limit`.
+std::vector<PixelStep> withError(int x1, int y1, int x2, int y2, float start, float limit) {
+    std::vector<PixelStep> set;
+    const float m = static_cast<float>(y2 - y1) / static_cast<float>(x2 - x1);
+    float e = start;
+    for (int x = x1, y = y1; x <= x2; ++x) {
+        set.push_back({x, y, static_cast<double>(e)});
+        e += m;
+        if (e >= limit) {
+            ++y;
+            e -= 1;
+        }
+    }
+    return set;
+}
+
+// e in units of 1/(x2 - x1), and halves of them.
+std::vector<PixelStep> scaled(int x1, int y1, int x2, int y2) {
+    std::vector<PixelStep> set;
+    double e = -0.5 * (x2 - x1);
+    for (int x = x1, y = y1; x <= x2; ++x) {
+        set.push_back({x, y, e});
+        e += y2 - y1;
+        if (e >= 0) {
+            ++y;
+            e -= x2 - x1;
+        }
+    }
+    return set;
+}
+
+std::vector<PixelStep> bresenham(int x1, int y1, int x2, int y2) {
+    std::vector<PixelStep> set;
+    int e = -(x2 - x1);
+    for (int x = x1, y = y1; x <= x2; ++x) {
+        set.push_back({x, y, double(e)});
+        e += 2 * (y2 - y1);
+        if (e >= 0) {
+            ++y;
+            e -= 2 * (x2 - x1);
+        }
+    }
+    return set;
+}
+
+// Turned and mirrored so that it goes right, and rises or falls by less than it goes.
+struct Turned {
+    bool steep;
+    int x1, y1, x2, y2;
+    Turned(int ax, int ay, int bx, int by)
+        : steep(std::abs(by - ay) > std::abs(bx - ax)), x1(ax), y1(ay), x2(bx), y2(by) {
+        if (steep) {
+            std::swap(x1, y1);
+            std::swap(x2, y2);
+        }
+        if (x1 > x2) {
+            std::swap(x1, x2);
+            std::swap(y1, y2);
+        }
+    }
+    PixelStep back(PixelStep step) const {
+        if (steep) std::swap(step.x, step.y);
+        return step;
+    }
+};
+
+std::vector<PixelStep> octants(int ax, int ay, int bx, int by) {
+    std::vector<PixelStep> set;
+    const Turned line(ax, ay, bx, by);
+    const int rise = std::abs(line.y2 - line.y1), up = line.y1 < line.y2 ? 1 : -1, run = line.x2 - line.x1;
+    int e = -run;
+    for (int x = line.x1, y = line.y1; x <= line.x2; ++x) {
+        set.push_back(line.back({x, y, double(e)}));
+        e += 2 * rise;
+        if (e >= 0) {
+            y += up;
+            e -= 2 * run;
+        }
+    }
+    return set;
+}
+
+std::vector<PixelStep> smooth(int ax, int ay, int bx, int by) {
+    std::vector<PixelStep> set;
+    const Turned line(ax, ay, bx, by);
+    const int run = line.x2 - line.x1;
+    for (int x = line.x1; x <= line.x2; ++x) {
+        // y at x is whole + above / run, without a rounding
+        const long rise = long(line.y2 - line.y1) * (x - line.x1);
+        const long whole = run == 0 ? 0 : (rise >= 0 ? rise / run : -((-rise + run - 1) / run));
+        const double part = run == 0 ? 0 : double(rise - whole * run) / run;
+        const int y = line.y1 + static_cast<int>(whole);
+        set.push_back(line.back({x, y, part, 1 - part}));
+        if (part > 0) set.push_back(line.back({x, y + 1, part, part}));
+    }
+    return set;
+}
+
+}  // namespace
+
+std::vector<PixelStep> linePixels(LineMethod method, int x1, int y1, int x2, int y2) {
+    switch (method) {
+        case LineMethod::naive:
+            return naive(x1, y1, x2, y2);
+        case LineMethod::error:
+            return withError(x1, y1, x2, y2, 0, 0.5F);
+        case LineMethod::shifted:
+            return withError(x1, y1, x2, y2, -0.5F, 0);
+        case LineMethod::scaled:
+            return scaled(x1, y1, x2, y2);
+        case LineMethod::bresenham:
+            return bresenham(x1, y1, x2, y2);
+        case LineMethod::octants:
+            return octants(x1, y1, x2, y2);
+        case LineMethod::smooth:
+            return smooth(x1, y1, x2, y2);
+    }
+    return {};
+}
+
+}  // namespace mv

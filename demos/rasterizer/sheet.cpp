@@ -1,0 +1,111 @@
+#include "sheet.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+
+#include "mv/gl/functions.h"
+#include "mv/gl/text.h"
+
+namespace mv::rasterizer {
+
+Grid::Grid(const Settings& s) : columns(s.cells), rows(s.cells * 3 / 4), step(s.step), scale(s.cells / 24.0) {}
+int Grid::whole(double coordinate) const { return static_cast<int>(std::floor(coordinate * scale)); }
+std::size_t Grid::made(std::size_t all) const {
+    return step == allSteps ? all : std::min(all, static_cast<std::size_t>(step));
+}
+
+Pane leftPane(const FrameInfo& frame) { return {0, 0, std::max(1, frame.width() / 2), frame.height()}; }
+Pane rightPane(const FrameInfo& frame) {
+    return {leftPane(frame).width, 0, std::max(1, frame.width() - leftPane(frame).width), frame.height()};
+}
+Plot plotOf(const FrameInfo& frame, const Grid& grid) { return gridPlot(leftPane(frame), grid.columns, grid.rows); }
+
+Pixel pixelOf(const vec3& color) {
+    const auto byte = [](double part) {
+        return static_cast<std::uint8_t>(std::lround(255 * std::clamp(part, 0.0, 1.0)));
+    };
+    return {byte(color.x), byte(color.y), byte(color.z)};
+}
+vec3 colorOf(const Pixel& pixel) { return vec3(pixel.red, pixel.green, pixel.blue) / 255.0; }
+
+Picture paperOf(const Grid& grid, const PixelMap* before) {
+    Picture shown(grid.columns, grid.rows);
+    for (int y = 0; y < grid.rows; ++y) {
+        for (int x = 0; x < grid.columns; ++x)
+            shown.set(x, grid.rows - 1 - y, before && before->at(x, y) == 1 ? outlined : paper);
+    }
+    return shown;
+}
+
+Picture inked(const Grid& grid, const std::vector<PixelStep>& pixels, const PixelMap* before) {
+    Picture shown = paperOf(grid, before);
+    for (std::size_t i = 0; i < grid.made(pixels.size()); ++i) {
+        const PixelStep& pixel = pixels[i];
+        if (pixel.x < 0 || pixel.y < 0 || pixel.x >= grid.columns || pixel.y >= grid.rows) continue;
+        shown.set(pixel.x, grid.rows - 1 - pixel.y, pixelOf(vec3(1) - pixel.coverage * (vec3(1) - colorOf(first))));
+    }
+    return shown;
+}
+
+Picture orderOf(const Grid& grid, const std::vector<PixelStep>& pixels, const PixelMap* before) {
+    Picture shown = paperOf(grid, before);
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        const double part = double(i) / double(pixels.size());
+        shown.set(pixels[i].x, grid.rows - 1 - pixels[i].y,
+                  pixelOf(glm::mix(vec3(0.12, 0.2, 0.55), vec3(1, 0.85, 0.25), part)));
+    }
+    return shown;
+}
+
+Picture byOpenGl(Gpu& gpu, MeshData data, const Grid& grid, const Frame& frame) {
+    const bool isNew = gpu.small.fit(grid.columns, grid.rows, {}, "small picture");
+    if (!isNew && data == gpu.drawn && gpu.program->id() == gpu.drawnBy) return gpu.glPicture;
+    if (!isNew) gpu.small.bind();
+    glClearColor(1, 1, 1, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    if (data != gpu.drawn) gpu.mesh = Mesh(data, "figure");
+    gpu.drawn = std::move(data);
+    gpu.drawnBy = gpu.program->id();  // another one once somebody edits the shader
+    gpu.program->use();
+    gpu.program->set("pixels", vec2(grid.columns, grid.rows));
+    gpu.mesh.draw();
+    gpu.glPicture = gpu.small.readBound();
+    frame.bindTarget();
+    return gpu.glPicture;
+}
+
+void showPictures(Gpu& gpu, const Frame& frame, const Grid& grid, const Picture& left, const Picture& right,
+                  Shape shape) {
+    Picture sheet(frame.width(), frame.height());
+    std::fill(sheet.rgba.begin(), sheet.rgba.end(), std::uint8_t(255));
+    const Plot plot = plotOf(frame, grid);
+    magnify(left, plot, leftPane(frame), sheet);
+    magnify(right, plot, rightPane(frame), sheet);
+    showImage(frame, 0, 0, sheet);
+
+    gpu.drawing.begin(frame);
+    for (std::vector<vec2>& line : shape.lines) {
+        for (vec2& point : line) point = plot.pixel(grid.scale * point);
+    }
+    for (const Pane& pane : {leftPane(frame), rightPane(frame)}) {
+        gpu.drawing.in(pane);
+        drawGrid(gpu.drawing, plot);
+        for (const std::vector<vec2>& line : shape.lines) gpu.drawing.line(line, {ink, 1});
+        if (shape.dot) gpu.drawing.point(plot.pixel(grid.scale * *shape.dot), 8, red);
+    }
+    gpu.drawing.in(leftPane(frame));
+}
+
+void showWords(Gpu& gpu, const Frame& frame, const Grid& grid, const std::string& left, const std::string& right,
+               const std::optional<std::pair<std::string, vec4>>& more) {
+    const int height = std::clamp(frame.height() / 30, 8, 18);
+    const double below = plotOf(frame, grid).box.low.y - 6;
+    gpu.drawing.text({8, below}, left, {height, ink, vec4(0)});
+    if (more) gpu.drawing.text({8, below - 1.5 * height}, more->first, {height, more->second, vec4(0)});
+    gpu.drawing.in(rightPane(frame));
+    gpu.drawing.text({8, below}, right, {height, ink, vec4(0)});
+    gpu.drawing.draw(frame);
+}
+
+}  // namespace mv::rasterizer

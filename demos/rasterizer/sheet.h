@@ -1,0 +1,56 @@
+// What the parts of rasterizer are shown on: two magnified pictures side by side, with the shape over them, and words below.
+#pragma once
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "pixel_grid.h"
+#include "rasterizer.h"
+
+namespace mv::rasterizer {
+
+inline const vec4 ink(0.1, 0.1, 0.1, 1), red(0.8, 0.15, 0.1, 1);
+inline const Pixel paper{255, 255, 255}, outlined{90, 95, 105}, first{70, 125, 205}, second{120, 180, 110},
+    both{205, 60, 45};
+
+// The pixels.
+struct Grid {
+    int columns, rows, step;
+    double scale;  // pixels a unit of the settings' coordinates
+    explicit Grid(const Settings& s);
+    // The pixel that a coordinate lies in.
+    int whole(double coordinate) const;
+    // How many of so many pixels are set.
+    std::size_t made(std::size_t all) const;
+};
+
+// Where both pictures are in the frame, and where the pixels are in their panes.
+Pane leftPane(const FrameInfo& frame);
+Pane rightPane(const FrameInfo& frame);
+Plot plotOf(const FrameInfo& frame, const Grid& grid);
+
+Pixel pixelOf(const vec3& color);
+vec3 colorOf(const Pixel& pixel);  // 0..1
+
+// A picture of paper, with what was drawn before in grey; and pixels set on it, as many as the step says.
+Picture paperOf(const Grid& grid, const PixelMap* before = nullptr);
+Picture inked(const Grid& grid, const std::vector<PixelStep>& pixels, const PixelMap* before = nullptr);
+// In which order they are set, from blue, the first, to yellow.
+Picture orderOf(const Grid& grid, const std::vector<PixelStep>& pixels, const PixelMap* before = nullptr);
+
+// OpenGL's picture of a mesh whose positions are x, y in pixels and w. Kept, while the same is drawn.
+Picture byOpenGl(Gpu& gpu, MeshData data, const Grid& grid, const Frame& frame);
+
+struct Shape {
+    std::vector<std::vector<vec2>> lines;  // in the settings' coordinates
+    std::optional<vec2> dot = {};
+};
+// Shows both pictures with the shape over them; gpu.drawing is then in the left pane.
+void showPictures(Gpu& gpu, const Frame& frame, const Grid& grid, const Picture& left, const Picture& right,
+                  Shape shape);
+// Words below them, and a second line below the left one. Draws all of gpu.drawing.
+void showWords(Gpu& gpu, const Frame& frame, const Grid& grid, const std::string& left, const std::string& right,
+               const std::optional<std::pair<std::string, vec4>>& more = {});
+
+}  // namespace mv::rasterizer

@@ -1,0 +1,58 @@
+// A polygon that crosses itself: its outline says what is inside, row by row.
+#include <algorithm>
+#include <cmath>
+
+#include "sheet.h"
+
+namespace mv::rasterizer {
+
+static std::vector<PixelStep> pixelsOf(const Star& star, const Grid& grid) {
+    std::vector<vec2> corners = star.corners;
+    for (vec2& corner : corners) corner *= grid.scale;
+    return polygonPixels(corners, grid.columns, grid.rows, star.winding);
+}
+
+void drawStar(Gpu& gpu, const Star& star, const Grid& grid, const Frame& frame) {
+    const std::vector<PixelStep> pixels = pixelsOf(star, grid);
+    Shape shape{{star.corners}};
+    shape.lines.front().push_back(star.corners.front());
+    showPictures(gpu, frame, grid, inked(grid, pixels), orderOf(grid, pixels), shape);
+    showWords(gpu, frame, grid, std::string(nameOf(star.winding)) + ": " + std::to_string(pixels.size()) + " pixels",
+              "the order: from blue to yellow");
+}
+
+void readStar(const Star& star, const Grid& grid, Numbers& numbers) {
+    numbers.set("set", double(pixelsOf(star, grid).size()));
+}
+
+}  // namespace mv::rasterizer
+
+namespace mv {
+
+std::vector<PixelStep> polygonPixels(const std::vector<vec2>& corners, int width, int height, Winding winding) {
+    std::vector<PixelStep> set;
+    struct Crossing {
+        double x;
+        int turn;
+    };
+    for (int j = 0; j < height; ++j) {
+        const double y = j + 0.5;
+        std::vector<Crossing> crossings;
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            const vec2 &a = corners[i], &b = corners[(i + 1) % corners.size()];
+            if ((a.y > y) == (b.y > y)) continue;
+            crossings.push_back({a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x), a.y < b.y ? 1 : -1});
+        }
+        std::ranges::sort(crossings, [](const Crossing& a, const Crossing& b) { return a.x < b.x; });
+        int turns = 0;
+        for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
+            turns += winding == Winding::evenOdd ? 1 : crossings[i].turn;
+            if (winding == Winding::evenOdd ? turns % 2 == 0 : turns == 0) continue;
+            const int first = std::max(0, static_cast<int>(std::ceil(crossings[i].x - 0.5)));
+            for (int x = first; x < width && x + 0.5 < crossings[i + 1].x; ++x) set.push_back({x, j, double(turns)});
+        }
+    }
+    return set;
+}
+
+}  // namespace mv

@@ -1,0 +1,25 @@
+// Lines and triangles that the methods of a rasterizer are tried with, and what is right for them.
+#pragma once
+#include <vector>
+
+#include "line.h"
+#include "mv/image/picture.h"
+#include "shared/raster_triangle.h"
+
+namespace mv {
+
+// 64 lines to the right, of slopes from 0 to 1, across a picture so wide: the y of the pixel that the method sets in each
+// column (by smooth: of the middle of its two), and the line's own.
+std::vector<double> lineTest(LineMethod method, int columns);
+std::vector<double> lineTruth(int columns);
+
+// 16 triangles, corners at whole 1/256 of a pixel: for each pixel of the picture and each triangle 1 where it is covered. The
+// truth is found row by row from where the edges cross it, in fractions.
+std::vector<double> triangleTest(FillMethod method, int columns, int rows);
+double triangleTestPixels(FillMethod method, int columns, int rows);
+std::vector<double> triangleTruth(int columns, int rows);
+
+// Pixels of which one picture is white and the other is not.
+long countDifferent(const Picture& a, const Picture& b);
+
+}  // namespace mv

@@ -1,0 +1,238 @@
+// ray-trace: rays that are followed through mirrors and glass, as Whitted did in 1980, with a lamp that has an area.
+#include "ray-trace.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "mv/geometry/ray_forms.h"
+#include "mv/gl/text.h"
+#include "shared/fresnel.h"
+
+namespace mv::ray_trace {
+
+void draw(Gpu&, const Settings& s, const Made& made, const Frame& frame) { showImage(frame, 0, 0, shown(s, made)); }
+
+// The picture is made in passes: blocks first, then a sample more for each pixel (passes.cpp). A sample is traceRay().
+void refine(Made& made, const Settings& s, const FrameInfo& frame, int pass) {
+    if (made.finderFor.changed(s.room, s.structure, s.triangles)) made.finder = finderOf(s);
+    made.picture.pass(planOf(s, frame.width(), frame.height(), made.finder), pass);
+}
+
+}  // namespace mv::ray_trace
+
+namespace mv {
+namespace {
+
+vec3 skyAlong(const TracedScene& scene, const vec3& direction) {
+    const double up = std::max(0.0, glm::normalize(direction).y);
+    return glm::mix(scene.skyBelow, scene.skyAbove, std::sqrt(up));
+}
+
+// A path in the middle: one ray of those that follow each other.
+struct Following {
+    Ray ray;
+    double radius = 0, spread = 0;  // of the ray's cone where it begins, and how it widens
+    double weight = 1;
+    int left = 0;  // rays that may follow
+};
+
+class Tracer {
+  public:
+    Tracer(const TracedScene& scene, const LampPlace& place, const TraceOptions& options)
+        : scene_(scene), place_(place), options_(options) {}
+
+    vec3 along(const Following& path) {
+        ++traced.rays;
+        const auto met = firstMet(scene_, path.ray);
+        if (const TracedLamp* lamp = lampBefore(path.ray, met ? met->t : HUGE_VAL)) return lamp->emitted;
+        if (!met) return skyAlong(scene_, path.ray.direction);
+        const double radius = path.radius + path.spread * met->t * glm::length(path.ray.direction);
+        const Surface surface = surfaceAt(*met, radius, path.ray.direction);
+        if (surface.index > 0) return surface.emitted + throughGlass(path, *met, surface.index, radius);
+        vec3 light = surface.emitted;
+        if (surface.mirrored < 1) light += (1 - surface.mirrored) * surface.color * lampsAt(*met);
+        if (surface.mirrored > 0) light += follow(path, *met, mirrored(path, *met), surface.mirrored, radius);
+        return light;
+    }
+
+    Traced traced;
+
+  private:
+    Surface surfaceAt(const Met& met, double radius, const vec3& direction) const {
+        if (met.ball >= 0) return scene_.balls[static_cast<std::size_t>(met.ball)].surface;
+        if (met.triangle != nullptr) return scene_.meshSurface;
+        const TracedScene::Floor& floor = *scene_.floor;
+        // The cone's cut through the floor is longer, the flatter it meets it.
+        const double slant = std::abs(glm::normalize(direction).y);
+        const double width = options_.filtered ? 2 * radius / std::max(slant, 1e-3) : 0;
+        const double part = squaresAround(met.point.x, met.point.z, floor.square, width);
+        Surface mixed = floor.dark;
+        mixed.color = glm::mix(floor.dark.color, floor.light.color, part);
+        mixed.mirrored = glm::mix(floor.dark.mirrored, floor.light.mirrored, part);
+        return mixed;
+    }
+
+    const TracedLamp* lampBefore(const Ray& ray, double end) const {
+        for (const TracedLamp& lamp : scene_.lamps) {
+            const auto hit = intersectPlane(ray, lamp.middle, lamp.halfU, lamp.halfV);
+            if (hit && hit->t > 0 && hit->t < end && std::abs(hit->u) <= 1 && std::abs(hit->v) <= 1) return &lamp;
+        }
+        return nullptr;
+    }
+
+    vec3 lampsAt(const Met& met) {
+        vec3 light = scene_.ambient;
+        for (const TracedLamp& lamp : scene_.lamps) {
+            const vec3 at = lamp.middle + place_.x * lamp.halfU + place_.y * lamp.halfV, way = at - met.point;
+            const double cosine = glm::dot(met.normal, glm::normalize(way));
+            if (!(cosine > 0)) continue;
+            double through = 1;
+            if (options_.shadows) {
+                ++traced.rays;
+                through = letThrough(scene_, startFrom(scene_, met, way), at);
+            }
+            light += cosine * through * lamp.light;
+        }
+        return light;
+    }
+
+    static vec3 mirrored(const Following& path, const Met& met) {
+        const vec3& d = path.ray.direction;
+        return d - 2 * glm::dot(d, met.normal) * met.normal;
+    }
+
+    // The light that comes along that direction, of which the surface passes on a part.
+    vec3 follow(const Following& path, const Met& met, const vec3& direction, double part, double radius) {
+        if (part == 0) return vec3(0);
+        if (path.left == 0) {
+            traced.cut += path.weight * part;
+            return vec3(0);
+        }
+        return part * along({{startFrom(scene_, met, direction), direction},
+                             radius,
+                             path.spread,
+                             path.weight * part,
+                             path.left - 1});
+    }
+
+    vec3 throughGlass(const Following& path, const Met& met, double index, double radius) {
+        const vec3 way = glm::normalize(path.ray.direction);
+        const bool enters = glm::dot(way, met.normal) < 0;
+        const vec3 normal = enters ? met.normal : -met.normal;
+        const double behind = enters ? index : 1 / index, cosine = std::min(1.0, -glm::dot(way, normal));
+        const auto on = refracted(way, normal, behind);
+        Split split = fresnel(std::max(0.0, cosine), behind);
+        if (options_.schlick && on) {
+            // Schlick's curve with the angle on the side it is seen from, as it is often written; total reflection as it is.
+            const double headOn = std::pow((index - 1) / (index + 1), 2);
+            split.reflected = schlick(std::max(0.0, cosine), headOn);
+            split.transmitted = 1 - split.reflected;
+        }
+        vec3 light = follow(path, met, way - 2 * glm::dot(way, normal) * normal, split.reflected, radius);
+        if (on) light += follow(path, met, *on, split.transmitted, radius);
+        return light;
+    }
+
+    const TracedScene& scene_;
+    const LampPlace& place_;
+    const TraceOptions& options_;
+};
+
+}  // namespace
+
+Traced traceRay(const TracedScene& scene, const Ray& ray, double spread, const LampPlace& place,
+                const TraceOptions& options) {
+    Tracer tracer(scene, place, options);
+    tracer.traced.light = tracer.along({ray, 0, spread, 1, options.depth});
+    return tracer.traced;
+}
+
+std::optional<Met> firstMet(const TracedScene& scene, const Ray& ray) {
+    Met met{.t = HUGE_VAL};
+    for (std::size_t i = 0; i < scene.balls.size(); ++i) {
+        const TracedBall& ball = scene.balls[i];
+        const auto inside = intersectSphere(ray, ball.center, ball.radius);
+        if (!inside) continue;
+        const double t = inside->near > 0 ? inside->near : inside->far;
+        if (t > 0 && t < met.t) met = {.t = t, .ball = static_cast<int>(i)};
+    }
+    if (scene.floor) {
+        const auto t = intersectPlane(ray, vec4(0, 1, 0, -scene.floor->height));
+        if (t && *t > 0 && *t < met.t) {
+            met = {.t = *t, .point = ray.at(*t)};
+            met.point.y = scene.floor->height;
+        }
+    }
+    if (scene.mesh) {
+        const auto hit = scene.mesh->nearest(ray);
+        if (hit && hit->hit.t < met.t) {
+            const SceneTriangle& in = *hit->triangle;
+            const vec3 normal = glm::normalize(glm::cross(in.b - in.a, in.c - in.a));
+            return Met{.t = hit->hit.t,
+                       // By the corners' weights, which is nearer to the triangle than ray.at(t)
+                       .point = hit->hit.a * in.a + hit->hit.b * in.b + hit->hit.c * in.c,
+                       .normal = glm::dot(normal, ray.direction) > 0 ? -normal : normal,
+                       .triangle = hit->triangle};
+        }
+    }
+    if (met.t == HUGE_VAL) return {};
+    if (met.ball >= 0) {
+        const TracedBall& ball = scene.balls[static_cast<std::size_t>(met.ball)];
+        met.normal = glm::normalize(ray.at(met.t) - ball.center);
+        met.point = ball.center + ball.radius * met.normal;  // nearer to the ball than ray.at(t)
+    }
+    return met;
+}
+
+vec3 startFrom(const TracedScene& scene, const Met& met, const vec3& direction) {
+    if (met.triangle != nullptr) {
+        const SceneTriangle& in = *met.triangle;
+        return besideSurface(met.point, met.normal, direction,
+                             glm::max(glm::abs(in.a), glm::max(glm::abs(in.b), glm::abs(in.c))), 8);
+    }
+    if (met.ball >= 0) {
+        // The point has roundings of the middle and of radius times normal, and the next ray's test some of the radius'
+        // square, which are half as many of the radius
+        const TracedBall& ball = scene.balls[static_cast<std::size_t>(met.ball)];
+        return besideSurface(met.point, met.normal, direction, glm::abs(ball.center) + ball.radius, 8);
+    }
+    return besideSurface(met.point, met.normal, direction, vec3(std::abs(scene.floor->height)), 8);
+}
+
+double letThrough(const TracedScene& scene, const vec3& start, const vec3& lamp) {
+    double through = 1;
+    Ray ray{start, lamp - start};
+    double gone = 0;
+    for (;;) {
+        const auto met = firstMet(scene, ray);
+        if (!met) return through;
+        gone += met->t * (1 - gone);  // of the whole way, since each ray leads to the lamp
+        if (met->t >= 1) return through;
+        if (met->ball < 0) return 0;  // the floor and triangles are opaque
+        const Surface& surface = scene.balls[static_cast<std::size_t>(met->ball)].surface;
+        if (surface.index <= 0) return 0;
+        const double cosine = glm::dot(glm::normalize(ray.direction), met->normal);
+        // Straight on, the angle inside is that outside: each surface takes what it reflects of light from outside.
+        through *= fresnel(std::min(1.0, std::abs(cosine)), surface.index).transmitted;
+        ray.origin = startFrom(scene, *met, ray.direction);
+        ray.direction = lamp - ray.origin;
+    }
+}
+
+double squaresAround(double x, double z, double square, double width) {
+    // -1 and 1 in turn along x and along z; their product is the board. The mean of one over a width is the difference of its
+    // integral, a triangle wave, at both ends.
+    const auto mean = [&](double at) {
+        const auto integral = [](double u) {
+            return std::abs(u - 2 * std::floor(u / 2) - 1);
+        };  // of sign, up to the sign
+        const double u = at / square, half = width / square / 2;
+        if (half < 1e-9) return static_cast<long long>(std::floor(u)) % 2 == 0 ? 1.0 : -1.0;
+        return (integral(u - half) - integral(u + half)) / (2 * half);
+    };
+    return 0.5 + 0.5 * mean(x) * mean(z);
+}
+
+}  // namespace mv

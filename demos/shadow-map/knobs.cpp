@@ -1,0 +1,142 @@
+// What can be set in shadow-map, and what is said of it.
+#include "mv/demo/lesson.h"
+#include "shadow-map.h"
+#include "shared/orbit_rows.h"
+
+namespace mv::shadow_map {
+
+void check(const Settings& s) {
+    if (s.light == s.target) throw Error("--light-x", "the light must not be at its target", numberText(s.light.x));
+    if (s.frustum == Fit::fitted) (void)lightView(s, sceneOf(s, FrameInfo(1, 1, 1)));
+}
+
+namespace {
+
+constexpr Declaration about{
+    .name = "shadow-map",
+    .sentence = "Shadows by a second depth buffer, drawn as the light sees the scene.",
+    .lookFor =
+        "The steps at the shadow's edge are the texels of the map in the corner, as large as they fall on the floor.",
+    .chapter = "Shadows",
+    .number = 12,
+    .width = 600,
+    .height = 600,
+    .background = vec4(0, 0, 0, 1),
+    .needs = {.depth = true,
+              .beyondEs = {{"float targets", "falsely-dark, falsely-lit and pixels-asked are not measured"}}},
+};
+
+bool isCone(const Settings& s) { return s.rays == Rays::spot && s.frustum == Fit::set; }
+bool isSet(const Settings& s) { return s.frustum == Fit::set; }
+bool hasTarget(const Settings& s) { return s.rays != Rays::spot || s.frustum == Fit::set; }
+
+std::vector<Row<Settings>> rows() {
+    const Literal fitted = "a fitted frustum has its own window", casts = "a fitted frustum looks at what casts";
+    return together(
+        word("scene", &Settings::scene, {{"sphere-and-cube"}, {"cube-on-plane"}, {"still-life"}}, "what is shown"),
+        oneOf("resolution", &Settings::resolution, {64, 128, 256, 512, 1024, 2048, 4096},
+              "texels along a side of the map"),
+        word("filter", &Settings::filter,
+             {{"none", "one texel"},
+              {"hardware", "four, weighted"},
+              {"pcf3", "3 x 3 such looks"},
+              {"pcf5", "5 x 5"},
+              {"pcf7", "7 x 7"}},
+             "how the map is looked up"),
+        number("bias", &Settings::bias, {1e-4, 0.2, Scale::logarithmic, true},
+               "how much deeper than the map (0..1) is not yet shadow"),
+        number("slope-bias", &Settings::slopeBias, {0, 16}, "push the map back by its slope over this many texels"),
+        word("map-faces", &Settings::mapFaces, {{"front"}, {"back"}, {"both"}},
+             "faces in the map, as the light sees them"),
+        toggle("receiver", &Settings::receiver, "floor and wall in the map, though they shade nothing"),
+        toggle("keep", &Settings::keep, "keep the map while light and casters rest"),
+        word("projection", &Settings::rays,
+             {{"spot", "from a point, in a cone"}, {"orthographic", "parallel, as from infinity"}},
+             "how the light shines"),
+        word("frustum", &Settings::frustum, {{"set", "by fov and window"}, {"fitted", "round what casts; no cone"}},
+             "what the map holds"),
+        number("light-x", x(&Settings::light), {-10, 10}, "x of the light"),
+        number("light-y", y(&Settings::light), {1, 20}, "y of the light"),
+        number("light-z", z(&Settings::light), {-10, 20}, "z of the light"),
+        number("target-x", x(&Settings::target), {-10, 10}, "x of the point that the light looks at")
+            .when(hasTarget, casts),
+        number("target-y", y(&Settings::target), {0, 20}, "y of the point that the light looks at")
+            .when(hasTarget, casts),
+        number("target-z", z(&Settings::target), {-10, 20}, "z of the point that the light looks at")
+            .when(hasTarget, casts),
+        number("fov", &Settings::fov, {1, 179}, "height of the spot's cone", "deg")
+            .when(isCone, "only a spot's cone that is set has an angle"),
+        number("window-width", &Settings::windowWidth, {0.1, 30, Scale::logarithmic},
+               "of parallel light; by the height, the spot's aspect")
+            .when(isSet, fitted),
+        number("window-height", &Settings::windowHeight, {0.1, 30, Scale::logarithmic}, "of parallel light")
+            .when(isSet, fitted),
+        toggle("show-map", &Settings::showMap, "show the map in a corner, near is dark"),
+        toggle("rays", &Settings::showRays, "show the light's rays through the corners of cube or box"),
+        toggle("show-frustum", &Settings::showFrustum, "show the edges of what the map holds"),
+        part(&Settings::orbit, orbitRows({-4, 40})));
+}
+
+const Settings closeUp{.scene = Which::cubeOnPlane,
+                       .resolution = 1024,
+                       .bias = 0,
+                       .light{-2.2, 3.6, 1.4},
+                       .target{0, 0, 0},
+                       .fov = 90,
+                       .orbit = {.spinY = 300}};
+
+std::vector<SettingsPreset<Settings>> presets() {
+    return {
+        {"original",
+         "The steps at the shadow's edge are the texels of the map in the corner, as large as they fall on the "
+         "floor."},
+        {"acne", "Without a bias what is lit shades itself, in stripes.", closeUp},
+        {"peter-panning", "Back faces in the map and too large a bias: the shadow begins a step away from the cube.",
+         with(closeUp,
+              [](Settings& s) {
+                  s.bias = 0.01;
+                  s.mapFaces = Faces::back;
+              })},
+        {"fitted",
+         "The map holds just what casts, so that its texels are small; 3 x 3 looks make the edge a ramp.",
+         {.scene = Which::stillLife,
+          .resolution = 1024,
+          .filter = Filter::pcf3,
+          .bias = 0,
+          .slopeBias = 4,
+          .frustum = Fit::fitted}},
+        {"sun",
+         "Parallel light: the map holds a box, and only the backs of what casts.",
+         {.bias = 0,
+          .mapFaces = Faces::back,
+          .receiver = false,
+          .rays = Rays::orthographic,
+          .windowWidth = 9,
+          .windowHeight = 9}},
+    };
+}
+
+std::optional<vec2> placeOf(const Settings& s, const FrameInfo& frame, const vec3& point) {
+    return pictureFromPane({0, 0, frame.width(), frame.height()}, sceneOf(s, frame).clipFromWorld(), point);
+}
+
+const bool added = addLesson(
+    about, Lesson<Settings, Gpu>{
+               .rows = rows(),
+               .presets = presets(),
+               .controls = {orbitDrag, orbitWheel, keys(Key::left, Key::right, "light-x", 0.1),
+                            keys(Key::up, Key::down, "light-z", 0.1)},
+               .handles = {{"light",
+                            {"light-x", "light-y", "light-z"},
+                            [](const Settings& s, const FrameInfo& frame) { return placeOf(s, frame, s.light); }},
+                           {"light's target",
+                            {"target-x", "target-y", "target-z"},
+                            [](const Settings& s, const FrameInfo& frame) { return placeOf(s, frame, s.target); }}},
+               .draw = draw,
+               .figure = drawFigure,
+               .check = check,
+               .scene = sceneOf,
+           });
+
+}  // namespace
+}  // namespace mv::shadow_map

@@ -1,0 +1,119 @@
+// shadow-map: a depth buffer seen from the light. What is farther away than its depth is in shadow.
+#include "shadow-map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "mv/demo/seen.h"
+#include "mv/gl/functions.h"
+#include "mv/math/transform.h"
+
+namespace mv::shadow_map {
+
+void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
+    const Scene scene = seen(sceneOf(s, frame), frame);
+    const LightView light = lightView(s, scene);
+    gpu.meshes.follow(scene);
+    glEnable(GL_DEPTH_TEST);
+    glEnable(GL_CULL_FACE);
+
+    // The map stays as it is while the light and what casts rest
+    const bool isStale =
+        gpu.mapFor.changed(light.clipFromWorld(), s.scene, s.resolution, s.mapFaces, s.receiver, s.slopeBias);
+    if (isStale || !s.keep) {
+        drawMap(gpu, s, scene, light);
+        frame.bindTarget();
+    }
+    drawPicture(gpu, s, scene, light);
+    tell(s, scene, light, frame);
+}
+
+// Pass 1: draw the scene as the light sees it, and keep only the depths.
+void drawMap(Gpu& gpu, const Settings& s, const Scene& scene, const LightView& light) {
+    if (gpu.map.size() != s.resolution) gpu.map = DepthMap(s.resolution, "shadow map");
+    gpu.map.bindForDrawing();
+    glClear(GL_DEPTH_BUFFER_BIT);
+
+    // Half of the faces would do: those towards the light, or those away from it
+    if (s.mapFaces == Faces::back) glCullFace(GL_FRONT);
+    if (s.mapFaces == Faces::both) glDisable(GL_CULL_FACE);
+    // Push each triangle back by slopeBias times the depth it gains over a texel, and twice that in depth steps
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    if (s.slopeBias > 0) glPolygonOffset(float(s.slopeBias), float(2 * s.slopeBias));
+
+    gpu.depthProgram.use();
+    for (const auto& [object, mesh] : gpu.meshes.of(scene)) {
+        if (!s.receiver && !object.casts) continue;
+        gpu.depthProgram.set("mapClipFromObject", light.clipFromWorld() * object.worldFromObject);
+        mesh.draw();
+    }
+    glDisable(GL_POLYGON_OFFSET_FILL);
+    if (s.mapFaces == Faces::back) glCullFace(GL_BACK);
+    if (s.mapFaces == Faces::both) glEnable(GL_CULL_FACE);
+}
+
+// The cone's outer limit, and its inner one 10 degrees within. Without a cone everything is inside both.
+static vec2 spotCosines(const Settings& s) {
+    if (s.rays != Rays::spot || s.frustum != Fit::set) return {-3, -2};
+    return {std::cos(radians(s.fov / 2)), std::cos(radians(std::max(0.0, s.fov / 2 - 10)))};
+}
+
+// Pass 2: draw the scene as the eye sees it. The shader looks each point up in the map.
+void drawPicture(Gpu& gpu, const Settings& s, const Scene& scene, const LightView& light) {
+    const Program& program = gpu.program;
+    program.use();
+    gpu.map.bind(1, s.filter == Filter::none ? DepthLookup::compareNearest : DepthLookup::compareLinear);
+    program.set("map", 1);
+    program.set("taps", looksAlong(s.filter));
+    program.set("bias", s.bias);
+    program.set("light", lightOf(s));
+    program.set("eye", vec3(glm::inverse(scene.viewFromWorld)[3]));
+    program.set("spotAxis", glm::normalize(s.target - s.light));
+    program.set("spotCosines", spotCosines(s));
+    program.set("checkered", s.scene == Which::sphereAndCube);
+    for (const auto& [object, mesh] : gpu.meshes.of(scene)) {
+        program.set("clipFromObject", scene.clipFromWorld() * object.worldFromObject);
+        program.set("mapFromObject", light.mapFromWorld() * object.worldFromObject);
+        program.set("worldFromObject", object.worldFromObject);
+        program.set("color", object.color);
+        mesh.draw();
+    }
+}
+
+// How many looks into the map there are along a side of the filter.
+int looksAlong(Filter filter) { return filter <= Filter::hardware ? 1 : 2 * int(filter) - 1; }
+
+// The light's own camera: what it sees is what the map holds.
+LightView lightView(const Settings& s, const Scene& scene) {
+    if (s.frustum == Fit::set) return spotView(s);
+    try {
+        return fitLightView(lightOf(s), casterPoints(scene));
+    } catch (const Error&) {
+        throw Error("--light-y", "must keep the light clear of what casts, for a fitted frustum",
+                    numberText(s.light.y));
+    }
+}
+
+LightView spotView(const Settings& s) {
+    constexpr double near = 0.5, far = 10;
+    const vec3 gaze = s.target - s.light;
+    const bool vertical = std::hypot(gaze.x, gaze.z) < 1e-9 * std::abs(gaze.y);
+    LightView view{.viewFromWorld = lookAt(s.light, s.target, vertical ? vec3(0, 0, -1) : vec3(0, 1, 0))};
+    if (s.rays == Rays::spot) {
+        view.bounds = frustumBounds(s.fov, s.windowWidth / s.windowHeight, near, far);
+        view.clipFromView = mv::frustum(view.bounds);
+    } else {
+        const double x = s.windowWidth / 2, y = s.windowHeight / 2;
+        view.bounds = {-x, x, -y, y, near, far};
+        view.atInfinity = true;
+        view.clipFromView = ortho(-x, x, -y, y, near, far);
+    }
+    return view;
+}
+
+// A point, or the direction towards parallel light.
+vec4 lightOf(const Settings& s) { return s.rays == Rays::spot ? vec4(s.light, 1) : vec4(s.light - s.target, 0); }
+
+}  // namespace mv::shadow_map

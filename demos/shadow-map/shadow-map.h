@@ -1,0 +1,63 @@
+#pragma once
+#include "mv/demo/frame.h"
+#include "mv/demo/made_for.h"
+#include "mv/geometry/light_view.h"
+#include "mv/gl/depth_map.h"
+#include "mv/gl/drawing.h"
+#include "mv/gl/program.h"
+#include "mv/gl/scene_meshes.h"
+#include "shared/light_overlay.h"
+#include "shared/orbit.h"
+
+namespace mv::shadow_map {
+
+enum class Which { sphereAndCube, cubeOnPlane, stillLife };
+enum class Filter { none, hardware, pcf3, pcf5, pcf7 };
+enum class Faces { front, back, both };
+enum class Rays { spot, orthographic };
+enum class Fit { set, fitted };
+
+struct Settings {
+    Which scene = Which::sphereAndCube;
+    int resolution = 512;  // texels along a side
+    Filter filter = Filter::none;
+    double bias = 0.006;   // a depth, 0..1
+    double slopeBias = 0;  // texels
+    Faces mapFaces = Faces::front;
+    bool receiver = true;
+    bool keep = true;
+    Rays rays = Rays::spot;
+    Fit frustum = Fit::set;
+    vec3 light{2.5, 4.8, 4.3}, target{2.5, 1, 3.5};
+    double fov = 120;  // degrees
+    double windowWidth = 3, windowHeight = 2.4;
+    bool showMap = true, showRays = false, showFrustum = true;
+    Orbit orbit = {};
+};
+
+struct Gpu {
+    Program program{"shadow-map"}, depthProgram{"shadow-map", "depth"};
+    SceneMeshes meshes{SceneMeshes::Surface::textured};  // the floor has squares
+    DepthMap map;
+    MadeFor<mat4, Which, int, Faces, bool, double> mapFor;
+    LightOverlay overlay;
+    Drawing drawing;
+    Gpu() { overlay.init(); }
+};
+
+// The technique: shadow-map.cpp.
+void draw(Gpu& gpu, const Settings& s, const Frame& frame);
+void drawMap(Gpu& gpu, const Settings& s, const Scene& scene, const LightView& light);
+void drawPicture(Gpu& gpu, const Settings& s, const Scene& scene, const LightView& light);
+LightView lightView(const Settings& s, const Scene& scene);
+LightView spotView(const Settings& s);
+vec4 lightOf(const Settings& s);
+int looksAlong(Filter filter);
+
+// What is shown, and what is drawn over it: scene.cpp, figure.cpp.
+Scene sceneOf(const Settings& s, const FrameInfo& frame);
+void check(const Settings& s);
+void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame);
+void tell(const Settings& s, const Scene& scene, const LightView& light, const Frame& frame);
+
+}  // namespace mv::shadow_map

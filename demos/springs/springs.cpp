@@ -1,0 +1,93 @@
+// springs: masses on springs by twelve methods, with the energy that each makes or loses, and where it is stable.
+#include "springs.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "figure.h"
+#include "mv/gl/functions.h"
+#include "mv/math/projection.h"
+#include "mv/motion/ode_stability.h"
+
+namespace mv::springs {
+
+void draw(Gpu& gpu, const Settings& s, const Memory& game, const Frame& frame) {
+    gpu.drawing.begin(frame);
+    if (isPlayed(s)) {
+        drawRegion(gpu, s, dots(gpu, s), frame);
+        drawMasses(gpu, s, game, frame);
+        drawEnergy(gpu.drawing, rightOf(frame, true), game);
+    } else {
+        drawCurves(gpu, s, frame);
+    }
+    gpu.drawing.draw(frame);
+}
+
+// At frame 0 the masses are where the scene has them. From frame to frame the game steps (game.cpp).
+Memory start(const Settings& s) { return isPlayed(s) ? SpringGame(ruleOf(s)) : SpringGame(); }
+void step(Memory& game, const Settings& s, int index) {
+    if (isPlayed(s)) game.advance(ruleOf(s), index);
+}
+
+// Near rest the springs are linear: y' = A y. A step of h makes of the part along an eigenvector of A, with eigenvalue l, what
+// depends on z = h l alone. What grows in the method and not in the springs is the method's fault.
+std::vector<Dot> dots(Gpu& gpu, const Settings& s) {
+    constexpr double unseen = 1e-6;  // what grows by less than this part in a step is not called growing
+    SpringSettings springs = ruleOf(s).springs;
+    springs.hand = SpringSettings().hand;
+    if (gpu.eigenvaluesFor.changed(springs)) {
+        const SpringSetup setup = makeSprings(springs);
+        const std::vector<vec3> still(setup.slack.size(), vec3(0));
+        gpu.eigenvaluesAtRest = eigenvalues(springProblem(setup.system), 0, springState(setup.slack, still));
+    }
+    const double h = SpringGame::frameTime / s.played.substeps, ratio = s.played.damping / s.played.stiffness;
+    std::vector<Dot> result;
+    for (const std::complex<double>& eigenvalue : gpu.eigenvaluesAtRest) {
+        const std::complex<double> z = h * eigenvalue;
+        // Beyond critical damping a pair is real; symplectic Euler and Verlet do to it what depends on both. This is
+        // the fast one of a pair, which has the slow one for its partner
+        const bool isFast = eigenvalue.imag() == 0 && ratio * eigenvalue.real() <= -2;
+        const std::complex<double> partner = isFast ? -z / (1.0 + ratio * eigenvalue) : std::conj(z);
+        result.push_back({z, amplification(asOde(s), z, partner) > 1 + unseen});
+    }
+    return result;
+}
+
+// The region where the method does not grow: for each number z what a step makes of it. The dots are drawn on it.
+void drawRegion(Gpu& gpu, const Settings& s, const std::vector<Dot>& all, const Frame& frame) {
+    const Pane pane = rightOf(frame, false);
+    std::vector<std::complex<double>> numbers;
+    for (const Dot& dot : all) numbers.push_back(dot.z);
+    const Plot plot = stabilityPlot(pane, numbers);
+    if (gpu.regionFor.changed(asOde(s), plot.x.low, plot.y.low))
+        gpu.region = Mesh(stabilityGrid(asOde(s), plot), "region");
+
+    glViewport(pane.x + int(plot.box.low.x), pane.y + int(plot.box.low.y), std::max(1, int(plot.box.size().x)),
+               std::max(1, int(plot.box.size().y)));
+    gpu.program->use();
+    gpu.program->set("clipFromPlane", ortho(plot.x.low, plot.x.high, plot.y.low, plot.y.high, -1, 1));
+    gpu.region.draw();
+    glViewport(0, 0, frame.width(), frame.height());
+    drawDots(gpu, plot, pane, all);
+}
+
+SpringRule ruleOf(const Settings& s) {
+    const Played& p = s.played;
+    SpringRule rule{.springs = {.scene = sceneOf(s),
+                                .masses = p.masses,
+                                .stiffness = p.stiffness,
+                                .damping = p.damping,
+                                .gravity = p.gravity,
+                                .grip = p.grip,
+                                .hand = p.hand},
+                    .substeps = p.substeps};
+    if (s.method != energyMomentum) rule.method = s.method;
+    return rule;
+}
+
+bool isPlayed(const Settings& s) { return s.problem < Problem::classics; }
+SpringScene sceneOf(const Settings& s) { return static_cast<SpringScene>(s.problem); }
+// At rest, where springs are linear, energy-momentum is the implicit midpoint rule.
+OdeMethod asOde(const Settings& s) { return s.method == energyMomentum ? OdeMethod::implicitMidpoint : s.method; }
+
+}  // namespace mv::springs

@@ -1,0 +1,98 @@
+#pragma once
+#include <complex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "classic.h"
+#include "game.h"
+#include "mv/demo/frame.h"
+#include "mv/demo/made_for.h"
+#include "mv/demo/numbers.h"
+#include "mv/gl/drawing.h"
+#include "mv/gl/mesh.h"
+#include "mv/gl/on_demand.h"
+#include "mv/gl/program.h"
+#include "mv/motion/ode_method.h"
+
+namespace mv::springs {
+
+// The first five are played, in the order of SpringScene. From here on they are the classics, in that of odeCases().
+enum class Problem { chain, net, cloth, threeMasses, spring, classics, robertson = classics + 3 };
+// The method behind those for all problems, which is for springs alone.
+inline constexpr auto energyMomentum = static_cast<OdeMethod>(odeMethods.size());
+
+// Of what is played.
+struct Played {
+    int substeps = 5;         // steps in a frame of 1/60 s
+    double stiffness = 1000;  // N/m
+    double damping = 0.2;     // N s/m
+    int masses = 5;
+    double gravity = 9.81;  // m/s^2
+    double grip = 50;       // N/m
+    vec2 hand{1, -0.7};     // m
+};
+// Of the classics.
+struct Solved {
+    double tolerance = 1e-6;  // 0: equal steps
+    bool confirm = false;
+    int steps = 1000;
+};
+struct Settings {
+    Problem problem = Problem::net;
+    OdeMethod method = OdeMethod::velocityVerlet;
+    Played played = {};
+    Solved solved = {};
+};
+
+// Step times an eigenvalue of the springs at rest, and whether it grows.
+struct Dot {
+    std::complex<double> z;
+    bool grows;
+};
+
+struct Gpu {
+    OnDemand<Program> program{std::string("springs")};  // no classic needs it
+    Mesh region;
+    Drawing drawing;
+    // What was made last
+    MadeFor<OdeMethod, double, double> regionFor;
+    MadeFor<SpringSettings> eigenvaluesFor;
+    std::vector<std::complex<double>> eigenvaluesAtRest;
+    MadeFor<Problem, OdeMethod, double, int, bool> solvedFor;
+    std::optional<Classic> known;
+    ClassicSolution solution;
+};
+
+// What is remembered from frame to frame.
+using Memory = SpringGame;
+
+// The game: springs.cpp.
+void draw(Gpu& gpu, const Settings& s, const Memory& game, const Frame& frame);
+Memory start(const Settings& s);
+void step(Memory& game, const Settings& s, int index);
+std::vector<Dot> dots(Gpu& gpu, const Settings& s);
+void drawRegion(Gpu& gpu, const Settings& s, const std::vector<Dot>& all, const Frame& frame);
+SpringRule ruleOf(const Settings& s);
+bool isPlayed(const Settings& s);
+SpringScene sceneOf(const Settings& s);
+OdeMethod asOde(const Settings& s);
+
+// A classic, and words over both: classic.cpp, figure.cpp.
+void drawCurves(Gpu& gpu, const Settings& s, const Frame& frame);
+void drawMasses(Gpu& gpu, const Settings& s, const Memory& game, const Frame& frame);
+void drawDots(Gpu& gpu, const Plot& plot, const Pane& pane, const std::vector<Dot>& all);
+Pane leftOf(const FrameInfo& frame);
+Pane rightOf(const FrameInfo& frame, bool isUpper);
+
+// knobs.cpp, study.cpp.
+void check(const Settings& s);
+const char* nameOf(Problem problem);
+const char* nameOf(OdeMethod method);
+void readOut(Gpu& gpu, const Settings& s, const Memory& game, const Frame& frame, Numbers& numbers);
+std::vector<double> values(const Settings& s);
+std::vector<std::pair<std::string, double>> valueCounts(const Settings& s);
+// Of a classic, its place in odeCases().
+std::size_t whichClassic(const Settings& s);
+
+}  // namespace mv::springs

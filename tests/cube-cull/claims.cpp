@@ -1,0 +1,107 @@
+// What cube-cull claims, and a test for each.
+//
+// - [convex-needs-no-depth] The cube is closed and convex: with back faces culled its pixels need no depth test.
+// - [front-is-inside] Culling front faces shows the inside, and so does culling back faces of the other winding.
+// - [half-to-five-sixths] From outside 1, 2 or 3 faces are seen, so culling discards 1/2 to 5/6 of all triangles.
+// - [eye-inside] From inside no face turns to the eye: culling back faces leaves the axes alone.
+// - [lines-stay] Lines have no faces: culling both leaves the axes.
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "support/demo_run.h"
+
+using namespace mv;
+using namespace mv::test;
+
+namespace {
+
+// Turns that show one, two and three faces, and some between.
+constexpr std::array<std::array<int, 2>, 6> turns{{{0, 0}, {0, 40}, {35, 30}, {-60, 200}, {90, 0}, {17, -133}}};
+
+}  // namespace
+
+TEST(CubeCull, convex_needs_no_depth) {
+    DemoRun run("cube-cull");
+    run.preset("original");
+    for (const auto& [spinX, spinY] : turns) {
+        run.set("spin-x", spinX).set("spin-y", spinY).set("cull", "both");
+        // The axes pierce the cube, so they are what depth decides; the faces alone are compared by their colours.
+        const Picture with = run.set("cull", "back").set("depth", "on").picture();
+        const Picture axesOnly = run.set("cull", "both").picture();
+        const Picture without = run.set("cull", "back").set("depth", "off").picture();
+        long wrong = 0, onAxes = 0;
+        for (int y = 0; y < with.height; ++y) {
+            for (int x = 0; x < with.width; ++x) {
+                const bool axis = axesOnly.at(x, y) != axesOnly.at(0, 0);
+                onAxes += axis;
+                wrong += !axis && with.at(x, y) != without.at(x, y);
+            }
+        }
+        EXPECT_LT(onAxes, 3 * 600) << "three lines across the picture at most; more would hide what is compared";
+        EXPECT_EQ(wrong, 0) << "turned by " << spinX << ", " << spinY;
+    }
+    // The other order of faces, so that the check can fail: with all faces drawn, depth does decide.
+    const Picture withAll = run.set("cull", "none").set("depth", "on").picture();
+    EXPECT_GT(differentPixels(withAll, run.set("depth", "off").picture()), 1000);
+}
+
+TEST(CubeCull, front_is_inside) {
+    DemoRun run("cube-cull");
+    run.preset("original");
+    run.set("spin-x", 20).set("spin-y", 30);
+    const Picture outside = run.picture();
+    const Picture inside = run.set("cull", "front").picture();
+    EXPECT_EQ(run.readout("surviving"), 6);
+    EXPECT_GT(differentPixels(outside, inside), 10000);
+    const Picture otherWinding = run.set("cull", "back").set("winding", "cw").picture();
+    EXPECT_EQ(inside, otherWinding);
+    // From outside the far faces are blue, magenta and cyan's opposites: yellow, red and green.
+    EXPECT_GT(countPixels(inside, {255, 255, 0}), 1000);
+    EXPECT_EQ(countPixels(inside, {0, 255, 255}), 0);
+}
+
+TEST(CubeCull, half_to_five_sixths) {
+    DemoRun run("cube-cull");
+    run.preset("original");
+    std::array<bool, 4> seen{};
+    for (const auto& [spinX, spinY] : turns) {
+        run.set("spin-x", spinX).set("spin-y", spinY).picture();
+        const double facing = run.readout("facing");
+        ASSERT_GE(facing, 1);
+        ASSERT_LE(facing, 3);
+        seen[static_cast<std::size_t>(facing)] = true;
+        EXPECT_EQ(run.readout("culled"), 12 - 2 * facing);  // two triangles a face
+        EXPECT_EQ(run.readout("surviving"), 2 * facing);
+        EXPECT_EQ(run.readout("outside"), 0);
+    }
+    EXPECT_TRUE(seen[1] && seen[2] && seen[3]) << "the turns must show one, two and three faces";
+}
+
+TEST(CubeCull, eye_inside) {
+    DemoRun run("cube-cull");
+    run.preset("original");
+    // The page's numbers: the face before the eye is in the view, the others are not.
+    run.set("z-dist", 0.3).picture();
+    EXPECT_EQ(run.readout("facing"), 0);
+    EXPECT_EQ(run.readout("culled"), 2);
+    EXPECT_EQ(run.readout("outside"), 10);
+    EXPECT_EQ(run.readout("surviving"), 0);
+    run.set("spin-y", 10).picture();
+    EXPECT_EQ(run.readout("facing"), 0);
+    EXPECT_EQ(run.readout("culled") + run.readout("outside"), 12);
+    EXPECT_EQ(run.readout("surviving"), 0);
+    const Picture onlyAxes = run.set("cull", "both").picture();
+    EXPECT_EQ(run.set("cull", "back").picture(), onlyAxes);
+    EXPECT_GT(differentPixels(run.set("cull", "front").picture(), onlyAxes), 100000);
+}
+
+TEST(CubeCull, lines_stay) {
+    DemoRun run("cube-cull");
+    run.preset("original");
+    const Picture picture = run.set("cull", "both").set("spin-x", 20).set("spin-y", 30).picture();
+    EXPECT_EQ(run.readout("surviving"), 0);
+    for (const Pixel axis : {Pixel{255, 0, 0}, Pixel{0, 255, 0}, Pixel{0, 0, 255}})
+        EXPECT_GT(countPixels(picture, axis), 50);
+    EXPECT_EQ(countColors(picture), 4);  // the three axes and the background
+}

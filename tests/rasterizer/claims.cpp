@@ -1,0 +1,312 @@
+// What rasterizer claims, and a test for each.
+//
+// - [within-half-a-pixel] Bresenham's method sets in each column, or row, the pixel nearest to the line, in all octants.
+// - [four-steps-to-it] From line to line of the lecture's improvements only the unit of the error changes, not a pixel, as long as
+//   floats are exact.
+// - [same-coverage] Brute force, box, adding up and tiles cover the same pixels, and asked are ever fewer.
+// - [no-hole-no-double] Of two triangles with a common edge no pixel is in both, and none between them in neither.
+// - [as-opengl] OpenGL's driver covers the same pixels where no clipping cuts the triangle.
+// - [divided-by-w] Colours weighted by the corners' parts of the picture are not those of the surface; over w they are.
+// - [eight-leaks] Through the outline that Bresenham's method draws, a fill with 8 neighbours leaks, one with 4 does not.
+// - [ends-and-refuses] A fill into its own colour ends, and recursion that would end the stack is refused.
+// - [two-insides] A star's middle is outside by even and odd, and inside by how often the outline winds round it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <glm/geometric.hpp>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "mv/error.h"
+#include "mv/math/clip.h"
+#include "rasterizer/fill.h"
+#include "rasterizer/line.h"
+#include "rasterizer/trials.h"
+#include "shared/raster_triangle.h"
+#include "support/demo_run.h"
+#include "support/random.h"
+
+using namespace mv;
+using namespace mv::test;
+
+namespace {
+
+using Corners = std::array<vec2, 3>;
+
+std::vector<std::pair<int, int>> placesOf(const std::vector<PixelStep>& pixels) {
+    std::vector<std::pair<int, int>> places;
+    for (const PixelStep& pixel : pixels) places.emplace_back(pixel.x, pixel.y);
+    return places;
+}
+
+vec2 cornerOf(Random& random, double width, double height) {
+    const double x = std::round(random.number(0, width) * subPixels) / subPixels;
+    return {x, std::round(random.number(0, height) * subPixels) / subPixels};
+}
+
+// The middle of a pixel, with 1 for a third coordinate: the weights of three such corners solve a system.
+bool isIn(const vec3& weights) { return std::min({weights.x, weights.y, weights.z}) >= 0; }
+
+}  // namespace
+
+TEST(Rasterizer, within_half_a_pixel) {
+    for (int x = -40; x <= 40; ++x) {
+        for (int y = -40; y <= 40; ++y) {
+            const auto pixels = linePixels(LineMethod::octants, 3, -2, 3 + x, -2 + y);
+            const int run = std::max(std::abs(x), std::abs(y));
+            ASSERT_EQ(pixels.size(), static_cast<std::size_t>(run + 1));
+            const bool steep = std::abs(y) > std::abs(x);
+            std::set<int> along;
+            bool touchesStart = false, touchesEnd = false;
+            for (const PixelStep& pixel : pixels) {
+                const int dx = pixel.x - 3, dy = pixel.y + 2;
+                along.insert(steep ? dy : dx);
+                // |dy - dx y/x| <= 1/2, times 2 |x|: no division, no rounding
+                const int off = steep ? std::abs(2 * (dx * y - dy * x)) : std::abs(2 * (dy * x - dx * y));
+                ASSERT_LE(off, run) << x << " " << y;
+                touchesStart |= dx == 0 && dy == 0;
+                touchesEnd |= dx == x && dy == y;
+            }
+            ASSERT_EQ(along.size(), pixels.size()) << "one a column, or a row";
+            ASSERT_TRUE(touchesStart && touchesEnd);
+        }
+    }
+    // By nearness: each column's two pixels share the colour, and their middle is the line.
+    for (const PixelStep& pixel : linePixels(LineMethod::smooth, 0, 0, 7, 3)) EXPECT_GT(pixel.coverage, 0);
+    const auto heights = lineTest(LineMethod::smooth, 96), truth = lineTruth(96);
+    for (std::size_t i = 0; i < truth.size(); ++i) ASSERT_NEAR(heights[i], truth[i], 1e-12);
+}
+
+TEST(Rasterizer, four_steps_to_it) {
+    for (int x = 1; x <= 64; x *= 2) {  // 1/x is a float
+        for (int y = 0; y <= x; ++y) {
+            const auto last = placesOf(linePixels(LineMethod::bresenham, 0, 0, x, y));
+            for (const LineMethod method :
+                 {LineMethod::error, LineMethod::shifted, LineMethod::scaled, LineMethod::octants})
+                ASSERT_EQ(placesOf(linePixels(method, 0, 0, x, y)), last) << x << " " << y;
+        }
+    }
+    // Where 1/x is none, floats that add up err, and whole numbers do not.
+    const auto truth = lineTruth(6000);
+    const auto wrong = [&](LineMethod method) {
+        const auto heights = lineTest(method, 6000);
+        int count = 0;
+        for (std::size_t i = 0; i < truth.size(); ++i) count += std::abs(heights[i] - truth[i]) > 0.5 ? 1 : 0;
+        return count;
+    };
+    EXPECT_EQ(wrong(LineMethod::bresenham), 0);
+    EXPECT_EQ(wrong(LineMethod::scaled), 0);
+    EXPECT_GT(wrong(LineMethod::naive), 100);
+    // The error since the last step stays below 1, and so do its roundings' sizes: 2^-25 each.
+    EXPECT_LT(wrong(LineMethod::error), wrong(LineMethod::naive) / 10);
+    // The lecture's are made for one octant: the error term never goes up by 2, so steep lines end too low.
+    const auto steep = linePixels(LineMethod::bresenham, 0, 0, 3, 9);
+    EXPECT_EQ(steep.back().y, 3);
+    EXPECT_TRUE(linePixels(LineMethod::bresenham, 5, 0, 2, 1).empty());
+}
+
+TEST(Rasterizer, same_coverage) {
+    Random random(12);
+    double askedBrute = 0, askedBox = 0, askedTiles = 0;
+    for (int i = 0; i < 300; ++i) {
+        const double reach = i % 3 == 0 ? 1.5 : 1;  // some hang over the edges
+        const Corners corners{cornerOf(random, 64 * reach, 48 * reach), cornerOf(random, 64, 48),
+                              cornerOf(random, 64, 48 * reach)};
+        const auto sorted = [&](FillMethod method) {
+            auto places = placesOf(coveredPixels(corners, 64, 48, method).pixels);
+            std::sort(places.begin(), places.end());
+            return places;
+        };
+        const auto brute = sorted(FillMethod::brute);
+        for (const FillMethod method : {FillMethod::box, FillMethod::incremental, FillMethod::tiles})
+            ASSERT_EQ(sorted(method), brute) << i;
+        askedBrute += double(coveredPixels(corners, 64, 48, FillMethod::brute).asked);
+        askedBox += double(coveredPixels(corners, 64, 48, FillMethod::box).asked);
+        askedTiles += double(coveredPixels(corners, 64, 48, FillMethod::tiles).asked);
+    }
+    EXPECT_LT(askedBox, askedBrute);
+    EXPECT_LT(askedTiles, askedBox);
+    // And what is right is found by another way: by crossings of the rows.
+    EXPECT_EQ(triangleTest(FillMethod::box, 96, 72), triangleTruth(96, 72));
+}
+
+TEST(Rasterizer, no_hole_no_double) {
+    Random random(23);
+    // Fans round corners in the middle of pixels, so that many middles lie on edges
+    for (int i = 0; i < 200; ++i) {
+        const auto corner = [&] {
+            const double x = std::floor(random.number(0, 40)) + 0.5;
+            return vec2(x, std::floor(random.number(0, 30)) + 0.5);
+        };
+        const vec2 a = corner(), b = corner(), c = corner(), d = corner();
+        const auto area = [](const vec2& p, const vec2& q, const vec2& r) {
+            return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
+        };
+        if (area(a, b, c) <= 0 || area(a, c, d) <= 0) continue;  // on both sides of a c
+        const auto together = [&](EdgeRule rule) {
+            std::vector<std::pair<int, int>> all =
+                placesOf(coveredPixels({a, b, c}, 40, 30, FillMethod::box, rule).pixels);
+            const auto other = placesOf(coveredPixels({a, c, d}, 40, 30, FillMethod::box, rule).pixels);
+            all.insert(all.end(), other.begin(), other.end());
+            return all;
+        };
+        const auto right = together(EdgeRule::bottomLeft);
+        ASSERT_EQ(std::set(right.begin(), right.end()).size(), right.size()) << "a pixel twice";
+        // Between the two: every middle on the common edge, without its ends, is some triangle's
+        const std::set<std::pair<int, int>> drawn(right.begin(), right.end());
+        for (int y = 0; y < 30; ++y) {
+            for (int x = 0; x < 40; ++x) {
+                const vec2 middle(x + 0.5, y + 0.5);
+                const bool within =
+                    (isIn(cornerWeights({a, b, c}, middle)) && area(a, b, middle) > 0 && area(b, c, middle) > 0) ||
+                    (isIn(cornerWeights({a, c, d}, middle)) && area(c, d, middle) > 0 && area(d, a, middle) > 0);
+                if (!within) continue;
+                ASSERT_EQ(drawn.count({x, y}), 1U) << "a hole";
+            }
+        }
+    }
+    DemoRun run("rasterizer");
+    run.preset("shared-edge").picture();
+    EXPECT_EQ(run.readout("doubles"), 0);
+    EXPECT_EQ(run.readout("holes"), 0);
+    run.set("corners", "4.5,3.5/20.5,3.5/20.5,15.5/4.5,15.5");
+    for (const auto& [rule, doubles, holes] :
+         {std::tuple("bottom-left", 0, 0), std::tuple("inside", 5, 0), std::tuple("outside", 0, 5)}) {
+        (void)run.set("rule", rule).picture();
+        // The diagonal, 16 by 12, goes through every fourth middle of a column: 3 between its ends, which are corners of both.
+        EXPECT_EQ(run.readout("doubles") > 0, doubles > 0) << rule;
+        EXPECT_EQ(run.readout("holes") > 0, holes > 0) << rule;
+    }
+}
+
+TEST(Rasterizer, as_opengl) {
+    Random random(7);
+    DemoRun run("rasterizer", 480, 220);
+    run.set("subject", "triangle");
+    for (int i = 0; i < 60; ++i) {
+        std::string corners;
+        for (int k = 0; k < 4; ++k) {
+            const double x = std::round(random.number(0, 24) * 16) / 16, y = std::round(random.number(0, 18) * 16) / 16;
+            corners += (k == 0 ? "" : "/") + numberText(x) + "," + numberText(y);
+        }
+        run.set("corners", corners).set("neighbour", i % 2 == 0 ? "on" : "off").set("cells", i % 3 == 0 ? "24" : "96");
+        run.set("shade", i % 5 == 0 ? "surface" : "flat").picture();
+        ASSERT_EQ(run.readout("differs"), 0) << corners;
+    }
+    // A line leaves out its last pixel, by the rule of diamonds. Where it lies half-way between two pixels OpenGL lets the driver
+    // choose, and its own line may be one pixel beside the ideal one everywhere.
+    run.preset("bresenham").picture();
+    EXPECT_GE(run.readout("differs"), 1);
+    EXPECT_LE(run.readout("differs"), onLlvmpipe() ? 1 : HUGE_VAL);
+}
+
+TEST(Rasterizer, divided_by_w) {
+    const Corners corners{vec2(0, 0), vec2(8, 0), vec2(0, 8)};
+    const vec3 w(1, 4, 2);
+    for (const vec2& at : {vec2(2, 2), vec2(0.5, 6.5), vec2(4, 4)}) {
+        const vec3 weights = cornerWeights(corners, at), surface = perspectiveWeights(weights, w);
+        EXPECT_NEAR(surface.x + surface.y + surface.z, 1, 4e-16);
+        // The surface's point (sum of weights times w times corner, sum of weights times w) divides to the pixel.
+        const double below = glm::dot(surface, w);
+        vec2 shown(0);
+        for (int i = 0; i < 3; ++i) shown += surface[i] * w[i] * corners.at(static_cast<std::size_t>(i));
+        EXPECT_LT(glm::distance(shown / below, at), 1e-14);
+    }
+    EXPECT_LT(glm::distance(perspectiveWeights({0.2, 0.3, 0.5}, vec3(3)), vec3(0.2, 0.3, 0.5)), 4e-16)
+        << "where all w are one";
+    // OpenGL's colours are those over w, up to the rounding of its floats and of 8 bits.
+    DemoRun run("rasterizer", 960, 440);
+    const auto largest = [&] {
+        const Picture picture = run.picture();
+        int most = 0;
+        for (int y = 0; y < 330; ++y) {
+            for (int x = 12; x < 460; x += 6) {
+                const Pixel a = picture.at(x, y), b = picture.at(x + 480, y);
+                most =
+                    std::max({most, std::abs(a.red - b.red), std::abs(a.green - b.green), std::abs(a.blue - b.blue)});
+            }
+        }
+        return most;
+    };
+    run.preset("surface");
+    EXPECT_LE(largest(), 1);
+    run.set("shade", "picture");
+    EXPECT_LE(largest(), 1);
+    const Picture inPicture = run.picture();
+    EXPECT_GT(differentPixels(inPicture, run.set("shade", "surface").picture()), 10000);
+}
+
+TEST(Rasterizer, eight_leaks) {
+    DemoRun run("rasterizer", 480, 220);
+    (void)run.preset("leak").set("neighbours", 4).picture();
+    const double inside = run.readout("set");
+    (void)run.set("neighbours", 8).picture();
+    EXPECT_GT(run.readout("set"), inside + 100);
+    // Both ways to fill set the same pixels.
+    Random random(8);
+    for (int i = 0; i < 200; ++i) {
+        PixelMap map(32, 24);
+        for (int& color : map.colors) color = random.number(0, 1) < 0.35 ? 1 : 0;
+        const int x = static_cast<int>(random.number(0, 32)), y = static_cast<int>(random.number(0, 24));
+        for (const int neighbors : {4, 8}) {
+            PixelMap one = map, other = map;
+            const Flooded a = floodByRecursion(one, x, y, 2, neighbors), b = floodBySpans(other, x, y, 2, neighbors);
+            ASSERT_EQ(one.colors, other.colors) << neighbors;
+            ASSERT_EQ(a.pixels.size(), b.pixels.size());
+            // Whatever has the seed's colour and a neighbour that was filled is filled.
+            for (int j = 0; j < 24; ++j) {
+                for (int k = 0; k < 31; ++k) {
+                    if (map.at(k, j) != map.at(x, y) || map.at(k + 1, j) != map.at(x, y)) continue;
+                    ASSERT_EQ(one.at(k, j), one.at(k + 1, j));
+                }
+            }
+        }
+    }
+}
+
+TEST(Rasterizer, ends_and_refuses) {
+    PixelMap map(300, 300);
+    EXPECT_EQ(floodBySpans(map, 5, 5, 0, 4).pixels.size(), 0U) << "into its own colour";
+    EXPECT_EQ(floodByRecursion(map, 5, 5, 0, 4).pixels.size(), 0U);
+    EXPECT_EQ(floodBySpans(map, -1, 5, 2, 4).pixels.size(), 0U) << "beyond the picture";
+    PixelMap deep = map;
+    try {
+        (void)floodByRecursion(deep, 0, 0, 2, 4);
+        FAIL() << "90000 calls deep";
+    } catch (const Error& error) {
+        EXPECT_EQ(std::string(error.what()),
+                  "floodByRecursion: must not go deeper than 20000 calls, or the stack ends: fill by spans");
+    }
+    const Flooded spans = floodBySpans(map, 0, 0, 2, 4);
+    EXPECT_EQ(spans.pixels.size(), 90000U);
+    EXPECT_LE(spans.deepest, 2);
+    // In the demo the same sentence, and the way out of it.
+    DemoRun run("rasterizer", 200, 100);
+    run.set("subject", "fill").set("cells", "384").set("neighbours", 8).set("flood", "recursive");
+    EXPECT_THROW((void)run.picture(), Error);
+    (void)run.set("flood", "spans").picture();
+    EXPECT_GT(run.readout("set"), 20000);
+}
+
+TEST(Rasterizer, two_insides) {
+    DemoRun run("rasterizer", 480, 220);
+    run.set("subject", "star");
+    (void)run.set("winding", "even-odd").picture();
+    const double odd = run.readout("set");
+    (void)run.set("winding", "nonzero").picture();
+    EXPECT_GT(run.readout("set"), odd + 20) << "the pentagon in the middle";
+    // A square wound twice is outside of itself by even and odd.
+    const std::vector<vec2> twice{{2, 2}, {8, 2}, {8, 8}, {2, 8}, {2, 2}, {8, 2}, {8, 8}, {2, 8}};
+    EXPECT_EQ(polygonPixels(twice, 10, 10, Winding::evenOdd).size(), 0U);
+    EXPECT_EQ(polygonPixels(twice, 10, 10, Winding::nonZero).size(), 36U);
+    // Of a simple polygon both are what its triangles cover.
+    const std::vector<vec2> triangle{{1.25, 0.75}, {9, 3.5}, {4.5, 9.25}};
+    const auto covered = coveredPixels({triangle[0], triangle[1], triangle[2]}, 10, 10, FillMethod::brute).pixels;
+    for (const Winding winding : {Winding::evenOdd, Winding::nonZero})
+        EXPECT_EQ(placesOf(polygonPixels(triangle, 10, 10, winding)), placesOf(covered));
+}

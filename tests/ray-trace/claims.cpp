@@ -1,0 +1,356 @@
+// What ray-trace claims, and a test for each.
+//
+// - [energy] In a white room, with mirror and glass alone, what is seen and what the depth cuts off are 1 together.
+// - [never-itself] A ray meets the surface that it leaves nowhere but on its other side.
+// - [as-one-thread] However many threads share the rows, the picture has the same bits.
+// - [soft-contact] A lamp without an area makes shadows that are on or off; one with an area makes them soft, and the softer,
+//   the farther the body is from the floor.
+// - [through-glass] Behind glass there is a shadow, and some light.
+// - [squares-averaged] The floor's squares are averaged over the ray's cone as the mean of many places is.
+// - [total-reflection] Where the slide's root is negative nothing is refracted, and all is reflected.
+// - [both-ways] Lambert's, the mirror's and Fresnel's parts are the same with light and eye exchanged; the radiance in the glass, and
+//   Phong's lobe as it is printed, are not.
+// - [schlick-from-within] Schlick's curve by the angle within the glass is off by up to 0.96 near total reflection.
+// - [more-samples] More samples come nearer; in cells, or in a sequence, faster than at random.
+// - [same-answers] None, boxes, grid and tree find the same triangle at the same t, bit for bit.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ray-trace/passes.h"
+#include "shared/fresnel.h"
+#include "support/demo_run.h"
+#include "support/random.h"
+
+using namespace mv;
+using namespace mv::test;
+
+namespace {
+
+// In the unit disc before a ball of radius 1 at the origin, a ray along -z that far from its middle.
+Ray besideMiddle(double distance) { return {{distance, 0, 5}, {0, 0, -1}}; }
+
+TracedScene glassBall(double index) {
+    TracedScene scene;
+    scene.ambient = vec3(0);
+    scene.skyBelow = scene.skyAbove = vec3(1);
+    scene.balls = {{{0, 0, 0}, 1, {.index = index}}};
+    return scene;
+}
+
+TracePicture traced(const TracePicture::Plan& plan) {
+    TracePicture picture;
+    for (int pass = 0; pass < TracePicture::passesOf(plan.samples); ++pass) picture.pass(plan, pass);
+    return picture;
+}
+
+TracePicture::Plan smallPlan(TracedRoom room) {
+    return {.scene = tracedRoom(room, 1.1, 1.5),
+            .view = {},
+            .options = {},
+            .pattern = SamplePattern::sequence,
+            .samples = 4,
+            .width = 61,
+            .height = 37};
+}
+
+double meanSquare(const std::vector<vec3>& a, const std::vector<vec3>& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) sum += glm::dot(a[i] - b[i], a[i] - b[i]);
+    return sum / (3 * double(a.size()));
+}
+
+}  // namespace
+
+TEST(RayTrace, energy) {
+    DemoRun run("ray-trace", 120, 80);
+    run.set("room", "white").set("samples", 4);
+    for (const double index : {1.0, 1.001, 1.5, 2.5}) {
+        for (const int depth : {0, 1, 3, 8, 16}) {
+            for (const char* form : {"exact", "schlick"}) {
+                (void)run.set("index", index).set("depth", depth).set("fresnel", form).picture();
+                // Each of up to 2^16 branches is a product of 16 numbers and a sum
+                EXPECT_LE(run.readout("missing"), 1e-12) << index << " " << depth << " " << form;
+                if (depth > 0) continue;
+                EXPECT_NEAR(run.readout("cut-most"), 100, 1e-10);
+            }
+        }
+    }
+    // A ray into the ball is cut off after `depth` rays within: (1 - R) R^(depth - 1) of it, which is largest, over all R, at
+    // R = (depth - 1) / depth.
+    const TracedScene scene = glassBall(1.5);
+    for (const int depth : {2, 8, 9}) {
+        double most = 0;
+        for (int i = 0; i < 100'000; ++i) {
+            const double distance = 1 - std::pow(10.0, -9.0 * i / 100'000);
+            most = std::max(most, traceRay(scene, besideMiddle(distance), 0, vec2(0), {.depth = depth}).cut);
+        }
+        EXPECT_NEAR(most, std::pow(depth - 1, depth - 1) / std::pow(depth, depth), 1e-6) << depth;
+    }
+}
+
+TEST(RayTrace, never_itself) {
+    Random random(22);
+    for (const double size : {1e-3, 1.0, 1e6}) {
+        TracedScene scene;
+        scene.balls = {{size * vec3(3, 1, -2), size, {.index = 1.5}}};
+        int left = 0;
+        for (int i = 0; i < 20'000; ++i) {
+            const vec3 eye = size * (vec3(3, 1, -2) + 9.0 * random.direction());
+            const vec3 aim = size * (vec3(3, 1, -2) + 0.99 * random.direction());
+            const auto met = firstMet(scene, {eye, aim - eye});
+            if (!met) continue;
+            const vec3 way = random.direction();
+            const auto next = firstMet(scene, {startFrom(scene, *met, way), way});
+            const bool goesIn = glm::dot(way, met->normal) < 0;
+            ASSERT_EQ(next.has_value(), goesIn) << size << " " << i;
+            // On the other side: the chord that the angle gives, to the start's distance from the surface
+            ++left;
+            if (!goesIn) continue;
+            const double cosine = -glm::dot(way, met->normal);
+            ASSERT_NEAR(next->t, 2 * size * cosine, 1e-13 * size / cosine);
+        }
+        EXPECT_GT(left, 10'000);
+    }
+}
+
+TEST(RayTrace, as_one_thread) {
+    for (const TracedRoom room : {TracedRoom::stillLife, TracedRoom::softShadow, TracedRoom::white}) {
+        TracePicture::Plan plan = smallPlan(room);
+        for (const SamplePattern pattern :
+             {SamplePattern::regular, SamplePattern::random, SamplePattern::jittered, SamplePattern::sequence}) {
+            plan.pattern = pattern;
+            plan.threads = 1;
+            const TracePicture one = traced(plan);
+            for (const int threads : {2, 3, 7}) {
+                plan.threads = threads;
+                const TracePicture many = traced(plan);
+                ASSERT_EQ(one.light(), many.light());
+                ASSERT_EQ(one.cut(), many.cut());
+                ASSERT_EQ(one.rays(), many.rays());
+            }
+        }
+    }
+}
+
+TEST(RayTrace, soft_contact) {
+    // A ball over the floor at y = 0, and the floor's points along x, under a lamp straight above.
+    const auto halfShadow = [](double height, double lampSize) {
+        TracedScene scene;
+        scene.floor = TracedScene::Floor{0, 1, {}, {}};
+        scene.balls = {{{0, height, 0}, 1, {}}};
+        int partly = 0, dark = 0;
+        for (int i = 0; i < 400; ++i) {
+            const vec3 point(3.0 * i / 400, 0, 0);
+            double through = 0;
+            for (int k = 0; k < 40; ++k)
+                through += letThrough(scene, point, {(2 * k + 1 - 40) / 40.0 * lampSize, 8, 0}) / 40;
+            dark += through < 1e-9;
+            partly += through > 1e-9 && through < 1 - 1e-9;
+        }
+        EXPECT_GT(dark, 20) << height << " " << lampSize;
+        return partly;
+    };
+    EXPECT_EQ(halfShadow(1.4, 0), 0);
+    const int touching = halfShadow(1, 1), above = halfShadow(1.5, 1), high = halfShadow(2.5, 1);
+    EXPECT_GT(touching, 0);
+    EXPECT_GT(above, touching * 5 / 4);
+    EXPECT_GT(high, above * 5 / 4);
+}
+
+TEST(RayTrace, through_glass) {
+    TracedScene scene = glassBall(1.5);
+    const vec3 from(0, -3, 0);
+    // Through the middle twice head on: (1 - 0.04)^2
+    EXPECT_NEAR(letThrough(scene, from, {0, 5, 0}), 0.96 * 0.96, 1e-12);
+    EXPECT_EQ(letThrough(scene, from, {0, -1.5, 0}), 1);  // the lamp is before the ball
+    EXPECT_EQ(letThrough(scene, from, {4, -3, 0}), 1);    // beside it
+    double before = 1;
+    for (int i = 0; i < 20; ++i) {
+        const double part = letThrough(scene, {0.05 * i, -3, 0}, {0.05 * i, 5, 0});
+        EXPECT_LE(part, before + 1e-12);  // the flatter, the less
+        EXPECT_GT(part, 0);
+        before = part;
+    }
+    scene.balls[0].surface = {};
+    EXPECT_EQ(letThrough(scene, from, {0, 5, 0}), 0);
+}
+
+TEST(RayTrace, squares_averaged) {
+    Random random(7);
+    for (int i = 0; i < 200; ++i) {
+        const double x = random.number(-9, 9), z = random.number(-9, 9), square = random.number(0.3, 2),
+                     width = std::pow(10, random.number(-2, 1));
+        constexpr int side = 100;
+        double light = 0;
+        for (int k = 0; k < side * side; ++k) {
+            const int row = k / side;
+            const double u = x + width * ((k % side + 0.5) / side - 0.5), v = z + width * ((row + 0.5) / side - 0.5);
+            light += squaresAround(u, v, square, 0);
+        }
+        // A line between squares may stand anywhere between two places, along both axes
+        const double lines = 2 * (std::floor(width / square) + 1);
+        EXPECT_NEAR(squaresAround(x, z, square, width), light / (side * side), lines / side) << width / square;
+    }
+    // Which square is light: (0, 0) to (square, square) is.
+    EXPECT_EQ(squaresAround(0.5, 0.5, 1, 0), 1);
+    EXPECT_EQ(squaresAround(-0.5, 0.5, 1, 0), 0);
+    EXPECT_NEAR(squaresAround(0.3, 0.2, 1, 200), 0.5, 1e-12);
+}
+
+TEST(RayTrace, total_reflection) {
+    // The slide: cos b = sqrt(1 - sin^2 a / eta^2), with eta = n2 / n1 = 1 / 1.5 from within glass
+    const double critical = std::asin(1 / 1.5);
+    for (const double angle : {critical + 1e-9, 0.8, 1.2, 1.5}) {
+        const double sine = std::sin(angle), cosine = std::cos(angle), eta = 1 / 1.5;
+        EXPECT_TRUE(std::isnan(std::sqrt(1 - sine * sine / (eta * eta))));
+        EXPECT_FALSE(refracted({sine, -cosine, 0}, {0, 1, 0}, eta));
+        EXPECT_EQ(fresnel(cosine, eta).reflected, 1);
+        EXPECT_EQ(fresnel(cosine, eta).transmitted, 0);
+    }
+    EXPECT_TRUE(refracted({std::sin(critical - 1e-9), -std::cos(critical - 1e-9), 0}, {0, 1, 0}, 1 / 1.5));
+    // In a ray: from within the ball, 0.8 of the radius beside its middle, nothing gets out, however often it is reflected
+    const TracedScene scene = glassBall(1.5);
+    const Traced seen = traceRay(scene, {{0.8, 0, 0}, {0, 0, -1}}, 0, vec2(0), {.depth = 12});
+    EXPECT_EQ(seen.light, vec3(0));
+    EXPECT_EQ(seen.cut, 1);
+}
+
+TEST(RayTrace, both_ways) {
+    Random random(24);
+    double largestRadiance = 0;
+    for (int i = 0; i < 1000; ++i) {
+        const double index = random.number(1.1, 2.5), sine = random.number(0.01, 0.99),
+                     cosine = std::sqrt(1 - sine * sine);
+        const auto on = refracted({sine, -cosine, 0}, {0, 1, 0}, index);
+        ASSERT_TRUE(on);
+        // And back along the same way
+        const auto back = refracted(-*on, {0, -1, 0}, 1 / index);
+        ASSERT_TRUE(back);
+        EXPECT_LT(glm::distance(*back, vec3(-sine, cosine, 0)), 1e-12 / cosine);
+        const Split in = fresnel(cosine, index), out = fresnel(std::min(1.0, -on->y), 1 / index);
+        EXPECT_NEAR(in.reflected, out.reflected, 1e-11);
+        EXPECT_NEAR(in.transmitted, out.transmitted, 1e-11);
+        // The power is the same; a beam's radiance is the power by area, cosine and solid angle, and within glass the same
+        // power goes through a smaller angle: d(sin^2 a) = index^2 d(sin^2 b).
+        constexpr double little = 1e-6;
+        const double squareIn = (sine + little) * (sine + little) - sine * sine;
+        const auto beside =
+            refracted({sine + little, -std::sqrt(1 - (sine + little) * (sine + little)), 0}, {0, 1, 0}, index);
+        ASSERT_TRUE(beside);
+        const double squareOn = beside->x * beside->x - on->x * on->x, radiance = squareIn / squareOn;
+        EXPECT_NEAR(radiance / (index * index), 1, 1e-6);
+        largestRadiance = std::max(largestRadiance, radiance);
+    }
+    EXPECT_GT(largestRadiance, 5);  // an energy from nowhere, for whoever takes radiance for power
+
+    // The lecture's lobe cos^n(angle between mirrored light and eye) / cos(angle of light) with its ways exchanged
+    const auto lobe = [](double light, double eye) { return std::pow(std::cos(light - eye), 10) / std::cos(light); };
+    EXPECT_GT(lobe(1.4, 1.2) / lobe(1.2, 1.4), 2);
+    // Lambert's part is the same for every eye, and a mirror shows the lamp from the eye's place as the eye's place from the lamp's.
+    const TracedScene scene = tracedRoom(TracedRoom::softShadow, 0, 1.5);
+    const vec3 point = scene.balls[0].center + glm::normalize(vec3(0.2, 0.5, 0.9));
+    const auto seenFrom = [&](const vec3& eye) { return traceRay(scene, {eye, point - eye}, 0, vec2(0), {}).light; };
+    EXPECT_LT(glm::distance(seenFrom({0, 3, 7}), seenFrom({1, 5, 4})), 1e-12);
+    TracedScene mirror = glassBall(1.5);
+    mirror.balls[0].surface = {.mirrored = 1};
+    mirror.lamps = {{.middle = {0, 3, 3}, .halfU = {0.2, 0, 0}, .halfV = {0, 0.2, -0.2}, .emitted = vec3(7)}};
+    // The point where an eye at (3, 3, 0) and the lamp have the same angle to the normal, and the way from there
+    const vec3 between = glm::normalize(vec3(1, 2, 1));
+    const auto sees = [&](const vec3& eye) { return traceRay(mirror, {eye, between - eye}, 0, vec2(0), {}).light.x; };
+    EXPECT_EQ(sees({3, 3, 0}), 7);
+    mirror.lamps[0].middle = {3, 3, 0};
+    mirror.lamps[0].halfU = {0, 0, 0.2};
+    mirror.lamps[0].halfV = {0.2, -0.2, 0};
+    EXPECT_EQ(sees({0, 3, 3}), 7);
+}
+
+TEST(RayTrace, schlick_from_within) {
+    // By the angle within, as when the cosine is taken for the ray's own side: near total reflection it knows of nothing.
+    const double headOn = 0.04, eta = 1 / 1.5;
+    double within = 0, outside = 0;
+    for (int i = 0; i < 100'000; ++i) {
+        const double cosine = i / 100'000.0, behind = std::sqrt(std::max(0.0, 1 - (1 - cosine * cosine) / (eta * eta)));
+        const double exactPart = fresnel(cosine, eta).reflected;
+        within = std::max(within, exactPart - schlick(cosine, headOn));
+        outside = std::max(outside, std::abs(exactPart - schlick(behind, headOn)));
+    }
+    EXPECT_NEAR(within, 0.96, 0.005);  // 1 - 0.04 - 0.96 (1 - cos(41.8 degrees))^5
+    EXPECT_LT(outside, 0.1);
+    // Seen: at the rim of what the glass ball shows
+    DemoRun run("ray-trace", 120, 80);
+    const Picture exact = run.picture();
+    EXPECT_GT(differentPixels(exact, run.set("fresnel", "schlick").picture()), 100);
+}
+
+TEST(RayTrace, more_samples) {
+    TracePicture::Plan plan = smallPlan(TracedRoom::softShadow);
+    plan.pattern = SamplePattern::sequence;
+    plan.samples = 1024;
+    plan.seed = 99;
+    const std::vector<vec3> truth = traced(plan).light();
+    plan.seed = 1;
+    std::array<double, 4> at16{}, at64{};
+    for (std::size_t k = 0; k < 4; ++k) {
+        plan.pattern = static_cast<SamplePattern>(k);
+        plan.samples = 16;
+        at16.at(k) = meanSquare(traced(plan).light(), truth);
+        plan.samples = 64;
+        at64.at(k) = meanSquare(traced(plan).light(), truth);
+    }
+    const auto random = static_cast<std::size_t>(SamplePattern::random);
+    for (std::size_t k = 0; k < 4; ++k) {
+        // A fourfold number of samples takes a quarter, at random; here at least a third of it is gone by any of them
+        EXPECT_LT(at64.at(k), at16.at(k) / 1.5) << k;
+        if (k == random) continue;
+        EXPECT_LT(at64.at(k), at64.at(random) / 2) << k;
+    }
+    EXPECT_NEAR(at64.at(random) / at16.at(random), 0.25, 0.1);
+}
+
+TEST(RayTrace, same_answers) {
+    for (const int cells : {1, 5, 12}) {
+        const std::vector<SceneTriangle> triangles = teapotTriangles(cells);
+        const auto none = findTriangles(RayStructure::none, triangles);
+        for (const RayStructure structure : {RayStructure::boxes, RayStructure::grid, RayStructure::tree}) {
+            const auto finder = findTriangles(structure, triangles);
+            Random random(5);
+            int hits = 0;
+            for (int i = 0; i < 3000; ++i) {
+                // From without and within, towards anything, along the axes and to corners of triangles too
+                const vec3 origin = i % 3 == 0 ? vec3(0, 0.8, 0) : 4.0 * random.direction();
+                vec3 way = vec3(random.number(-1, 1), random.number(0, 1.6), random.number(-1, 1)) - origin;
+                if (i % 5 == 1) way = triangles[static_cast<std::size_t>(i) % triangles.size()].a - origin;
+                if (i % 7 == 2) way = {0, 0, origin.z > 0 ? -1 : 1};
+                const auto expected = none->nearest({origin, way}), got = finder->nearest({origin, way});
+                ASSERT_EQ(expected.has_value(), got.has_value()) << i;
+                if (!expected) continue;
+                ++hits;
+                ASSERT_EQ(expected->hit.t, got->hit.t) << i;
+                ASSERT_EQ(expected->triangle->object, got->triangle->object) << i;
+                ASSERT_EQ(expected->triangle->triangle, got->triangle->triangle) << i;
+            }
+            EXPECT_GT(hits, 1000);
+        }
+    }
+    for (const RayStructure structure :
+         {RayStructure::none, RayStructure::boxes, RayStructure::grid, RayStructure::tree})
+        EXPECT_FALSE(findTriangles(structure, {})->nearest({{0, 0, 5}, {0, 0, -1}}));
+    EXPECT_EQ(teapotTriangles(16).size(), 16U * 16 * 2 * 32 - 8U * 16);
+
+    DemoRun run("ray-trace", 60, 40);
+    run.set("room", "teapot").set("triangles", 1024).set("samples", 1);
+    const Picture tree = run.picture();
+    for (const char* structure : {"none", "boxes", "grid"}) EXPECT_EQ(tree, run.set("structure", structure).picture());
+    EXPECT_NE(run.set("structure", "none").set("triangles", 4096).refusal(), "");
+    EXPECT_EQ(run.set("structure", "boxes").refusal(), "");
+}
