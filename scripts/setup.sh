@@ -5,7 +5,7 @@ build=$root/build
 
 # Each with its reason in the README's table of dependencies.
 run_packages=(g++ cmake ninja-build libglfw3-dev libimgui-dev libglm-dev libstb-dev libpng-dev
-  libturbojpeg0-dev libcli11-dev nlohmann-json3-dev libgl-dev libegl-dev libegl1 libgl1-mesa-dri fonts-dejavu-core
+  libjpeg-dev libcli11-dev nlohmann-json3-dev libgl-dev libegl-dev libegl1 libgl1-mesa-dri fonts-dejavu-core
   gnuplot-nox libosmesa6)
 site_packages=(nodejs cmark-gfm highlight terser)
 web_packages=(emscripten binaryen libharfbuzz-bin)

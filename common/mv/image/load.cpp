@@ -4,8 +4,11 @@
 #include <cstdlib>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "mv/error.h"
+#include "mv/image/exif.h"
 #include "mv/image/file.h"
 #include "mv/image/jpeg.h"
 #include "mv/image/png_check.h"
@@ -40,7 +43,12 @@ struct FreePixels {
 };
 
 Picture decodePng(std::span<const std::byte> bytes, std::string_view name) {
-    checkPng(bytes, name, maximumLoadedSide);
+    const PngParts parts = checkPng(bytes, name, maximumLoadedSide);
+    std::vector<std::byte> whole;
+    if (!parts.palette.empty()) {
+        whole = withWholePalette(bytes, parts.palette);
+        bytes = whole;
+    }
     int width = 0;
     int height = 0;
     int channelsInFile = 0;
@@ -50,7 +58,7 @@ Picture decodePng(std::span<const std::byte> bytes, std::string_view name) {
     if (!pixels) throw Error(name, "must be an undamaged PNG file; save or fetch it again", stbi_failure_reason());
     Picture picture(width, height);
     std::copy_n(pixels.get(), picture.rgba.size(), picture.rgba.begin());
-    return picture;
+    return upright(std::move(picture), exifOrientation(parts.exif));
 }
 
 }  // namespace
