@@ -1,9 +1,11 @@
 #include "mv/image/load.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdlib>
 #include <memory>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -72,6 +74,15 @@ Picture decodePicture(std::span<const std::byte> bytes, std::string_view name) {
     if (startsAsJpeg(bytes)) return decodeJpeg(bytes, name, maximumLoadedSide);
     throw Error(name, "must be a PNG or JPEG file; other formats have to be converted first",
                 bytes.empty() ? "it is empty" : "it begins as neither");
+}
+
+std::string pictureStamp(const std::filesystem::path& path) {
+    std::error_code failed;
+    const auto written = std::filesystem::last_write_time(path, failed);
+    if (failed) return {};
+    const std::uintmax_t size = std::filesystem::file_size(path, failed);
+    if (failed) return {};  // a folder, say
+    return std::to_string(written.time_since_epoch().count()) + " " + std::to_string(size);
 }
 
 Picture loadPicture(const std::filesystem::path& path) {

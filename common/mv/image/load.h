@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "mv/image/picture.h"
@@ -24,7 +25,10 @@ inline constexpr int maximumLoadedSide = 8192;
 // The trap: a JPEG has no checksums. One that is cut off is refused, but a flipped bit may show as a smear instead.
 [[nodiscard]] Picture loadPicture(const std::filesystem::path& path);
 
-// The same from bytes in memory; `name` stands for them in an Error.
+// What becomes another text when the file is written anew: its time and its size. "" where there is no such file.
+[[nodiscard]] std::string pictureStamp(const std::filesystem::path& path);
+
+// As loadPicture, from bytes in memory; `name` stands for them in an Error.
 [[nodiscard]] Picture decodePicture(std::span<const std::byte> bytes, std::string_view name);
 
 }  // namespace mv
