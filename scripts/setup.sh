@@ -9,7 +9,7 @@ run_packages=(g++ cmake ninja-build libglfw3-dev libimgui-dev libglm-dev libstb-
   gnuplot-nox libosmesa6)
 site_packages=(nodejs cmark-gfm highlight terser)
 web_packages=(emscripten binaryen libharfbuzz-bin)
-test_packages=("${site_packages[@]}" "${web_packages[@]}" chromium libgles2 git libgtest-dev libboost-dev xvfb x11-utils xdotool imagemagick clang-format clang-tidy clang libclang-rt-dev
+test_packages=("${site_packages[@]}" "${web_packages[@]}" chromium libgles2 git libgtest-dev libboost-dev libx11-dev xvfb x11-utils xdotool imagemagick clang-format clang-tidy clang libclang-rt-dev
   libembree-dev)
 # Node's own packages bring npm; Debian's has it apart.
 command -v npm >/dev/null || test_packages+=(npm)
