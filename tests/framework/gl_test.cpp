@@ -154,8 +154,8 @@ TEST_F(Gl, a_byte_order_mark_is_skipped) {
 
 // What the compiler skips is not followed; where it may skip a line, a file that is not there is its mistake to tell.
 TEST_F(Gl, includes_that_are_no_code_are_not_followed) {
-    addShaderFile("include/seen.glsl", "// seen\n", "");
-    const std::string seen = "#include \"seen.glsl\"\n", none = "#include \"none.glsl\"\n";
+    addShaderFile("include/once-seen.glsl", "// seen\n", "");
+    const std::string seen = "#include \"once-seen.glsl\"\n", none = "#include \"none.glsl\"\n";
     const auto countOf = [](const std::string& text) {
         int count = 0;
         for (std::size_t at = 0; (at = text.find("// seen", at)) != std::string::npos; ++at) ++count;
