@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "mv/demo/demo.h"
+#include "mv/demo/file_knob.h"
 #include "mv/demo/made_for.h"
 #include "mv/geometry/mesh_tangents.h"
 #include "mv/geometry/shapes.h"
@@ -28,6 +29,7 @@
 #include "mv/image/mipmap.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
+#include "shared/own_picture.h"
 #include "shared/relief.h"
 #include "shared/relief_figures.h"
 #include "shared/spin.h"
@@ -66,6 +68,7 @@ struct BumpMap final : Demo {
     Choice<Kept> texels{
         this, "texels", Kept::floats, {{"float", "32 bits a channel"}, {"8-bit"}}, "how a texel is kept"};
     Whole layers{this, "layers", 32, {2, 128}, "into which parallax occlusion divides the depth"};
+    PictureFile picture{this, "picture", "assets/coin.png", "your own as a height map, in stone: white is high"};
     Toggle mirrored{this, "mirrored", false, "the left part of the wall has the texture turned about"};
     Toggle sign{this, "sign", true, "frames keep on which side they are mirrored"};
     Real lampTurn{this, "lamp-turn", 50, {-89, 89}, "the lamp's direction, to the right of the surface's normal",
@@ -82,12 +85,12 @@ struct BumpMap final : Demo {
     Mesh flat, real, turned;
     Buffer tangents;
     MadeFor<ReliefBody, bool> flatFor;
-    MadeFor<ReliefBody, double, bool> realFor;
+    MadeFor<ReliefBody, int, int, double, bool> realFor;
     FloatPicture heights;
     Texture painted, normals;
-    MadeFor<ReliefBody, int> heightsFor;
-    MadeFor<ReliefBody, int, Texels> paintedFor;
-    MadeFor<ReliefBody, int, Texels, double> normalsFor;
+    MadeFor<ReliefBody, int, int> heightsFor;
+    MadeFor<ReliefBody, int, int, Texels> paintedFor;
+    MadeFor<ReliefBody, int, int, Texels, double> normalsFor;
     const Program* told = nullptr;  // what holds for all that a program draws in this frame
     Drawing drawing;
 
@@ -105,6 +108,7 @@ struct BumpMap final : Demo {
     }
 
     void init() override {}
+    void check() const override { picture.check(); }
 
     // ---- the picture: the method on the left, what is real on the right
 
@@ -169,7 +173,7 @@ struct BumpMap final : Demo {
 
     // The displaced surface, with its own normals; of the wall as many pieces as are in view.
     void drawReal(const Pane& pane, const Frame& frame) {
-        if (realFor.changed(body, depth, isMirrored())) {
+        if (realFor.changed(body, picture.version(), picture.isSet() ? int(mapSize) : 0, depth, isMirrored())) {
             real =
                 Mesh(displaced(relief(), body == ReliefBody::orange ? sphere(1, 2 * orangeRows, orangeRows)
                                                                     : wallPiece(relief(), 0, 2, tileCells, tileCells)),
@@ -217,7 +221,7 @@ struct BumpMap final : Demo {
     // ---- where things are
 
     bool isMirrored() const { return mirrored && body == ReliefBody::wall; }
-    Relief relief() const { return {body, depth, isMirrored()}; }
+    Relief relief() const { return {body, depth, isMirrored(), picture.isSet() ? &heights : nullptr}; }
     mat4 worldFromBody() const { return body == ReliefBody::orange ? spin.turn() : mat4(1); }
     vec3 lamp() const { return {rotateY(lampTurn) * rotateX(-lampHeight) * vec4(0, 0, 1, 0)}; }
     vec3 towardsEye() const {
@@ -242,10 +246,10 @@ struct BumpMap final : Demo {
     // ---- the maps
 
     void makeMaps() {
-        if (heightsFor.changed(body, mapSize)) heights = paintedMap(body, mapSize);
+        if (heightsFor.changed(body, mapSize, picture.version())) heights = heightMap();
         const TextureFilter filter{.minify = GL_LINEAR_MIPMAP_LINEAR, .magnify = GL_LINEAR, .wrap = GL_REPEAT};
         if (usesNormals()) {
-            if (normalsFor.changed(body, mapSize, format(), depth)) {
+            if (normalsFor.changed(body, mapSize, picture.version(), format(), depth)) {
                 normals = Texture(mipmaps(reliefNormals(relief(), heights)), {.texels = format(), .label = "normals"});
                 normals.filterBy(filter, 1);
                 clampAtPoles();
@@ -254,13 +258,17 @@ struct BumpMap final : Demo {
                 normals.bind(1);
             }
         }
-        if (paintedFor.changed(body, mapSize, format())) {
+        if (paintedFor.changed(body, mapSize, picture.version(), format())) {
             painted = Texture(mipmaps(heights), {.texels = format(), .label = "painted"});
             painted.filterBy(filter);
             clampAtPoles();
         } else {
             painted.bind(0);
         }
+    }
+    FloatPicture heightMap() const {
+        if (!picture.isSet()) return paintedMap(body, mapSize);
+        return ownHeights(picture.picture(), body == ReliefBody::orange ? 2 * mapSize : int(mapSize), mapSize);
     }
     void clampAtPoles() const {  // beyond the orange's north pole there is no south
         if (body == ReliefBody::orange) glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "mv/demo/demo.h"
+#include "mv/demo/file_knob.h"
 #include "mv/math/color.h"
 #include "shared/in_rows.h"
 #include "shared/relief.h"
@@ -94,7 +95,11 @@ double rmsBetween(const std::vector<double>& a, const std::vector<double>& b) {
 // Lines of sight along each side of a pixel: of the orange some thousand pixels count, and many are at its outline.
 int sideOf(const Demo& demo) { return demo.word("body") == "wall" ? 2 : 6; }
 
+// What is painted and how high are formulas, which a picture of the user's own is not.
+bool isMeasured(const Demo& demo) { return demo.word("picture") == PictureFile::none; }
+
 Reference reference(const Demo& demo, const ReferenceFrame& frame, const std::function<void(double)>& progress) {
+    if (!isMeasured(demo)) throw Error("--picture", "must be none to be measured", demo.word("picture"));
     const Seen seen(demo, frame);
     const int side = sideOf(demo);
     Reference right{.values = seen.means(side, progress)};
@@ -106,6 +111,7 @@ Reference reference(const Demo& demo, const ReferenceFrame& frame, const std::fu
 
 // Of the present settings, in few pixels.
 std::vector<double> errorNow(Probing& probing) {
+    if (!isMeasured(probing.demo())) return {};
     constexpr int width = 80, height = 60;
     const std::vector<float> shown = probing.measured(width, height);
     if (shown.empty()) return {};
@@ -116,6 +122,7 @@ std::vector<double> errorNow(Probing& probing) {
 // How far the normals of the normal map are from the true ones, before any filter: the root mean square, in degrees.
 std::vector<double> errorOfMap(Probing& probing) {
     const Demo& demo = probing.demo();
+    if (!isMeasured(demo)) return {};
     const Relief relief{demo.word("body") == "wall" ? ReliefBody::wall : ReliefBody::orange, demo.number("depth")};
     const int size = static_cast<int>(demo.number("map-size"));
     return {normalMapError(relief, size, demo.word("texels") == "8-bit")};

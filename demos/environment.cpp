@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "mv/demo/demo.h"
+#include "mv/demo/file_knob.h"
 #include "mv/demo/made_for.h"
 #include "mv/geometry/shapes.h"
 #include "mv/geometry/teapot.h"
@@ -29,6 +30,7 @@
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
 #include "shared/fresnel.h"
+#include "shared/own_picture.h"
 #include "shared/reflectance_plot.h"
 #include "shared/surroundings.h"
 #include "shared/turntable.h"
@@ -83,6 +85,9 @@ struct Environment final : Demo {
     Angle ball{this, "ball", -7, "where the red ball is on its way round"};
     Toggle moving{this, "moving", true, "the red ball goes round, a degree a frame"};
     Toggle keep{this, "keep", true, "keep the faces in which nothing moves"};
+    PictureFile picture{
+        this, "picture", "assets/evening.png",
+        "your own around the body: a panorama, twice as wide as high, or a cube cut open into 4 x 3 squares"};
     Turntable turntable{this, {-3, 20}};
 
     Readout facesDrawn{this, "faces-drawn", "faces of the cube that were drawn for this picture"};
@@ -101,7 +106,7 @@ struct Environment final : Demo {
              "pane"};
     CubeMap skyMap, roomMap;
     OnDemand<CubeMap> noCube{skyCube(1), "no cube"};  // its sampler must have one, though rays ask none
-    MadeFor<int> skyFor;
+    MadeFor<int, int> skyFor;
     MadeFor<int, double> roomFor;
     double drawnRound = 0;  // where the ball is in the cube
     int objectSet = -2;
@@ -111,12 +116,13 @@ struct Environment final : Demo {
         bindKeys(Key::left, Key::right, ball, 5);
         bindKeys(Key::down, Key::up, roomSize, 0.1);
         bindHandle("ball", {&ball}, [this](const FrameInfo& frame) -> std::optional<vec2> {
-            if (around == Around::sky) return std::nullopt;
+            if (!inRoom()) return std::nullopt;
             return pictureFromPane(view(frame), scene(frame).clipFromWorld(), roomNow(frame).ballPlaces().front());
         });
-        const auto inRoom = [this] { return around == Around::room; };
+        around.onlyWhen([this] { return !picture.isSet(); }, "your picture is around");
+        const auto isRoom = [this] { return inRoom(); };
         for (Knob* knob : std::vector<Knob*>{&lookup, &split, &roomSize, &ball, &moving, &keep})
-            knob->onlyWhen(inRoom, "the sky is infinitely far, and at rest");
+            knob->onlyWhen(isRoom, "the sky is infinitely far, and at rest");
         const auto cube = [this] { return looksUp(); };
         for (Knob* knob : std::vector<Knob*>{&size, &seamless, &keep}) knob->onlyWhen(cube, "rays ask no cube");
         const auto glass = [this] { return material == Material::glass; };
@@ -128,6 +134,10 @@ struct Environment final : Demo {
 
     void init() override { program = Program("environment"); }
 
+    void check() const override {
+        if (picture.isSet()) surroundingOf(picture.picture(), "--picture");
+    }
+
     void draw(const Frame& frame) override {
         const Scene now = seen(frame);
         const vec3 eye(glm::inverse(now.viewFromWorld)[3]);
@@ -138,9 +148,10 @@ struct Environment final : Demo {
 
         // 1. What is around, into a cube
         int faces = 0;
-        if (around == Around::room && looksUp()) faces = drawFaces(frame);
-        if (around == Around::sky && skyFor.changed(size)) skyMap = CubeMap(skyCube(size), "sky");
-        (!looksUp() ? *noCube : around == Around::sky ? skyMap : roomMap).bind(0);
+        if (inRoom() && looksUp()) faces = drawFaces(frame);
+        if (!inRoom() && skyFor.changed(size, picture.version()))
+            skyMap = CubeMap(picture.isSet() ? ownCube(picture.picture(), size) : skyCube(size), "sky");
+        (!looksUp() ? *noCube : inRoom() ? roomMap : skyMap).bind(0);
 
         // 2. The body, which looks it up
         glViewport(all.x, all.y, all.width, all.height);
@@ -150,14 +161,14 @@ struct Environment final : Demo {
         program.set("worldFromNormal", normalMatrix(worldFromBody()));
         program.set("eye", eye);
         setSurface();
-        program.set("lookup", around == Around::sky ? 0 : static_cast<int>(Lookup(lookup)));
+        program.set("lookup", inRoom() ? static_cast<int>(Lookup(lookup)) : 0);
         program.set("raysFrom", splits() && !frame.measuring() ? 0.5 * all.width : 1e9);
-        if (around == Around::room) setRoom(program, roomNow(frame));
+        if (inRoom()) setRoom(program, roomNow(frame));
         (body == Body::sphere ? *round : *teapotMesh).draw();
 
         // 3. What is around, as the eye sees it
         if (!frame.measuring()) {
-            if (around == Around::room) {
+            if (inRoom()) {
                 useRoom(roomNow(frame), faces > 0);
                 drawRoom(now.clipFromWorld(), roomNow(frame), eye);
             } else {
@@ -168,8 +179,9 @@ struct Environment final : Demo {
         if (frame.readouts()) tell();
     }
 
-    bool looksUp() const { return around == Around::sky || lookup != Lookup::rays; }
-    bool splits() const { return around == Around::room && split; }
+    bool inRoom() const { return around == Around::room && !picture.isSet(); }
+    bool looksUp() const { return !inRoom() || lookup != Lookup::rays; }
+    bool splits() const { return inRoom() && split; }
 
     void setSurface() {
         const Coating surface = coating();
@@ -286,7 +298,7 @@ struct Environment final : Demo {
 
     void annotate(const Frame& frame) override {
         const Pane left = view(frame);
-        if (around == Around::room) glDisable(GL_CULL_FACE);
+        if (inRoom()) glDisable(GL_CULL_FACE);
         drawing.begin(frame);
         const int words = std::clamp(frame.height() / 38, 8, 16);
         if (splits() && left.height >= 100 && left.width >= 200) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "mv/demo/demo.h"
+#include "mv/demo/file_knob.h"
 #include "shared/shiny_sphere.h"
 
 using namespace mv;
@@ -22,9 +23,13 @@ ShinySphere sphereOf(const Demo& demo, const FrameInfo& frame) {
             .innerReflections = 100};
 }
 
+// The sphere, in the room.
+bool isMeasured(const Demo& demo) {
+    return demo.word("body") == "sphere" && demo.word("around") == "room" && demo.word("picture") == PictureFile::none;
+}
+
 Reference byRays(const Demo& demo, const FrameInfo& frame) {
-    const bool isThere = demo.word("body") == "sphere" && demo.word("around") == "room";
-    if (!isThere) throw Error("--body", "must be the sphere, in the room, to be measured", demo.word("body"));
+    if (!isMeasured(demo)) throw Error("--body", "must be the sphere, in the room, to be measured", demo.word("body"));
     Reference reference{.values = sphereOf(demo, frame).picture(demo.scene(frame), frame.width(), frame.height())};
     reference.regions.reserve(reference.values.size());
     for (const double value : reference.values) {
@@ -36,7 +41,7 @@ Reference byRays(const Demo& demo, const FrameInfo& frame) {
 
 std::vector<double> errorNow(Probing& probing) {
     const Demo& demo = probing.demo();
-    if (demo.word("body") != "sphere" || demo.word("around") != "room") return {};
+    if (!isMeasured(demo)) return {};
     constexpr int side = 120;
     const std::vector<float> shown = probing.measured(side, side);
     if (shown.empty()) return {};

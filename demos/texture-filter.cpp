@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "mv/demo/demo.h"
+#include "mv/demo/file_knob.h"
 #include "mv/demo/made_for.h"
 #include "mv/gl/beyond_es.h"
 #include "mv/gl/drawing.h"
@@ -27,6 +28,7 @@
 #include "mv/math/color.h"
 #include "mv/math/transform.h"
 #include "shared/floor_texture.h"
+#include "shared/own_picture.h"
 
 using namespace mv;
 
@@ -73,6 +75,7 @@ struct TextureFilterDemo final : Demo {
     Choice<MadeBy> mipmapsBy{
         this, "mipmaps", MadeBy::program, {{"program"}, {"driver", "glGenerateMipmap"}}, "who makes the levels"};
     Toggle levels{this, "levels", false, "show each level in a colour of its own"};
+    PictureFile picture{this, "picture", "assets/tiles.png", "your own on the floor, in as many texels"};
     Real pixelX{this, "pixel-x", 0.3, {0, 1}, "the pixel whose footprint is drawn: part of the floor's width"};
     Real pixelY{this, "pixel-y", 0.94, {0, 0.99}, "the same of the way up to the horizon"};
 
@@ -85,7 +88,7 @@ struct TextureFilterDemo final : Demo {
     OnDemand<Program> texelProgram{"texture-filter", "texels"};
     Mesh floor, cover;
     Texture image;
-    MadeFor<FloorPattern, int, Average, Texels, bool, bool, bool> imageFor;
+    MadeFor<FloorPattern, int, int, Average, Texels, bool, bool, bool> imageFor;
     MadeFor<Filter, int> filterFor;
     Drawing drawing;
 
@@ -96,6 +99,7 @@ struct TextureFilterDemo final : Demo {
         bias.onlyWhen(mipmapped, "the filter knows a single level");
         mipmapsBy.onlyWhen(mipmapped, "the filter knows a single level");
         levels.onlyWhen(mipmapped, "the filter knows a single level");
+        pattern.onlyWhen([this] { return !picture.isSet(); }, "your picture is on the floor");
         mipmapsBy.onlyWhen([this] { return !levels; }, "the program makes those that are coloured");
     }
 
@@ -111,9 +115,12 @@ struct TextureFilterDemo final : Demo {
                  "pane");
     }
 
+    void check() const override { picture.check(); }
+
     void draw(const Frame& frame) override {
         // The texture, with its levels where the filter reads them
-        if (imageFor.changed(pattern, size, average, format(), isMipmapped(), isByDriver(), areColored())) {
+        if (imageFor.changed(pattern, picture.version(), size, average, format(), isMipmapped(), isByDriver(),
+                             areColored())) {
             image = Texture(levelPictures(), {.texels = format(), .driverMipmaps = isByDriver(), .label = "floor"});
             filterFor.forget();
         }
@@ -169,7 +176,7 @@ struct TextureFilterDemo final : Demo {
 
     std::vector<FloatPicture> levelPictures() const {
         // What is averaged: light, or what is kept of it
-        FloatPicture first = floorPattern(pattern, size);
+        FloatPicture first = picture.isSet() ? ownTexels(picture.picture(), size, size) : floorPattern(pattern, size);
         if (average == Average::encoded) encode(first);
         std::vector<FloatPicture> made{first};
         if (isMipmapped() && !isByDriver()) made = mipmaps(first);

@@ -4,7 +4,10 @@
 #include <vector>
 
 #include "mv/demo/demo.h"
+#include "mv/demo/file_knob.h"
+#include "mv/image/load.h"
 #include "shared/floor_texture.h"
+#include "shared/own_picture.h"
 
 using namespace mv;
 using namespace mv::claims;
@@ -25,7 +28,9 @@ class FloorMean {
           width_(frame.width()),
           height_(frame.height()),
           repeats_(repeatsFromPixel(frame.width(), frame.height(), demo.number("turn"))) {
-        const FloatPicture pattern = floorPattern(patternOf(demo), size_);
+        const std::string own = demo.word("picture");
+        const FloatPicture pattern =
+            own == PictureFile::none ? floorPattern(patternOf(demo), size_) : ownTexels(loadPicture(own), size_, size_);
         for (std::size_t i = 0; i < pattern.values.size(); i += 4) light_.push_back(luminance(&pattern.values[i]));
     }
 

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "mv/demo/demo.h"
+#include "mv/demo/file_knob.h"
 #include "mv/demo/made_for.h"
 #include "mv/gl/drawing.h"
 #include "mv/gl/gl.h"
@@ -78,6 +79,8 @@ struct TextureMapDemo final : Demo {
     Real distance{
         this, "distance", 0.5, {1e-8, 1, Scale::logarithmic, true}, "of the triangle's plane from the origin"};
     Angle turn{this, "turn", -60, "of the cylinder or the sphere about its axis"};
+    PictureFile picture{this, "picture", "assets/postcard.png",
+                        "your own on the surface, in at most 1024 x 1024 texels"};
 
     Readout slip{this, "slip", "how far from its place the affine method shows a point of the texture, at most", "px"};
     Readout determinant{this, "determinant", "of the lecture's matrix P"};
@@ -88,7 +91,7 @@ struct TextureMapDemo final : Demo {
     Mesh mesh;
     MadeFor<Shape, Method, int, int, Formula, Seam, double> meshFor;
     Texture image;
-    MadeFor<int> imageFor;
+    MadeFor<int, int> imageFor;
     Drawing drawing;
 
     TextureMapDemo() {
@@ -112,6 +115,7 @@ struct TextureMapDemo final : Demo {
         const auto hasArea = [this] { return !isCircle(); };
         for (Knob* knob : std::vector<Knob*>{&divisions, &texels, &seam})
             knob->onlyWhen(hasArea, "the lecture's cylinder has no faces");
+        texels.onlyWhen([this] { return !picture.isSet() || isForward(); }, "the picture has its own");
         map.onlyWhen(isTriangle, "it is the triangle's");
         distance.onlyWhen(isTriangle, "it is the triangle's");
         turn.onlyWhen(isRound, "the shape does not turn");
@@ -120,6 +124,7 @@ struct TextureMapDemo final : Demo {
     void init() override {}
 
     void check() const override {
+        picture.check();
         if (shape == Shape::triangle && map == Map::matrix && distance == 0)
             throw Error("--distance",
                         "must not be 0 with --map matrix: P is singular where the plane holds the origin");
@@ -129,8 +134,9 @@ struct TextureMapDemo final : Demo {
         const Pane pane = frame.measuring() ? Pane{0, 0, frame.width(), frame.height()} : leftPane(frame);
         glViewport(pane.x, pane.y, pane.width, pane.height);
         if (isCircle()) return;  // it has no faces; annotate() draws it
-        if (imageFor.changed(texels)) {
-            image = Texture(chart(texels), GL_NEAREST, "chart");
+        if (imageFor.changed(texels, picture.version())) {
+            image =
+                Texture(picture.isSet() ? shrink(picture.picture(), 1024, 1024) : chart(texels), GL_NEAREST, "chart");
         } else {
             image.bind(0);
         }
@@ -305,7 +311,10 @@ struct TextureMapDemo final : Demo {
             drawing.line(projected(pixels, {i / 8.0, 0}), projected(pixels, {i / 8.0, 1}), {ink, 1});
             drawing.line(projected(pixels, {0, i / 8.0}), projected(pixels, {1, i / 8.0}), {ink, 1});
         }
-        drawing.text({8, 1.5 * words.height + 4}, "black lines: where the squares belong", words);
+        drawing.text({8, 1.5 * words.height + 4},
+                     picture.isSet() ? "black lines: where eighths of the picture belong"
+                                     : "black lines: where the squares belong",
+                     words);
         const Slip most = largestSlip(ratio, divisions, left);
         if (method == Method::affine && most.pixels > 2) drawing.arrow(most.shown, most.right, {red, 3});
 

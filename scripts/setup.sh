@@ -5,11 +5,11 @@ build=$root/build
 
 # Each with its reason in the README's table of dependencies.
 run_packages=(g++ cmake ninja-build libglfw3-dev libimgui-dev libglm-dev libstb-dev libpng-dev
-  libturbojpeg0-dev libcli11-dev nlohmann-json3-dev libgl-dev libegl-dev libegl1 libgl1-mesa-dri fonts-dejavu-core
+  libjpeg-dev libcli11-dev nlohmann-json3-dev libgl-dev libegl-dev libegl1 libgl1-mesa-dri fonts-dejavu-core
   libosmesa6)
 site_packages=(nodejs cmark-gfm highlight terser)
 web_packages=(emscripten binaryen libharfbuzz-bin)
-test_packages=(git libgtest-dev libboost-dev xvfb x11-utils xdotool imagemagick clang-format)
+test_packages=(git libgtest-dev libboost-dev libx11-dev xvfb x11-utils xdotool imagemagick clang-format)
 full_packages=("${site_packages[@]}" "${web_packages[@]}" chromium libgles2 mesa-vulkan-drivers clang-tidy clang libclang-rt-dev libembree-dev)
 # Node's own packages bring npm; Debian's has it apart.
 command -v npm >/dev/null || full_packages+=(npm)

@@ -133,6 +133,8 @@ Trial trialOf(const PageLine& line, bool atItsOwnSize = false) {
 
 ProcessResult tried(const TemporaryFolder& folder, std::vector<std::string> words) {
     words.insert(words.begin(), program("mvgl"));
+    std::error_code isThere;
+    std::filesystem::create_directory_symlink(MVGL_SOURCE_DIR "/assets", folder.path() / "assets", isThere);
     return runProcess(words, {.folder = folder.path().string(), .environment = {"DISPLAY", "WAYLAND_DISPLAY"}});
 }
 

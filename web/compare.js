@@ -1,5 +1,6 @@
 // A knob's value beside another one: a second canvas over the first, with a line between the two that is moved.
 import { tag } from './controls.js';
+import { fetched, provide } from './pictures.js';
 
 // `what` describes the demo, `open(canvas)` makes a module for a second one, `changed()` asks for a picture, `view` holds the first.
 export function comparison(name, what, view, open, changed) {
@@ -18,12 +19,16 @@ export function comparison(name, what, view, open, changed) {
     other = '';
     if (kind) {
       const words = kind.options?.map(({ word }) => word) ?? (kind.kind === 'switch' ? ['on', 'off'] : undefined);
-      const attributes = { 'aria-label': word('compareOther'), onchange: () => ((other = field.value), show()) };
+      const attributes = { 'aria-label': word('compareOther'), onchange: () => ((other = field.value), ready()) };
       const field = words ? tag('select', attributes, ...words.map((word) => tag('option', {}, word))) : tag('input', { type: 'text', size: 8, ...attributes });
       field.value = given ?? words?.[0] ?? kind.high ?? what.knobs.find((one) => one.name === knob.value).initial;
       other = field.value;
       with_.append(`${word('compareWith')} `, field);
     }
+    await ready();
+  }
+  async function ready() {
+    await fetched(what, { [knob.value]: other });
     await show();
   }
   async function show() {
@@ -61,6 +66,7 @@ export function comparison(name, what, view, open, changed) {
       // Where a frame follows from the one before, it is as if the value had been that one all the time.
       const anew = !begun || (what.remembers && key !== begun);
       let refused = '';
+      provide(second, what, settings);
       if (anew) refused = second.says('Open', name, settings, frame, true);
       else if (key !== begun) refused = second.says('SetAll', settings);
       begun = refused ? '' : key;

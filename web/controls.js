@@ -12,7 +12,7 @@ export function tag(name, attributes = {}, ...children) {
 }
 
 // The widget of one knob: `element`, and `show(value)`, which sets it; `set(text)` is called for what is chosen.
-function widget(knob, kind, id, set) {
+function widget(knob, kind, id, set, choose) {
   if (kind.kind === 'switch') {
     const box = tag('input', { type: 'checkbox', id, onchange: () => set(box.checked ? 'on' : 'off') });
     return { element: box, show: (value) => (box.checked = value === 'on') };
@@ -23,6 +23,10 @@ function widget(knob, kind, id, set) {
     return { element: select, show: (value) => (select.value = value) };
   }
   const typed = tag('input', { type: 'text', id, inputmode: kind.kind === 'number' ? 'decimal' : undefined, autocomplete: 'off', spellcheck: 'false', size: kind.kind === 'number' ? 7 : 24, onchange: () => set(typed.value) });
+  if (kind.kind === 'file') {
+    const chosen = tag('input', { type: 'file', accept: 'image/png,image/jpeg', 'aria-label': word('chooseFile', { knob: knob.name }), onchange: () => chosen.files.length && choose(chosen.files[0]) });
+    return { element: tag('span', { class: 'file' }, typed, chosen), show: (value) => document.activeElement !== typed && (typed.value = value) };
+  }
   if (kind.kind !== 'number') return { element: typed, show: (value) => document.activeElement !== typed && (typed.value = value) };
   const slider = tag('input', { type: 'range', min: 0, max: kind.whole ? kind.high - kind.low : 1000, 'aria-label': word('slider', { knob: knob.name }), oninput: () => set(kind.whole ? String(kind.low + Number(slider.value)) : fromSlider(Number(slider.value), kind)) });
   const show = (value) => {
@@ -34,10 +38,10 @@ function widget(knob, kind, id, set) {
 }
 
 // All knobs: rows of label, widget, unit and buttons; `update(knobs)` shows their values and why one does nothing.
-export function knobRows(description, { set, press }) {
+export function knobRows(description, { set, press, choose }) {
   const rows = description.knobs.map((knob) => {
     const kind = description.widgets[knob.name], id = `knob-${knob.name}`;
-    const { element, show } = widget(knob, kind, id, (text) => set(knob.name, text));
+    const { element, show } = widget(knob, kind, id, (text) => set(knob.name, text), (file) => choose(knob.name, file));
     const idle = tag('small', { class: 'idle' });
     const buttons = (kind.buttons ?? []).map(({ label }) => tag('button', { type: 'button', 'aria-label': `${knob.name} ${label}`, onclick: () => press(knob.name, label) }, label));
     const row = tag('div', { class: 'knob', title: knob.help }, tag('label', { for: id }, knob.name), element, ...buttons, idle);

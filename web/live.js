@@ -4,6 +4,7 @@ import { comparison } from './compare.js';
 import { knobRows, matrixTables, presetButtons, readoutTable, tag } from './controls.js';
 import { shaderEditor } from './edit.js';
 import { handIn } from './hand.js';
+import { fetched, provide, take } from './pictures.js';
 import { fromAddress, fromCommand, toAddress } from './settings.js';
 import { drawSteps } from './steps.js';
 
@@ -32,6 +33,11 @@ async function open(canvas) {
     does: call('boolean'),
     says: text,
     tells: (name, ...given) => JSON.parse(text(name, ...given)),
+    // A picture of that name, for knobs that take a file.
+    give(name, { width, height, pixels }) {
+      const at = call('number')('ReceivePicture', name, width, height);
+      if (at) module.HEAPU8.set(pixels, at);
+    },
     // The bytes of so many pixels: of the picture, or by another function's name of what that one gives.
     pixels(size, name = 'Pixels', ...given) {
       const at = call('number')(name, ...given);
@@ -53,15 +59,20 @@ export async function live(box) {
   const what = { ...demo.tells('KnobsAndPresets'), ...demo.tells('Describe') };
   let values = {}, state = demo.tells('State'), size = { width: what.width, height: what.height };
   let beside = '', comparing = false; // what is said of the picture that is compared; whether it is to be drawn anew
-  let scheduled = false, told = 0, last = performance.now(), visible = true, asked = false, lost = false, setBy = '';
+  let scheduled = false, told = 0, last = performance.now(), visible = true, wanted = false, lost = false, setBy = '';
 
   // ---- the first picture, as the address says, before what stands beside it is made
 
-  const linked = fromAddress(location.hash, what.knobs);
-  if (location.hash.startsWith('#picture=')) await read;
-  const pictured = [...document.querySelectorAll('.thumbs a')].find((link) => location.hash === `#picture=${link.dataset.name}`);
-  const given = linked ?? (pictured && fromCommand(pictured.dataset.command, name, what.knobs, what.presets));
+  // (#picture= names one of the page's pictures, or is a knob's.)
+  const asked = async () => {
+    if (location.hash.startsWith('#picture=')) await read;
+    const pictured = [...document.querySelectorAll('.thumbs a')].find((link) => location.hash === `#picture=${link.dataset.name}`);
+    return pictured ? fromCommand(pictured.dataset.command, name, what.knobs, what.presets) : fromAddress(location.hash, what.knobs);
+  };
+  const given = await asked();
   if (given) {
+    await fetched(what, given.settings);
+    provide(demo, what, given.settings);
     const words = demo.says('SetAll', given.settings);
     if (given.frame !== undefined) demo.does('GoTo', given.frame);
     setBy = words;
@@ -81,12 +92,12 @@ export async function live(box) {
   // ---- drawing: a resting canvas draws nothing, and one that is out of sight stops, but for what the user asks for
 
   function schedule() {
-    if (scheduled || lost || !(visible || asked)) return;
+    if (scheduled || lost || !(visible || wanted)) return;
     scheduled = true;
     requestAnimationFrame(tick);
   }
   function tick(now) {
-    scheduled = asked = false;
+    scheduled = wanted = false;
     demo.does('Advance', Math.min(0.1, (now - last) / 1000));
     last = now;
     const before = state.error;
@@ -130,22 +141,44 @@ export async function live(box) {
   let moved = false; // the address stays as it came until something is set
   function after(words = '') {
     setBy = words;
-    moved = asked = true;
+    moved = wanted = true;
     state = demo.tells('State');
     schedule();
     if (words || !demo.does('IsDue', size.width, size.height)) tellAll();
   }
-  const settle = ({ settings, frame, compared, until }) => {
+  // Before the knobs are set, what they name is there. (Nothing waits where there is nothing to fetch.)
+  function withPictures(settings, set) {
+    const ready = () => {
+      provide(demo, what, settings);
+      return set();
+    };
+    const waits = fetched(what, settings);
+    return waits ? waits.then(ready) : ready();
+  }
+  const settle = ({ settings, frame, compared, until }) => withPictures(settings, () => {
     steps.show(until);
     const words = demo.says('SetAll', settings);
     if (frame !== undefined && !words) demo.says('GoTo', frame);
     after(words);
     return compared || compare.on() ? compare.compare(compared) : undefined;
-  };
-  const knobs = knobRows(what, {
-    set: (knob, text) => after(demo.says('Set', knob, text)),
-    press: (knob, label) => after(demo.says('PressButton', knob, label)),
   });
+  const set = (knob, text) => withPictures({ [knob]: text }, () => after(demo.says('Set', knob, text)));
+  // A picture of the user's own. What is none is told, and the knob stays as it was.
+  const choose = (knob, file) => take(file).then(() => {
+    set(knob, file.name);
+    demo.does('Touch'); // the same name may be another picture
+    after();
+  }, (error) => after(`--${knob}: ${error.message}`));
+  const knobs = knobRows(what, { set, press: (knob, label) => after(demo.says('PressButton', knob, label)), choose });
+  const takesFile = what.knobs.find((knob) => what.widgets[knob.name].kind === 'file');
+  if (takesFile) {
+    view.addEventListener('dragover', (event) => event.preventDefault()); // or the browser would open it in the place of the page
+    view.addEventListener('drop', (event) => {
+      event.preventDefault();
+      const [file] = event.dataTransfer.files;
+      if (file) choose(takesFile.name, file);
+    });
+  }
   const presets = presetButtons(what, (preset) => settle({ settings: preset.settings }));
   const readouts = readoutTable(what), matrices = matrixTables();
   matrices.element.addEventListener('toggle', () => tellAll());
@@ -222,8 +255,8 @@ export async function live(box) {
       box.scrollIntoView({ behavior: 'smooth' });
     } }, word('showAbove')));
   }
-  addEventListener('hashchange', () => {
-    const linked = fromAddress(location.hash, what.knobs);
+  addEventListener('hashchange', async () => {
+    const linked = await asked();
     if (linked) settle(linked);
   });
   new IntersectionObserver(([entry]) => {
@@ -268,7 +301,7 @@ export async function live(box) {
   tellAll();
   schedule();
   box.classList.add('is-live');
-  return { demo, settle, what, compare, state: () => state };
+  return { demo, settle, what, compare, withPictures, state: () => state };
 }
 
 const box = document.querySelector('.live');

@@ -171,6 +171,8 @@ const scripts = { 'words.js': script };
 for (const file of ['site.js', 'curve.js', ...(module ? ['live.js', ...liveParts] : [])]) scripts[file] = text(`web/${file}`);
 if (module) {
   scripts['mvgl.js'] = fs.readFileSync(path.join(module, 'mvgl.js'), 'utf8');
+  // What knobs that take a file may name, in lessons' commands, say
+  for (const file of fs.readdirSync(path.join(root, 'assets'))) if (file.endsWith('.png')) copy(`assets/${file}`);
   write('mvgl.wasm', fs.readFileSync(path.join(module, 'mvgl.wasm')));
 }
 for (const [file, script] of Object.entries(shorter(scripts))) write(file, script);

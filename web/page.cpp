@@ -19,6 +19,7 @@
 #include "mv/run/report.h"
 #include "mv/run/sentence.h"
 #include "mv/run/session.h"
+#include "pictures.h"
 #include "shaders.h"
 #include "widgets.h"
 
@@ -136,6 +137,9 @@ EMSCRIPTEN_KEEPALIVE const char* mvWidgets() {
 
 EMSCRIPTEN_KEEPALIVE const char* mvSet(const char* knob, const char* text) { return say(session().set(knob, text)); }
 
+// The picture is to be drawn anew for something that no knob says.
+EMSCRIPTEN_KEEPALIVE void mvTouch() { session().touch(); }
+
 // These knobs, and the others to their initial values.
 EMSCRIPTEN_KEEPALIVE const char* mvSetAll(const char* settings) {
     return attempt([&] {
@@ -143,6 +147,16 @@ EMSCRIPTEN_KEEPALIVE const char* mvSetAll(const char* settings) {
         for (Knob* knob : demo().knobs()) knob->reset();
         applyKnobs(demo(), settingsOf(settings));
     });
+}
+
+// Where the pixels of a picture are to be written that knobs may name from now on, as mvPixels() has them; null: sides that no picture has,
+// or no memory.
+EMSCRIPTEN_KEEPALIVE unsigned char* mvReceivePicture(const char* name, int width, int height) {
+    try {
+        return receivePicture(name, width, height);
+    } catch (const std::exception&) {
+        return nullptr;
+    }
 }
 
 EMSCRIPTEN_KEEPALIVE const char* mvPressButton(const char* knob, const char* label) {

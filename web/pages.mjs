@@ -34,7 +34,7 @@ ${main}</main>
 // ---- a lesson
 
 // What a live page loads beside live.js and the module.
-export const liveParts = ['compare.js', 'controls.js', 'edit.js', 'hand.js', 'settings.js', 'steps.js'];
+export const liveParts = ['compare.js', 'controls.js', 'edit.js', 'hand.js', 'pictures.js', 'settings.js', 'steps.js'];
 
 // The demo is asked for once the picture in its place is on the screen, which all these files would make later; and then all at once,
 // instead of each file by the one before. (From a disk browsers open no modules: there the picture stays.)

@@ -107,21 +107,67 @@ ReliefPoint peelAt(const vec3& p) {
             .color = glm::mix(vec3(0.62, 0.20, 0.01), vec3(0.90, 0.36, 0.03), height)};
 }
 
+// ---- a height map
+
+// The texture coordinates of a point of the smooth surface, or beside it.
+vec2 texCoordOf(ReliefBody body, const vec3& near) {
+    if (body == ReliefBody::wall) return {near.x / 2, (near.y + 1) / 2};
+    const vec3 out = glm::normalize(near);
+    return {std::atan2(-out.z, out.x) / (2 * pi), 0.5 + std::asin(std::clamp(out.y, -1.0, 1.0)) / pi};
+}
+
+// Between the four texels around, of which those of the far edges are neighbours but at poles, as GL_REPEAT and the clamp have it.
+float heightIn(const FloatPicture& map, int x, int y, bool isRound) {
+    const auto wrapped = [](int i, int n) { return (i % n + n) % n; };
+    const int row = isRound ? std::clamp(y, 0, map.height - 1) : wrapped(y, map.height);
+    return map.values[4 * pixelIndex(wrapped(x, map.width), row, map.width) + 3];
+}
+double heightIn(const FloatPicture& map, const vec2& texCoord, bool isRound) {
+    const vec2 at = texCoord * vec2(map.width, map.height) - 0.5, low = glm::floor(at), part = at - low;
+    const int x = static_cast<int>(low.x), y = static_cast<int>(low.y);
+    const auto height = [&](int i, int j) { return double(heightIn(map, x + i, y + j, isRound)); };
+    return glm::mix(glm::mix(height(0, 0), height(1, 0), part.x), glm::mix(height(0, 1), height(1, 1), part.x), part.y);
+}
+
+ReliefPoint ownAt(const FloatPicture& map, ReliefBody body, const vec3& near) {
+    const bool isRound = body == ReliefBody::orange;
+    const vec2 at = texCoordOf(body, near), texel = 1.0 / vec2(map.width, map.height);
+    const vec3 smooth = isRound ? glm::normalize(near) : vec3(near.x, near.y, 0);
+    const vec3 out = isRound ? smooth : vec3(0, 0, 1);
+    // By the difference of the two neighbours, as normalMap() has it; at a pole all ways lead along u, and the slope is 0
+    const vec2 change =
+        vec2(heightIn(map, at + vec2(texel.x, 0), isRound) - heightIn(map, at - vec2(texel.x, 0), isRound),
+             heightIn(map, at + vec2(0, texel.y), isRound) - heightIn(map, at - vec2(0, texel.y), isRound)) /
+        (2.0 * texel * unitsOfRepeat(body));
+    const double around = isRound ? glm::length(vec2(smooth.x, smooth.z)) : 1;
+    const vec3 alongU = isRound && around > 0 ? vec3(smooth.z, 0, -smooth.x) / around : vec3(1, 0, 0);
+    const double alongLatitude = isRound ? std::max(around, texel.y * pi) : 1;
+    return {.smooth = smooth,
+            .out = out,
+            .height = heightIn(map, at, isRound),
+            .slope = change.x / alongLatitude * alongU + change.y * glm::cross(out, alongU),
+            .color = vec3(map.values[0], map.values[1], map.values[2])};
+}
+
 // How long a circle of latitude is, by the equator: that of the middle of a row of texels.
 double cosineOfRow(int row, int rows) { return std::sin(pi * (row + 0.5) / rows); }
 
 }  // namespace
 
 ReliefPoint reliefAt(const Relief& relief, const vec3& near) {
-    if (relief.body == ReliefBody::orange) return peelAt(glm::normalize(near));
-    if (!relief.isMirrored || near.x >= 0) return brickAt(near.x, near.y);
-    ReliefPoint mirrored = brickAt(-near.x, near.y);
+    const auto plain = [&](double x) {
+        return relief.own ? ownAt(*relief.own, relief.body, {x, near.y, near.z}) : brickAt(x, near.y);
+    };
+    if (relief.body == ReliefBody::orange) return relief.own ? plain(near.x) : peelAt(glm::normalize(near));
+    if (!relief.isMirrored || near.x >= 0) return plain(near.x);
+    ReliefPoint mirrored = plain(-near.x);
     mirrored.smooth.x = near.x;
     mirrored.slope.x = -mirrored.slope.x;
     return mirrored;
 }
 
 double reliefHeight(const Relief& relief, const vec3& near) {
+    if (relief.own) return reliefAt(relief, near).height;
     if (relief.body == ReliefBody::orange) return std::exp(-poreDepth * poresAt(glm::normalize(near)).sum);
     return brickHeight(relief.isMirrored ? std::abs(near.x) : near.x, near.y);
 }

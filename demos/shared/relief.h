@@ -16,6 +16,9 @@ struct Relief {
     ReliefBody body = ReliefBody::wall;
     double depth = 0.08;      // from height 1, on the smooth surface, down to height 0, in units
     bool isMirrored = false;  // the wall's part with x < 0 is the other one's mirror image
+    // Where there is one, its heights stand for the bricks or the peel: a map as paintedMap() makes them, which is read between its
+    // texels as a GPU reads it. It is the caller's, and outlives this.
+    const FloatPicture* own = nullptr;
 };
 
 // The smooth surface at a point of it, or above or below one: there all is as at the nearest one.

@@ -9,6 +9,10 @@
 #include <functional>
 #include <initializer_list>
 #include <set>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "mv/geometry/shapes.h"
 #include "mv/gl/audit.h"
@@ -86,10 +90,120 @@ TEST_F(Gl, shader_mistakes_name_file_and_line) {
 TEST_F(Gl, logs_of_other_drivers_are_read_too) {
     ShaderSource source;
     source.files = {"shaders/a.frag", "shaders/include/b.glsl"};
-    EXPECT_EQ(readableLog("0:7(3): error: x\n", source), "shaders/a.frag:7: error: x");
-    EXPECT_EQ(readableLog("1(12) : error C1008: x", source), "shaders/include/b.glsl:12: error C1008: x");
-    EXPECT_EQ(readableLog("ERROR: 0:5: 'y' : undeclared", source), "shaders/a.frag:5: 'y' : undeclared");
-    EXPECT_EQ(readableLog("something else", source), "something else");
+    source.lines = {{0, 0}, {0, 1}, {1, 1}, {1, 2}, {0, 2}};
+    EXPECT_EQ(readableLog("0:5(3): error: x\n", source), "shaders/a.frag:2: error: x");
+    EXPECT_EQ(readableLog("0(4) : error C1008: x", source), "shaders/include/b.glsl:2: error C1008: x");
+    EXPECT_EQ(readableLog("ERROR: 0:2: 'y' : undeclared", source), "shaders/a.frag:1: 'y' : undeclared");
+    EXPECT_EQ(readableLog("0:6(1): error: end", source), "shaders/a.frag:2: error: end");
+    for (const char* other : {"something else", "0:1(1): error: of the version line", "1:2(1): error", "0:0(0): error"})
+        EXPECT_EQ(readableLog(other, source), other);
+}
+
+// Each line of what is compiled is known by its file and line there, whatever is included and however deep.
+TEST_F(Gl, every_line_of_a_shader_knows_its_file_and_line) {
+    addShaderFile("include/deep.glsl", "// 1 deep\n// 2 deep\n", "");
+    addShaderFile("include/middle.glsl", "// 1 middle\n#include \"deep.glsl\"\n// 3 middle", "");
+    const ShaderSource source = assembleShaderText(
+        "a.frag",
+        "\xEF\xBB\xBF// 1 a\n#include \"middle.glsl\"\n#line 50\n// 4 a\n  #  include \"deep.glsl\" // too\n");
+    std::istringstream lines(source.text);
+    std::string line;
+    std::size_t known = 0, i = 0;
+    for (; std::getline(lines, line); ++i) {
+        const ShaderSource::Place place = source.lines.at(i);
+        if (!line.starts_with("// ")) continue;
+        const std::string& file = source.files.at(place.file);
+        const std::string stem = file.substr(file.rfind('/') + 1, file.rfind('.') - file.rfind('/') - 1);
+        EXPECT_EQ(line, "// " + std::to_string(place.line) + " " + stem);
+        ++known;
+    }
+    EXPECT_EQ(known, 8U);
+    EXPECT_EQ(i, source.lines.size());
+    EXPECT_FALSE(has(source.text, "#line"));
+    EXPECT_FALSE(has(source.text, "#include"));
+}
+
+// Mesa drops the file of #line in what it says of more than one token: a call, a sum, an assignment.
+TEST_F(Gl, mistakes_in_an_included_file_are_told_there) {
+    for (const char* mistake :
+         {"float broken(float x) { return maks(x, 0.0); }", "float broken(float x) { return x + vec3(x).xy; }",
+          "float broken(float x) { float y = vec2(x); return y; }", "float broken(float x) { return y; }",
+          "float broken(float x) { x = 1.0 }", "float broken(vec2 x) { return x.z; }", "#error here",
+          "float broken(float x) { return float(x, x)[2]; }"}) {
+        addShaderFile("include/wrong-inside.glsl", "// one\n// two\n" + std::string(mistake) + "\n// four\n", "");
+        const std::string told = errorOf([] {
+            Program::fromText("outside", plainVertex,
+                              "// one\n#include \"wrong-inside.glsl\"\nout vec4 fragColor;\nvoid main() { fragColor = "
+                              "vec4(1); }\n");
+        });
+        EXPECT_TRUE(has(told, "shaders/include/wrong-inside.glsl:3: ")) << mistake << "\n" << told;
+        EXPECT_FALSE(has(told, "\noutside.frag:")) << mistake << "\n" << told;
+    }
+}
+
+TEST_F(Gl, a_byte_order_mark_is_skipped) {
+    addShaderFile("include/marked.glsl", "\xEF\xBB\xBFvec4 marked() { return vec4(1.0); }\n", "");
+    EXPECT_EQ(errorOf([] {
+                  Program::fromText(
+                      "marked", std::string("\xEF\xBB\xBF") + plainVertex,
+                      "\xEF\xBB\xBF#include \"marked.glsl\"\nout vec4 fragColor;\nvoid main() { fragColor = "
+                      "marked(); }\n");
+              }),
+              "no error");
+}
+
+// What the compiler skips is not followed; where it may skip a line, a file that is not there is its mistake to tell.
+TEST_F(Gl, includes_that_are_no_code_are_not_followed) {
+    addShaderFile("include/once-seen.glsl", "// seen\n", "");
+    const std::string seen = "#include \"once-seen.glsl\"\n", none = "#include \"none.glsl\"\n";
+    const auto countOf = [](const std::string& text) {
+        int count = 0;
+        for (std::size_t at = 0; (at = text.find("// seen", at)) != std::string::npos; ++at) ++count;
+        return count;
+    };
+    // How often the file stands in what is compiled
+    const std::vector<std::pair<std::string, int>> cases = {
+        {"/*\n" + seen + none + "*/\n" + seen, 1},
+        {"/* one */ " + seen, 1},
+        {"/* // */ " + seen, 1},
+        {"// /*\n" + seen + "// */\n", 1},
+        {"// goes on \\\n" + none + seen, 1},
+        {"#define A \\\n" + none + seen, 1},
+        {"#if 0\n" + none + seen + "#endif\n" + seen, 1},
+        {"#if 0 // off\n" + none + "#else\n" + seen + "#endif\n", 1},
+        {"#if 1\n" + seen + "#elif A\n" + none + "#else\n" + none + "#endif\n", 1},
+        {"#if 0\n#if 1\n" + none + "#else\n" + none + "#endif\n" + none + "#endif\n" + seen, 1},
+        {"#  if 0\n" + none + "#  elif 1\n" + seen + "#  else\n" + none + "#  endif\n", 1},
+        {"#ifdef A\n" + seen + "#else\n" + seen + "#endif\n", 2},
+        {"#if 0\n" + none + "#elif A\n" + seen + "#else\n" + seen + "#endif\n", 2},
+        {"#endif\n#else\n" + seen, 1},
+    };
+    for (const auto& [text, count] : cases) EXPECT_EQ(countOf(assembleShaderText("a.frag", text).text), count) << text;
+    for (const std::string& text : {none, "#if 1\n" + none + "#endif\n", "#if 0\n#endif\n" + none, "/* */" + none})
+        EXPECT_TRUE(has(errorOf([&] { assembleShaderText("a.frag", text); }), "includes a file that is not in"))
+            << text;
+
+    const auto toldOf = [](const std::string& before) {
+        return errorOf([&] {
+            Program::fromText("may", plainVertex,
+                              before + "out vec4 fragColor;\nvoid main() { fragColor = vec4(1); }\n");
+        });
+    };
+    EXPECT_EQ(toldOf("#ifdef NOT_DEFINED\n" + none + "#endif\n"), "no error");
+    const std::string told = toldOf("#ifndef NOT_DEFINED\n" + none + "#endif\n");
+    EXPECT_TRUE(has(told, "may.frag:2: ") && has(told, "includes a file that is not in shaders/include, 'none.glsl'"))
+        << told;
+    // A file with a guard may include itself.
+    addShaderFile("include/guarded.glsl", "#ifndef GUARD\n#define GUARD\n#include \"guarded.glsl\"\n#endif\n", "");
+    EXPECT_EQ(toldOf("#include \"guarded.glsl\"\n#include \"guarded.glsl\"\n"), "no error");
+}
+
+TEST_F(Gl, what_a_shader_includes_has_a_limit) {
+    addShaderFile("include/large.glsl", std::string(std::size_t{900} << 10U, ' '), "");
+    addShaderFile("include/larger.glsl", "#include \"large.glsl\"\n#include \"large.glsl\"\n#include \"large.glsl\"\n",
+                  "");
+    EXPECT_EQ(errorOf([] { assembleShaderText("a.frag", "#include \"larger.glsl\"\n#include \"larger.glsl\"\n"); }),
+              "a.frag: must have less than 4 MiB with all that it includes");
 }
 
 TEST_F(Gl, uniforms_are_known_typed_finite_and_in_use) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <filesystem>
 #include <fstream>
@@ -12,6 +13,7 @@
 #include <thread>
 #include <utility>
 
+#include "image/jpeg_files.h"
 #include "image/messages.h"
 #include "image/png_files.h"
 #include "mv/image/compare.h"
@@ -79,6 +81,24 @@ std::size_t unpackedSize(const PngHeader& header) {
         }
     }
     return size;
+}
+
+// The unpacked bytes of a picture that is not interlaced or is, with filter 0 at the beginning of each row.
+Bytes filteredRows(const PngHeader& header, Bytes unpacked) {
+    const std::size_t before = unpackedSize({header.width, header.height, header.depth, header.colour});
+    if (header.interlaced == 0) {
+        const std::size_t row = before / header.height;
+        for (std::size_t i = 0; i < unpacked.size(); i += row) unpacked[i] = std::byte{0};
+        return unpacked;
+    }
+    std::size_t place = 0;
+    constexpr std::array<std::array<std::uint32_t, 4>, 7> passes = {
+        {{0, 0, 8, 8}, {4, 0, 8, 8}, {0, 4, 4, 8}, {2, 0, 4, 4}, {0, 2, 2, 4}, {1, 0, 2, 2}, {0, 1, 1, 2}}};
+    for (const auto& [x, y, stepX, stepY] : passes) {
+        const std::size_t row = 1 + ((header.width - x + stepX - 1) / stepX * header.depth + 7) / 8;
+        for (std::uint32_t i = y; i < header.height; i += stepY, place += row) unpacked[place] = std::byte{0};
+    }
+    return unpacked;
 }
 
 std::vector<PngHeader> everyKind(std::uint32_t width, std::uint32_t height) {
@@ -301,6 +321,119 @@ TEST(LoadPng, RefusesChunksOutOfOrder) {
     EXPECT_THROW((void)decodePicture(fileOf({"IHDR", "IEND"}), "test"), Error);
     EXPECT_THROW((void)decodePicture(fileOf({"IHDR", "TEST", "IDAT", "IEND"}), "test"), Error);
     EXPECT_THROW((void)decodePicture(fileOf({"IHDR", "IDAT"}), "test"), Error);
+}
+
+// Of 200 x 200 pixels, since small ones do not reach the memory that stb_image has not written.
+TEST(LoadPng, ShowsOpaqueBlackForAColourBeyondThePalette) {
+    for (const std::uint8_t interlaced : {std::uint8_t{0}, std::uint8_t{1}}) {
+        for (const std::uint8_t depth : {std::uint8_t{1}, std::uint8_t{2}, std::uint8_t{4}, std::uint8_t{8}}) {
+            const PngHeader header{200, 200, depth, 3, 0, 0, interlaced};
+            const Bytes largest(unpackedSize(header), std::byte{0xFF});  // every index as large as it can be
+            const Picture picture = decodePicture(pngFile(header, filteredRows(header, largest)), "test");
+            EXPECT_EQ(picture.at(0, 0), (Pixel{0, 0, 0, 255})) << text(header);
+            EXPECT_EQ(std::count(picture.rgba.begin(), picture.rgba.end(), 0), 3 * 200 * 200) << text(header);
+            EXPECT_EQ(std::count(picture.rgba.begin(), picture.rgba.end(), 255), 200 * 200) << text(header);
+        }
+    }
+    // Those within it keep their colour, and their transparency.
+    Bytes file = pngSignature();
+    appendChunk(file, "IHDR", headerData({3, 1, 8, 3}));
+    appendChunk(file, "PLTE",
+                {std::byte{10}, std::byte{20}, std::byte{30}, std::byte{40}, std::byte{50}, std::byte{60}});
+    appendChunk(file, "tRNS", {std::byte{9}});
+    appendChunk(file, "IDAT", compressed({std::byte{0}, std::byte{0}, std::byte{1}, std::byte{5}}));
+    appendChunk(file, "IEND", {});
+    const Picture picture = decodePicture(file, "test");
+    EXPECT_EQ(picture.at(0, 0), (Pixel{10, 20, 30, 9}));
+    EXPECT_EQ(picture.at(1, 0), (Pixel{40, 50, 60}));
+    EXPECT_EQ(picture.at(2, 0), (Pixel{0, 0, 0}));
+}
+
+TEST(LoadPng, RefusesPalettesThatAreNone) {
+    const auto fileOf = [](const std::vector<std::pair<std::string_view, std::size_t>>& chunks) {
+        Bytes file = pngSignature();
+        appendChunk(file, "IHDR", headerData({1, 1, 8, 3}));
+        for (const auto& [type, size] : chunks) appendChunk(file, type, Bytes(size));
+        appendChunk(file, "IDAT", compressed(Bytes(2)));
+        appendChunk(file, "IEND", {});
+        return file;
+    };
+    const auto refusalOf = [&](const std::vector<std::pair<std::string_view, std::size_t>>& chunks) {
+        return messageOf([&] { (void)decodePicture(fileOf(chunks), "test"); });
+    };
+    EXPECT_NO_THROW((void)decodePicture(fileOf({{"PLTE", 768}, {"tRNS", 256}}), "test"));
+    EXPECT_TRUE(contains(refusalOf({}), "no palette"));
+    for (const std::size_t size : {0U, 1U, 4U, 771U})
+        EXPECT_TRUE(contains(refusalOf({{"PLTE", size}}), "palette of a wrong length")) << size;
+    EXPECT_TRUE(contains(refusalOf({{"PLTE", 3}, {"PLTE", 3}}), "palette at a wrong place"));
+    EXPECT_TRUE(contains(refusalOf({{"PLTE", 3}, {"tRNS", 2}}), "more transparencies than colours"));
+    EXPECT_TRUE(contains(refusalOf({{"tRNS", 1}, {"PLTE", 3}}), "more transparencies than colours"));
+}
+
+TEST(LoadPng, RefusesPixelsInChunksThatDoNotFollowEachOther) {
+    const Bytes pixels = compressed(Bytes(5));
+    const Bytes first(pixels.begin(), pixels.begin() + 4), second(pixels.begin() + 4, pixels.end());
+    const auto fileWith = [&](std::string_view between) {
+        Bytes file = pngSignature();
+        appendChunk(file, "IHDR", headerData({}));
+        appendChunk(file, "IDAT", first);
+        if (!between.empty()) appendChunk(file, between, between == "IDAT" ? Bytes() : Bytes(3));
+        appendChunk(file, "IDAT", second);
+        appendChunk(file, "IEND", {});
+        return file;
+    };
+    const auto refusalWith = [&](std::string_view between) {
+        return messageOf([&] { (void)decodePicture(fileWith(between), "test"); });
+    };
+    EXPECT_NO_THROW((void)decodePicture(fileWith(""), "test"));
+    EXPECT_NO_THROW((void)decodePicture(fileWith("IDAT"), "test"));
+    EXPECT_TRUE(contains(refusalWith("teSt"), "chunks of pixels that do not follow each other"));
+    EXPECT_TRUE(contains(refusalWith("PLTE"), "palette at a wrong place"));
+}
+
+// stb_image takes Apple's CgBI for the sign of another format wherever it stands.
+TEST(LoadPng, RefusesChunksThatMustBeUnderstood) {
+    for (const std::string_view type : {"CgBI", "TEST", "IDOT"}) {
+        Bytes file = pngSignature();
+        appendChunk(file, "IHDR", headerData({}));
+        appendChunk(file, type, Bytes(4));
+        appendChunk(file, "IDAT", compressed(Bytes(5)));
+        appendChunk(file, "IEND", {});
+        EXPECT_TRUE(contains(messageOf([&] { (void)decodePicture(file, "test"); }), "must be understood")) << type;
+    }
+}
+
+// Cameras and old programs write more samplings than the usual four. Smooth colours stay, whatever their sampling.
+TEST(LoadJpeg, TakesEverySampling) {
+    const Picture picture = smoothPicture(96, 64);
+    for (const Sampling& sampling :
+         {Sampling{{{1, 1}, {1, 1}, {1, 1}}}, Sampling{{{4, 2}, {1, 1}, {1, 1}}}, Sampling{{{4, 1}, {1, 1}, {1, 1}}},
+          Sampling{{{1, 4}, {1, 1}, {1, 1}}}, Sampling{{{3, 1}, {1, 1}, {1, 1}}}, Sampling{{{1, 2}, {2, 1}, {2, 2}}},
+          Sampling{{{2, 2}, {2, 1}, {1, 1}}}, Sampling{{{1, 1}, {2, 2}, {2, 2}}}, Sampling{{{4, 1}, {2, 1}, {1, 1}}}}) {
+        const Difference d = compare(decodePicture(sampledJpegFile(picture, sampling), "test"), picture);
+        // Blue and red of 4 x 4 pixels in one are off by half the change over them, 255 * 2 / 64 at most, and a few levels
+        // of rounding; a channel at a wrong place would be off by a hundred.
+        EXPECT_LT(d.mean, 4) << sampling[0][0] << "x" << sampling[0][1];
+        EXPECT_LT(d.maximum, 24) << sampling[0][0] << "x" << sampling[0][1];
+    }
+}
+
+// Whole files of kinds that libjpeg does not decode are not called damaged.
+TEST(LoadJpeg, SaysWhatIsNotSupported) {
+    const Bytes whole = jpegFile(smoothPicture(16, 16));
+    const Bytes frame{std::byte{0xFF}, std::byte{0xC0}};
+    const auto start = std::search(whole.begin(), whole.end(), frame.begin(), frame.end()) - whole.begin();
+    const auto refusalWith = [&](std::ptrdiff_t place, unsigned value) {
+        Bytes changed = whole;
+        changed[static_cast<std::size_t>(start + place)] = std::byte(value);
+        return messageOf([&] { (void)decodePicture(changed, "test"); });
+    };
+    // Hierarchical, lossless with arithmetic coding, JPEG-LS; of 12 bits; of two components
+    for (const unsigned marker : {0xC5U, 0xCBU, 0xF7U})
+        EXPECT_TRUE(contains(refusalWith(1, marker), "test: must be a kind of JPEG file that libjpeg decodes"))
+            << marker;
+    EXPECT_TRUE(contains(refusalWith(4, 12), "must be a kind of JPEG file that libjpeg decodes"));
+    EXPECT_TRUE(contains(refusalWith(1, 0xC4), "must be an undamaged JPEG file"));
 }
 
 TEST(LoadJpeg, IsCloseToTheOriginal) {

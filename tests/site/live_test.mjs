@@ -58,8 +58,9 @@ const demos = demosOf(program).filter((name) => !named.length || named.includes(
 let pictures = 0, same = 0, standing = 0, worst = ['none', 0];
 
 // What the page shows at those settings. The native picture comes as base64, and is compared there.
-const shown = (name, { settings, frame, width, height }, expected, tolerated) => {
-  const { demo } = document.querySelector('.live').live;
+const shown = async (name, { settings, frame, width, height }, expected, tolerated) => {
+  const { demo, withPictures } = document.querySelector('.live').live;
+  await withPictures(settings, () => undefined);
   const opening = demo.says('Open', name, settings, frame, true);
   if (opening) return { error: opening };
   while (demo.does('Draw', width, height, true));
@@ -93,7 +94,7 @@ async function meet(demo) {
   const cases = allEnds ? (software ? [] : ['--ends']) : [software ? '--opening' : '--smaller'];
   const start = Date.now();
   const folder = fs.mkdtempSync(path.join(scratch, 'native-'));
-  const all = JSON.parse(execFileSync(native, [folder, demo, ...cases], { encoding: 'utf8', maxBuffer: 1 << 28 }));
+  const all = JSON.parse(execFileSync(native, [folder, demo, ...cases], { cwd: source, encoding: 'utf8', maxBuffer: 1 << 28 }));
   const page = await opened(browser, address, `${demo}.html`);
   for (const expected of all) {
     const { settings, frame, width, height } = expected, what = `${demo} ${JSON.stringify(settings)} at frame ${frame}`;

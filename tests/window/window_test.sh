@@ -73,6 +73,51 @@ keys() {
     equal "pictures saved by a key that the demo has for itself" "" "$(ls)"
 }
 
+drop() { # a picture of one's own, and what is none
+    local drops own assets
+    own=$(dirname "$cubeCull")/texture-map drops=$(dirname "$launcher")/drop
+    assets=$(cd "$(dirname "${BASH_SOURCE[0]}")/../../assets" && pwd)
+    start 'mvgl: texture-map' "$own" --method correct
+    screenshot "$state/before.ppm"
+    cp "$assets/postcard.png" "my postcard, 1.png"
+    "$drops" "$window" "my postcard, 1.png" || fail "the window takes no drop"
+    awaitReport picture "$folder/my postcard, 1.png"
+    equal "what is wrong with a picture" "" "$(reported error)"
+    screenshot "$state/dropped.ppm"
+    [ "$(compare -metric AE "$state/before.ppm" "$state/dropped.ppm" null: 2>&1)" -gt 20000 ] ||
+        fail "the dropped picture is not to be seen"
+    case $(reported command) in
+        "$own --method correct --picture '$folder/my postcard, 1.png'"*) ;;
+        *) fail "the copied command has no picture: $(reported command)" ;;
+    esac
+    # What is no picture is told, and the last good picture stays. (The left 600 pixels: beside them is the panel.)
+    echo "no picture" >notes.txt
+    "$drops" "$window" notes.txt || fail "the window takes no drop"
+    awaitReport picture "$folder/notes.txt"
+    equal "what is said of a file that is none" "--picture: $folder/notes.txt: must be a PNG or JPEG file; other formats have to be converted first, it begins as neither" "$(reported error)"
+    screenshot "$state/refused.ppm"
+    equal "pixels that differ from the last good picture" 0 \
+        "$(compare -extract 600x540+0+0 -metric AE "$state/dropped.ppm" "$state/refused.ppm" null: 2>&1)"
+    # Written anew and dropped again, it is read again
+    cp "$assets/tiles.png" "my postcard, 1.png"
+    "$drops" "$window" "my postcard, 1.png" || fail "the window takes no drop"
+    awaitReport picture "$folder/my postcard, 1.png"
+    equal "what is wrong with it" "" "$(reported error)"
+    screenshot "$state/again.ppm"
+    [ "$(compare -metric AE "$state/dropped.ppm" "$state/again.ppm" null: 2>&1)" -gt 20000 ] ||
+        fail "a picture that was written anew is not read again"
+    quit
+    # A demo that takes none says so, until something else is done.
+    start 'mvgl: cube-cull' "$cubeCull"
+    "$drops" "$window" "my postcard, 1.png" || fail "the window of another demo takes no drop, $?"
+    await "a word about the drop" isReported error "dropped file: must go to a demo with a knob that takes a picture, as texture-map has one"
+    press Up
+    awaitReport z-dist -3.8
+    equal "what is said of it later" "" "$(reported error)"
+    quit
+}
+isReported() { [ "$(reported "$1")" = "$2" ]; }
+
 held() { # a key held down repeats
     start 'mvgl: cube-cull' "$cubeCull"
     xdotool keydown Down
@@ -1051,7 +1096,7 @@ case $case in
     storm) stormOfProbe ;;
     storm.*) stormOf "${case#storm.}" ;;
     motion.*) motion "${case#motion.}" ;;
-    opens | keys | held | slider | preset | typed | choice | wheel | drag | hand | replay | save | clipboard | error | torn | twice | density | paused | memory | reload | idle | steps | study | bound | measure | vanish)
+    opens | keys | held | slider | preset | typed | choice | wheel | drag | hand | replay | save | clipboard | error | torn | twice | density | paused | memory | reload | idle | steps | study | bound | measure | drop | vanish)
         "$case"
         ;;
     *) fail "there is no case '$case'" ;;

@@ -43,6 +43,8 @@ class Panel {
     // A small button after what the row has so far; true when it is pressed.
     virtual bool button(const Knob& knob, const std::string& label, bool enabled) = 0;
     virtual bool choose(const Knob& knob, int& index, const std::vector<Option>& options) = 0;
+    // The name of a file: as words, where nothing better is at hand.
+    virtual bool file(const Knob& knob) { return words(knob); }
 };
 
 }  // namespace mv

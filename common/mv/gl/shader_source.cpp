@@ -65,13 +65,111 @@ std::string takeLine(std::string_view& rest) {
     return line;
 }
 
-// The file that a line `#include "x.glsl"` names.
-std::optional<std::string> includedFile(const std::string& line) {
-    const auto start = line.find_first_not_of(" \t");
-    if (start == std::string::npos || line.compare(start, 8, "#include") != 0) return {};
-    const auto open = line.find('"', start), close = line.rfind('"');
+// What the compiler's preprocessor makes of the lines so far, as far as it can be told without its macros.
+class Reading {
+  public:
+    // What a line is, after what comes before it.
+    struct Line {
+        std::string directive;  // "#include", without what blanks there are after #; "" for a line of code
+        std::string rest;       // what comes after it, without comments
+    };
+
+    Line take(std::string_view line) {
+        const bool isContinued = std::exchange(continued_, endsInBackslash(line));
+        const std::string bare = withoutComments(line);
+        if (isContinued) return {};  // part of what the line before began with
+        const Line told = directiveOf(bare);
+        follow(told);
+        return told;
+    }
+
+    // Whether the compiler certainly skips what comes now, or may do so.
+    bool isSkipped() const {
+        return std::any_of(branches_.begin(), branches_.end(), [](const Branch& b) { return b.now == Now::skipped; });
+    }
+    bool isConditional() const {
+        return std::any_of(branches_.begin(), branches_.end(), [](const Branch& b) { return b.now != Now::taken; });
+    }
+
+  private:
+    enum class Now { taken, skipped, unknown };  // unknown: its condition names macros
+    struct Branch {
+        Now now;
+        bool wasTaken, mayHaveBeen;  // one of the same #if, so far
+    };
+
+    static bool endsInBackslash(std::string_view line) {
+        if (line.ends_with('\r')) line.remove_suffix(1);
+        return line.ends_with('\\');
+    }
+
+    // A comment is a blank.
+    std::string withoutComments(std::string_view line) {
+        std::string bare;
+        for (std::size_t i = 0; i < line.size() && !inLineComment_; ++i) {
+            const std::string_view pair = line.substr(i, 2);
+            if (inComment_) {
+                if (pair != "*/") continue;
+                inComment_ = false;
+                ++i;
+                bare += ' ';
+            } else if (pair == "/*") {
+                inComment_ = true;
+                ++i;
+            } else if (pair == "//") {
+                inLineComment_ = true;
+            } else {
+                bare += line[i];
+            }
+        }
+        inLineComment_ = inLineComment_ && continued_;
+        return bare;
+    }
+
+    static Line directiveOf(std::string_view bare) {
+        constexpr const char* blanks = " \t\r\f\v";
+        const auto skip = [&] { bare.remove_prefix(std::min(bare.find_first_not_of(blanks), bare.size())); };
+        skip();
+        if (!bare.starts_with('#')) return {};
+        bare.remove_prefix(1);
+        skip();
+        const auto isLetter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
+        const auto end = std::find_if_not(bare.begin(), bare.end(), isLetter);
+        Line told{"#" + std::string(bare.begin(), end), {}};
+        bare.remove_prefix(static_cast<std::size_t>(end - bare.begin()));
+        skip();
+        bare.remove_suffix(bare.size() - std::min(bare.find_last_not_of(blanks) + 1, bare.size()));
+        told.rest = bare;
+        return told;
+    }
+
+    void follow(const Line& line) {
+        const Now decided = line.rest == "0" ? Now::skipped : line.rest == "1" ? Now::taken : Now::unknown;
+        if (line.directive == "#if" || line.directive == "#ifdef" || line.directive == "#ifndef") {
+            const Now now = line.directive == "#if" ? decided : Now::unknown;
+            branches_.push_back({now, now == Now::taken, now == Now::unknown});
+        } else if (branches_.empty()) {
+            return;
+        } else if (line.directive == "#endif") {
+            branches_.pop_back();
+        } else if (line.directive == "#elif" || line.directive == "#else") {
+            Branch& branch = branches_.back();
+            branch.now = branch.wasTaken ? Now::skipped : line.directive == "#else" ? Now::taken : decided;
+            if (branch.now == Now::taken && branch.mayHaveBeen) branch.now = Now::unknown;
+            branch.wasTaken |= branch.now == Now::taken;
+            branch.mayHaveBeen |= branch.now == Now::unknown;
+        }
+    }
+
+    bool inComment_ = false, inLineComment_ = false, continued_ = false;
+    std::vector<Branch> branches_;  // the innermost last
+};
+
+// The file that `"x.glsl"` names.
+std::optional<std::string> quoted(const std::string& text) {
+    const auto open = text.find('"'), close = text.rfind('"');
     if (open == std::string::npos || close == open) return {};
-    return line.substr(open + 1, close - open - 1);
+    return text.substr(open + 1, close - open - 1);
 }
 
 // A line of a driver's log: where in the source, and what.
@@ -110,28 +208,79 @@ std::optional<LogLine> parseLogLine(std::string_view text) {
     return {};
 }
 
-void append(ShaderSource& source, const std::string& shownName, std::string_view text, int depth) {
-    if (depth > 8) throw Error(shownName, "must not include itself");
-    const auto number = std::to_string(source.files.size());
-    source.files.push_back(shownName);
-    source.text += "#line 1 " + number + "\n";
-    for (int lineNumber = 1; !text.empty(); ++lineNumber) {
-        const std::string line = takeLine(text);
-        const std::optional<std::string> included = includedFile(line);
-        if (!included) {
-            source.text += line + "\n";
-            continue;
-        }
-        const std::string name = "include/" + *included;
-        const auto found = shaderFiles().find(name);
-        if (found == shaderFiles().end()) {
-            throw Error(shownName + ":" + std::to_string(lineNumber), "includes a file that is not in shaders/include",
-                        "'" + *included + "'");
-        }
-        append(source, "shaders/" + name, currentText(found->second, source), depth + 1);
-        source.text += "#line " + std::to_string(lineNumber + 1) + " " + number + "\n";
-    }
+// Where a line of the text is from; one past the end, at which a compiler misses what should come, is the last.
+std::optional<ShaderSource::Place> placeOf(std::size_t line, const ShaderSource& source) {
+    if (line < 1 || source.lines.empty()) return {};
+    const ShaderSource::Place place = source.lines[std::min(line, source.lines.size()) - 1];
+    if (place.line == 0) return {};
+    return place;
 }
+
+// The lines of a file, and of what it includes, one by one.
+class Assembly {
+  public:
+    explicit Assembly(int least) {
+        const std::string version = versionLines(least);
+        source_.text = version;
+        source_.lines.assign(static_cast<std::size_t>(std::count(version.begin(), version.end(), '\n')), {0, 0});
+    }
+
+    ShaderSource take() { return std::move(source_); }
+
+    void append(const std::string& shownName, const ShaderFile& file, int depth = 0) {
+        append(shownName, currentText(file, source_), depth);
+    }
+
+    void append(const std::string& shownName, std::string_view text, int depth = 0) {
+        const std::size_t number = source_.files.size();
+        source_.files.push_back(shownName);
+        if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // the byte order mark that some editors write
+        for (unsigned lineNumber = 1; !text.empty(); ++lineNumber) {
+            const std::string line = takeLine(text);
+            const Reading::Line told = reading_.take(line);
+            const ShaderSource::Place place{number, lineNumber};
+            const auto included = told.directive == "#include" ? quoted(told.rest) : std::nullopt;
+            if (included) {
+                include(place, *included, depth);
+            } else {
+                addLine(told.directive == "#line" ? "" : line, place);
+            }
+        }
+    }
+
+  private:
+    void addLine(const std::string& line, ShaderSource::Place place) {
+        constexpr std::size_t most = std::size_t{4} << 20U;
+        if (source_.text.size() + line.size() >= most)
+            throw Error(source_.files.front(), "must have less than 4 MiB with all that it includes");
+        source_.text += line + "\n";
+        source_.lines.push_back(place);
+    }
+
+    void include(ShaderSource::Place place, const std::string& included, int depth) {
+        addLine("", place);
+        if (reading_.isSkipped()) return;
+        const std::string name = "include/" + included;
+        const auto found = shaderFiles().find(name);
+        constexpr int deepest = 8;
+        if (found != shaderFiles().end() && depth < deepest) {
+            append("shaders/" + name, found->second, depth + 1);
+            return;
+        }
+        // Where the compiler may skip the line, it tells the mistake if it does not.
+        const std::string rule =
+            found != shaderFiles().end() ? "must not include itself" : "includes a file that is not in shaders/include";
+        const std::string& shownName = source_.files[place.file];
+        if (reading_.isConditional()) {
+            addLine("#error " + rule + ", '" + included + "'", place);
+        } else {
+            throw Error(shownName + ":" + std::to_string(place.line), rule, "'" + included + "'");
+        }
+    }
+
+    ShaderSource source_;
+    Reading reading_;
+};
 
 }  // namespace
 
@@ -159,19 +308,18 @@ ShaderSource assembleShader(const std::string& name, int least) {
     if (found == shaderFiles().end()) {
         throw Error("shaders/" + name, "is not built into this program; add the file and configure again");
     }
-    ShaderSource source;
-    source.text = versionLines(least);
-    append(source, "shaders/" + name, currentText(found->second, source), 0);
+    Assembly assembly(least);
+    assembly.append("shaders/" + name, found->second);
+    ShaderSource source = assembly.take();
     // Mesa links a fragment shader without one, and draws black: an empty file, say.
     if (source.text.find("main") == std::string::npos) throw Error("shaders/" + name, "must define main()");
     return source;
 }
 
 ShaderSource assembleShaderText(const std::string& shownName, std::string_view text, int least) {
-    ShaderSource source;
-    source.text = versionLines(least);
-    append(source, shownName, text, 0);
-    return source;
+    Assembly assembly(least);
+    assembly.append(shownName, text);
+    return assembly.take();
 }
 
 std::string readableLog(std::string_view log, const ShaderSource& source) {
@@ -180,8 +328,9 @@ std::string readableLog(std::string_view log, const ShaderSource& source) {
         std::string line = takeLine(log);
         while (!line.empty() && (line.back() == '\0' || line.back() == '\r')) line.pop_back();
         if (line.empty()) continue;
-        if (const auto found = parseLogLine(line); found && found->file < source.files.size()) {
-            line = source.files[found->file] + ":" + std::to_string(found->line) + ": " + found->message;
+        if (const auto found = parseLogLine(line); found && found->file == 0) {
+            if (const auto place = placeOf(found->line, source))
+                line = source.files[place->file] + ":" + std::to_string(place->line) + ": " + found->message;
         }
         readable += (readable.empty() ? "" : "\n") + line;
     }

@@ -1,11 +1,16 @@
 #include "mv/image/load.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdlib>
 #include <memory>
 #include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
 
 #include "mv/error.h"
+#include "mv/image/exif.h"
 #include "mv/image/file.h"
 #include "mv/image/jpeg.h"
 #include "mv/image/png_check.h"
@@ -40,7 +45,12 @@ struct FreePixels {
 };
 
 Picture decodePng(std::span<const std::byte> bytes, std::string_view name) {
-    checkPng(bytes, name, maximumLoadedSide);
+    const PngParts parts = checkPng(bytes, name, maximumLoadedSide);
+    std::vector<std::byte> whole;
+    if (!parts.palette.empty()) {
+        whole = withWholePalette(bytes, parts.palette);
+        bytes = whole;
+    }
     int width = 0;
     int height = 0;
     int channelsInFile = 0;
@@ -50,7 +60,7 @@ Picture decodePng(std::span<const std::byte> bytes, std::string_view name) {
     if (!pixels) throw Error(name, "must be an undamaged PNG file; save or fetch it again", stbi_failure_reason());
     Picture picture(width, height);
     std::copy_n(pixels.get(), picture.rgba.size(), picture.rgba.begin());
-    return picture;
+    return upright(std::move(picture), exifOrientation(parts.exif));
 }
 
 }  // namespace
@@ -64,6 +74,15 @@ Picture decodePicture(std::span<const std::byte> bytes, std::string_view name) {
     if (startsAsJpeg(bytes)) return decodeJpeg(bytes, name, maximumLoadedSide);
     throw Error(name, "must be a PNG or JPEG file; other formats have to be converted first",
                 bytes.empty() ? "it is empty" : "it begins as neither");
+}
+
+std::string pictureStamp(const std::filesystem::path& path) {
+    std::error_code failed;
+    const auto written = std::filesystem::last_write_time(path, failed);
+    if (failed) return {};
+    const std::uintmax_t size = std::filesystem::file_size(path, failed);
+    if (failed) return {};  // a folder, say
+    return std::to_string(written.time_since_epoch().count()) + " " + std::to_string(size);
 }
 
 Picture loadPicture(const std::filesystem::path& path) {

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "mv/image/picture.h"
@@ -15,13 +16,19 @@ inline constexpr int maximumLoadedSide = 8192;
 
 // The picture in a PNG or JPEG file, top row first, RGBA; alpha is 255 where the file has none, grey becomes
 // red = green = blue, and 16 bits per channel become 8. For glTexImage2D turn the rows about (flipRows).
-// Colours come as stored (nearly always sRGB); profiles, gamma, and a JPEG's turned-camera note are not applied.
+// Upright where the file has EXIF's note of how the camera was held. Colours come as stored (nearly always sRGB); profiles and
+// gamma are not applied. A pixel that names a colour beyond its file's palette is opaque black, as libpng has it.
+// stb_image reads PNG, behind checks of its own; JPEG is libjpeg's, since stb_image reads memory never written in damaged ones.
 // Error, with the path and the reason, if the file cannot be read, is larger than maximumPictureFileBytes, has a side
-// above maximumLoadedSide, is neither PNG nor JPEG (grey or RGB), or is cut off or damaged.
+// above maximumLoadedSide, is neither PNG nor JPEG, is a JPEG that libjpeg does not decode (CMYK, 12 bits ...), or is
+// cut off or damaged.
 // The trap: a JPEG has no checksums. One that is cut off is refused, but a flipped bit may show as a smear instead.
 [[nodiscard]] Picture loadPicture(const std::filesystem::path& path);
 
-// The same from bytes in memory; `name` stands for them in an Error.
+// What becomes another text when the file is written anew: its time and its size. "" where there is no such file.
+[[nodiscard]] std::string pictureStamp(const std::filesystem::path& path);
+
+// As loadPicture, from bytes in memory; `name` stands for them in an Error.
 [[nodiscard]] Picture decodePicture(std::span<const std::byte> bytes, std::string_view name);
 
 }  // namespace mv

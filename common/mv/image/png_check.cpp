@@ -1,4 +1,4 @@
-// After the PNG specification (ISO/IEC 15948): 5 (chunks), 11.2.2 (header), 8.2 (passes), 10 (compression).
+// After the PNG specification (ISO/IEC 15948): 5 (chunks and their order), 11.2.2 (header), 8.2 (passes), 10 (compression).
 #include "mv/image/png_check.h"
 
 #include <zlib.h>
@@ -33,12 +33,13 @@ struct Header {
     std::uint32_t height;
     unsigned bitsPerPixel;
     bool interlaced;
+    bool hasPalette;  // the pixels are indices into it
 };
 
 Header readHeader(std::span<const std::byte> data, std::string_view name, int maximumSide) {
     if (data.size() != 13) refuse(name, "header of the wrong length");
     const auto field = [&](std::size_t index) { return std::to_integer<unsigned>(data[index]); };
-    const Header sides{bigEndian(data), bigEndian(data.subspan(4)), 0, false};
+    const Header sides{bigEndian(data), bigEndian(data.subspan(4)), 0, false, false};
     const auto limit = static_cast<std::uint32_t>(maximumSide);
     if (sides.width < 1 || sides.height < 1 || sides.width > limit || sides.height > limit) {
         throw Error(name, "sides must lie in 1.." + std::to_string(maximumSide) + " pixels",
@@ -60,7 +61,7 @@ Header readHeader(std::span<const std::byte> data, std::string_view name, int ma
         refuse(name, "kind of colour or bit depth unknown");
     }
     if (field(10) != 0 || field(11) != 0 || field(12) > 1) refuse(name, "compression, filter or interlacing unknown");
-    return {sides.width, sides.height, kind->channels * depth, field(12) == 1};
+    return {sides.width, sides.height, kind->channels * depth, field(12) == 1, field(9) == 3};
 }
 
 // The number of bytes before compression: for each row a byte that names its filter, and the pixels.
@@ -120,6 +121,8 @@ class Counter {
     std::array<Bytef, 32768> buffer_{};
 };
 
+constexpr std::size_t chunkFrame = 12;  // bytes around the data: length, type, checksum
+
 struct Chunk {
     std::string_view type;
     std::span<const std::byte> data;
@@ -127,14 +130,13 @@ struct Chunk {
 
 // The chunk at the front of `rest`, checked, and removed from it: length, type, data, checksum of type and data.
 Chunk takeChunk(std::span<const std::byte>& rest, std::string_view name) {
-    constexpr std::size_t around = 12;
-    if (rest.size() < around) refuse(name, "cut off");
+    if (rest.size() < chunkFrame) refuse(name, "cut off");
     const std::size_t length = bigEndian(rest);
-    if (length > rest.size() - around) refuse(name, "cut off");
+    if (length > rest.size() - chunkFrame) refuse(name, "cut off");
     const auto typeAndData = rest.subspan(4, 4 + length);
     const uLong sum = crc32(crc32(0, nullptr, 0), zlibBytes(typeAndData.data()), static_cast<uInt>(typeAndData.size()));
     if (sum != bigEndian(rest.subspan(8 + length))) refuse(name, "checksum wrong");
-    rest = rest.subspan(around + length);
+    rest = rest.subspan(chunkFrame + length);
     return {{reinterpret_cast<const char*>(typeAndData.data()), 4}, typeAndData.subspan(4)};
 }
 
@@ -146,7 +148,7 @@ bool startsAsPng(std::span<const std::byte> bytes) {
                       [](unsigned char expected, std::byte byte) { return std::byte{expected} == byte; });
 }
 
-void checkPng(std::span<const std::byte> bytes, std::string_view name, int maximumSide) {
+PngParts checkPng(std::span<const std::byte> bytes, std::string_view name, int maximumSide) {
     if (!startsAsPng(bytes)) refuse(name, "it does not begin as a PNG file does");
     // zlib counts in 32 bits; callers cap files far below.
     if (bytes.size() > std::numeric_limits<std::uint32_t>::max()) refuse(name, "larger than 4 GiB");
@@ -154,13 +156,56 @@ void checkPng(std::span<const std::byte> bytes, std::string_view name, int maxim
     auto rest = bytes.subspan(signature.size());
     const Chunk first = takeChunk(rest, name);
     if (first.type != "IHDR") refuse(name, "its first chunk is not the header");
-    Counter pixels(name, unpackedSize(readHeader(first.data, name, maximumSide)));
+    const Header header = readHeader(first.data, name, maximumSide);
+    Counter pixels(name, unpackedSize(header));
+    PngParts parts;
+    std::string_view before = first.type;
+    std::size_t colours = 0;
+    bool hasPixels = false, hasPalette = false;
     for (;;) {
+        const auto place = rest;
         const Chunk chunk = takeChunk(rest, name);
         if (chunk.type == "IEND") break;
-        if (chunk.type == "IDAT") pixels.feed(chunk.data);
+        if (chunk.type == "IDAT") {
+            if (hasPixels && before != "IDAT") refuse(name, "chunks of pixels that do not follow each other");
+            hasPixels = true;
+            pixels.feed(chunk.data);
+        } else if (chunk.type == "PLTE") {
+            if (hasPalette || hasPixels) refuse(name, "palette at a wrong place");
+            colours = chunk.data.size() / 3;
+            if (chunk.data.size() % 3 != 0 || colours < 1 || colours > 256) refuse(name, "palette of a wrong length");
+            hasPalette = true;
+            if (header.hasPalette) parts.palette = place.first(place.size() - rest.size());
+        } else if (chunk.type == "tRNS") {
+            if (header.hasPalette && chunk.data.size() > colours) refuse(name, "more transparencies than colours");
+        } else if (chunk.type == "eXIf") {
+            parts.exif = chunk.data;
+        } else if ((std::to_integer<unsigned>(std::byte(chunk.type[0])) & 0x20U) == 0) {
+            refuse(name, "a chunk that must be understood, and is not");  // by 5.4, of a capital first letter
+        }
+        before = chunk.type;
     }
     pixels.finish();
+    if (header.hasPalette && !hasPalette) refuse(name, "no palette");
+    return parts;
+}
+
+std::vector<std::byte> withWholePalette(std::span<const std::byte> bytes, std::span<const std::byte> palette) {
+    const auto start = static_cast<std::size_t>(palette.data() - bytes.data());
+    const auto append = [](std::vector<std::byte>& to, std::span<const std::byte> more) {
+        to.insert(to.end(), more.begin(), more.end());
+    };
+    constexpr std::size_t colours = 3 * std::size_t{256};
+    std::vector<std::byte> whole;
+    whole.reserve(bytes.size() + colours);
+    append(whole, bytes.first(start));
+    for (const std::size_t byte : {std::size_t{0}, std::size_t{0}, colours / 256, colours % 256})
+        whole.push_back(static_cast<std::byte>(byte));
+    append(whole, palette.subspan(4, palette.size() - 8));  // its name and its colours, without length and checksum
+    whole.resize(start + 8 + colours);
+    whole.resize(whole.size() + 4);  // a checksum, which stb_image does not look at
+    append(whole, bytes.subspan(start + palette.size()));
+    return whole;
 }
 
 }  // namespace mv

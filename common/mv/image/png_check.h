@@ -3,17 +3,29 @@
 #include <cstddef>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace mv {
 
 // Whether the bytes begin as every PNG file does.
 [[nodiscard]] bool startsAsPng(std::span<const std::byte> bytes);
 
+// What of a PNG file somebody else than stb_image needs: parts of its bytes, empty where it has none.
+struct PngParts {
+    std::span<const std::byte> palette;  // the whole chunk, of a picture whose pixels are indices into it
+    std::span<const std::byte> exif;
+};
+
 // Throws Error, with `name` as subject, unless the bytes are a whole and undamaged PNG file:
-// chunks in one piece and with the right checksum, a header that the format allows and with sides of at most
-// `maximumSide`, and compressed data which unpack, checksum included, to exactly the bytes that the header asks for.
-// stb_image checks no checksum, so a flipped bit would show as wrong colours; and it unpacks without limit, so a small
-// file could take all memory. What follows the last chunk is not looked at.
-void checkPng(std::span<const std::byte> bytes, std::string_view name, int maximumSide);
+// chunks in one piece, with the right checksum and in order, none that must be understood and is not, a header that the
+// format allows and with sides of at most `maximumSide`, and compressed data which unpack, checksum included, to exactly
+// the bytes that the header asks for.
+// stb_image checks no checksum, so a flipped bit would show as wrong colours; it joins compressed data that other chunks
+// part; and it unpacks without limit, so a small file could take all memory. What follows the last chunk is not looked at.
+PngParts checkPng(std::span<const std::byte> bytes, std::string_view name, int maximumSide);
+
+// The file with a palette of 256 colours: its own, and opaque black after these, which libpng shows where a pixel names a
+// colour beyond the palette. stb_image shows there whatever is in memory. `palette` is checkPng's.
+std::vector<std::byte> withWholePalette(std::span<const std::byte> bytes, std::span<const std::byte> palette);
 
 }  // namespace mv

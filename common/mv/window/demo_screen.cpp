@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <iostream>
 
+#include "mv/demo/file_knob.h"
 #include "mv/gl/program.h"
 #include "mv/image/png.h"
 #include "mv/run/copyable.h"
@@ -107,6 +108,7 @@ void DemoScreen::handle(const Event& event) {
         case Event::Kind::key:
             return onKey(event);
         case Event::Kind::press:
+            dropError_.clear();  // it has been read
             if (event.key != GLFW_MOUSE_BUTTON_LEFT) break;
             draggingDivider_ = overDivider(event.x);
             if (overPicture(event.x) && !draggingDivider_ &&
@@ -136,13 +138,28 @@ void DemoScreen::handle(const Event& event) {
             if (event.codePoint == '[') comparison_.moveDivider(comparison_.divider() - dividerStep);
             if (event.codePoint == ']') comparison_.moveDivider(comparison_.divider() + dividerStep);
             break;
+        case Event::Kind::drop:
+            return onDrop(event.file);
         case Event::Kind::keyUp:
         case Event::Kind::other:
             break;
     }
 }
 
+// The demo's first knob that takes a file gets it. Dropped again, it is read anew: somebody may have painted in it.
+void DemoScreen::onDrop(const std::string& file) {
+    dropError_ = "dropped file: must go to a demo with a knob that takes a picture, as texture-map has one";
+    for (const Knob* knob : session_.demo().knobs()) {
+        if (dynamic_cast<const PictureFile*>(knob) == nullptr) continue;
+        knobs_.closeField();
+        dropError_ = session_.set(knob->name(), file);
+        session_.touch();
+        return;
+    }
+}
+
 void DemoScreen::onKey(const Event& event) {
+    dropError_.clear();
     // The field first: newer Dear ImGui may give it the keyboard back only frames after a refusal.
     if (event.key == GLFW_KEY_ESCAPE && knobs_.fieldOpen()) return knobs_.closeField();
     if (gui_.typing()) return;
@@ -246,6 +263,7 @@ void DemoScreen::draw() {
 std::vector<Message> DemoScreen::messages() const {
     std::vector<Message> all;
     for (const std::string& error : shaderErrors_) all.push_back({error, true});
+    if (!dropError_.empty()) all.push_back({dropError_, true});
     if (!session_.error().empty()) all.push_back({session_.error(), true});
     if (session_.error().empty()) {
         const auto notes = comparison_.on() ? comparison_.messages() : session_.notes().messages;

@@ -43,6 +43,7 @@ class DemoScreen final : public Screen {
     FrameInfo shownFrame() const;
     PictureInWindow pictureInWindow() const;
     void onKey(const Event& event);
+    void onDrop(const std::string& file);
     void reloadShaders();
     void redraw(bool whole = false);  // with all passes of the picture, or one more
     const Target* shownTarget();      // none: no setting has made a picture yet
@@ -78,6 +79,7 @@ class DemoScreen final : public Screen {
     double untilReload_ = 0;  // seconds
 
     std::vector<std::string> shaderErrors_;
+    std::string dropError_;  // why the file that was dropped last is not taken
     std::array<char, 256> fileName_{};
     std::string saved_;  // what became of the last saving, and of the last copying
     bool saveFailed_ = false;

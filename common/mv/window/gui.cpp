@@ -139,6 +139,7 @@ void Gui::feed(const Event& event) {
             ImGui_ImplGlfw_ScrollCallback(handle, event.across, event.notches);
             break;
         case Event::Kind::move:
+        case Event::Kind::drop:
         case Event::Kind::other:
             break;
     }

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "mv/demo/file_knob.h"
 #include "mv/run/words.h"
 
 namespace mv {
@@ -94,7 +95,11 @@ bool KnobPanel::otherRow(const Demo& demo, Knob& knob, float labelWidth, Compari
 bool KnobPanel::row(const Demo& demo, Knob& knob, float labelWidth, const std::string& side) {
     const ImGuiStyle& style = ImGui::GetStyle();
     const std::string idle = demo.idleReason(knob);
-    const std::string tip = knobTip(knob) + (idle.empty() ? "" : "\nIt does nothing now: " + idle + ".");
+    const bool isFile = dynamic_cast<const PictureFile*>(&knob) != nullptr;
+    const std::string tip =
+        knobTip(knob) +
+        (isFile ? "\nDrop one onto the window, or click and type its name.\nIt is " + knob.text() : "") +
+        (idle.empty() ? "" : "\nIt does nothing now: " + idle + ".");
     rowName_ = knob.name() + (side == sideB ? sideB : "");
     const float left = ImGui::GetCursorPosX();
     ImGui::AlignTextToFramePadding();
@@ -222,6 +227,19 @@ bool KnobPanel::words(const Knob& knob) {
     ImGui::PopStyleColor();
     notePlace(rowName_);
     tooltip(knob.text());
+    return false;
+}
+
+// The end of a long path says more than its beginning.
+bool KnobPanel::file(const Knob& knob) {
+    const float width = ImGui::CalcItemWidth(), room = width - 2 * ImGui::GetStyle().FramePadding.x;
+    std::string shown = knob.text();
+    while (shown.find('/') != std::string::npos && ImGui::CalcTextSize(shown.c_str()).x > room)
+        shown.erase(0, shown.find('/') + 1);
+    ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_FrameBg));
+    if (ImGui::Button((shown + "##file").c_str(), {width, 0})) openField(knob);
+    ImGui::PopStyleColor();
+    notePlace(rowName_);
     return false;
 }
 

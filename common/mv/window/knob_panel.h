@@ -24,6 +24,7 @@ class KnobPanel final : public Panel {
     bool words(const Knob& knob) override;
     bool button(const Knob& knob, const std::string& label, bool enabled) override;
     bool choose(const Knob& knob, int& index, const std::vector<Option>& options) override;
+    bool file(const Knob& knob) override;
 
     // A field for a value to be typed hangs open in the place of a bar; closing it leaves the value as it was.
     bool fieldOpen() const { return !typed_.empty(); }

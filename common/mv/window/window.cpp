@@ -68,7 +68,7 @@ struct WindowCallbacks {
         Window& window = of(handle);
         event.x = window.mouseX_;
         event.y = window.mouseY_;
-        window.events_.push_back(event);
+        window.events_.push_back(std::move(event));
     }
     static void other(GLFWwindow* handle) { add(handle, {}); }
 
@@ -93,6 +93,9 @@ struct WindowCallbacks {
         });
         glfwSetScrollCallback(handle, [](GLFWwindow* at, double across, double notches) {
             add(at, {.kind = Event::Kind::wheel, .across = across, .notches = notches});
+        });
+        glfwSetDropCallback(handle, [](GLFWwindow* at, int count, const char** files) {
+            for (int i = 0; i < count; ++i) add(at, {.kind = Event::Kind::drop, .file = files[i]});
         });
         glfwSetCursorEnterCallback(handle, [](GLFWwindow* at, int) { other(at); });
         glfwSetWindowFocusCallback(handle, [](GLFWwindow* at, int) { other(at); });
@@ -244,6 +247,7 @@ void Window::count(const Event& event) {
             break;
         case Event::Kind::character:
         case Event::Kind::move:
+        case Event::Kind::drop:
         case Event::Kind::other:
             break;
     }

@@ -14,13 +14,14 @@ namespace mv {
 // One thing the user did, in the order it was done. Positions are window coordinates from the upper left corner: pixels
 // where the window system does not scale.
 struct Event {
-    enum class Kind { key, keyUp, character, press, release, move, wheel, other };
+    enum class Kind { key, keyUp, character, press, release, move, wheel, drop, other };
     Kind kind = Kind::other;
     int key = 0, scancode = 0, modifiers = 0;  // GLFW's; for a button of the mouse, its number is the key
     bool repeat = false;
     unsigned codePoint = 0;          // of a character
     double x = 0, y = 0;             // where the mouse was
     double across = 0, notches = 0;  // of the wheel; notches away from the user
+    std::string file = {};           // that was dropped; of several each is an event
 };
 
 // What a window has been given so far, as far as frames have had it.

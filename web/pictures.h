@@ -1,0 +1,12 @@
+// The pictures that a page has handed over, which stand for files.
+#pragma once
+#include <cstdint>
+#include <string>
+
+namespace mv {
+
+// Where the pixels of that picture are to be written: red, green, blue, alpha, the upper row first. It replaces one of the same
+// name. Error: sides that no picture has.
+std::uint8_t* receivePicture(const std::string& name, int width, int height);
+
+}  // namespace mv
