@@ -312,8 +312,7 @@ constexpr Declaration declaration{
              "A blur that asks how wide: sharp at the feet of the legs, soft at the far edge.",
              {{"scene", "table"}, {"method", "pcss"}, {"taps", "15"}, {"lamp-size", "0.5"}, {"caster-height", "0"}}},
         },
-    .waste = {{"repeated-pass", "pass into 'darkness'", "what a soft shadow costs in every frame is the lesson"},
-              {"state-again", "glViewport", "the darkness is as large as the picture, and a target sets its own"}},
+    .waste = {{"repeated-pass", "pass into 'darkness'", "what a soft shadow costs in every frame is the lesson"}},
 };
 
 const bool added = addDemo<SoftShadows, declaration>();

@@ -323,8 +323,7 @@ constexpr Declaration declaration{
              "Panes that let light through, drawn from far to near; in another order the one behind is cut off.",
              {{"scene", "panes"}, {"order", "bgr"}, {"separation", "0.01"}, {"opacity", "0.6"}}},
         },
-    .waste = {{"repeated-pass", "pass into 'scene'", "what the depth test costs in every frame is the lesson"},
-              {"state-again", "glViewport", "the scene is as large as the picture, and a target sets its own"}},
+    .waste = {{"repeated-pass", "pass into 'scene'", "what the depth test costs in every frame is the lesson"}},
 };
 
 const bool added = addDemo<ZBuffer, declaration>();

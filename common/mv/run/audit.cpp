@@ -11,9 +11,16 @@
 namespace mv {
 namespace {
 
+// What is told and fails nothing.
+bool isSetAgain(std::string_view kind) { return kind == waste::stateAgain || kind == waste::uniformAgain; }
+
 void sortFindings(AuditReport& report, const DemoInfo& info, std::vector<Finding> findings) {
     std::vector<bool> needed(info.waste.size(), false);
     for (Finding& finding : findings) {
+        if (isSetAgain(finding.kind)) {
+            report.again.push_back(std::move(finding));
+            continue;
+        }
         const auto excuse = std::find_if(info.waste.begin(), info.waste.end(), [&](const DeclaredWaste& waste) {
             return waste.kind == finding.kind && waste.what == finding.what;
         });
@@ -26,11 +33,12 @@ void sortFindings(AuditReport& report, const DemoInfo& info, std::vector<Finding
     }
     for (std::size_t i = 0; i < needed.size(); ++i) {
         const DeclaredWaste& waste = info.waste.begin()[i];
-        if (std::find(std::begin(waste::all), std::end(waste::all), std::string_view(waste.kind)) ==
-            std::end(waste::all)) {
-            throw Error(info.name, "must declare waste of a kind that --audit finds", "'" + waste.kind + "'");
+        if (isSetAgain(waste.kind) || std::find(std::begin(waste::all), std::end(waste::all),
+                                                std::string_view(waste.kind)) == std::end(waste::all)) {
+            throw Error(info.name, "must declare waste of a kind that ends --audit with status 1",
+                        "'" + waste.kind + "'");
         }
-        if (!needed[i]) report.staleExcuses.push_back(waste.kind + ", " + waste.what);
+        if (!needed[i]) report.idleExcuses.push_back(waste.kind + ", " + waste.what);
     }
 }
 
@@ -108,14 +116,12 @@ std::string auditText(const AuditReport& report) {
     }
     if (!report.undone.empty()) text += "\n";
     for (const Finding& finding : report.findings) text += "needless  " + findingText(finding) + "\n";
+    for (const Finding& finding : report.again) text += "again     " + findingText(finding) + "\n";
     for (const auto& [finding, reason] : report.excused) {
         text += "declared  " + findingText(finding) + " (" + reason + ")\n";
     }
     for (const std::string& feature : report.undeclaredBeyondEs) {
         text += "undeclared  " + feature + ": OpenGL ES 3.0 lacks it; declare it in .needs = {.beyondEs = ...}\n";
-    }
-    for (const std::string& excuse : report.staleExcuses) {
-        text += "needless  declared waste that is not there: " + excuse + "\n";
     }
     if (report.clean())
         text += "nothing needless" + std::string(report.excused.empty() ? "" : " that is not declared") + "\n";

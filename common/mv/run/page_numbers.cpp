@@ -315,8 +315,9 @@ Quantities compared(Stage& stage, const Command& command) {
 Quantities audited(Stage& stage, const Command& command) {
     Quantities result;
     const AuditReport report = auditDemo(stage, *command.demo, command.knobs, command.firstFrame);
-    for (const Finding& finding : report.findings)
-        result[finding.kind] = counted(result[finding.kind].value + finding.times);
+    for (const std::vector<Finding>& all : {report.findings, report.again}) {
+        for (const Finding& finding : all) result[finding.kind] = counted(result[finding.kind].value + finding.times);
+    }
     return result;
 }
 

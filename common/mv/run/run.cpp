@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <exception>
@@ -125,16 +126,21 @@ void act(const Command& command) {
     }
 }
 
-// Standard streams that are closed would be taken by the next file that is opened, a driver's say. In their place stands what
-// fails, as they would; and what may not be written is told in words, not by a signal's end.
+// Standard streams that are closed would be taken by the next files that are opened, a driver's say. In their place stands a pipe
+// that nobody reads: what is written there fails, as it would. And what may not be written is told in words, not by a
+// signal's end.
 void steadyStreams() {
-    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-        // The lowest free number is this one, since those below are open.
-        if (::fcntl(stream, F_GETFD) < 0 && errno == EBADF) {
-            (void)!::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
-        }
-    }
     for (const int signal : {SIGXFSZ, SIGPIPE}) std::signal(signal, SIG_IGN);
+    std::vector<int> closed;
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        if (::fcntl(stream, F_GETFD) >= 0 || errno != EBADF) continue;
+        // The lowest free number is this one, since those below are open.
+        if (::open("/dev/null", O_RDONLY) == stream && stream != STDIN_FILENO) closed.push_back(stream);  // NOLINT
+    }
+    std::array<int, 2> ends{-1, -1};
+    if (closed.empty() || ::pipe2(ends.data(), O_CLOEXEC) != 0) return;
+    for (const int stream : closed) ::dup2(ends[1], stream);
+    for (const int end : ends) ::close(end);
 }
 
 // The sentence as it is printed: names may hold newlines and what a terminal obeys, which are shown as in C. Only a shader's log
