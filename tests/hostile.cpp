@@ -129,13 +129,12 @@ TEST(Hostile, killed_while_writing) {
     ASSERT_EQ(runShell(picture, folder.path().string()).status, 0);
     const std::string before = fileText(folder.file("a.png"));
     ASSERT_GT(before.size(), 1024U) << "longer than the limit";
-    // A file beyond its limit: the system kills the process within write(), after the bytes that are allowed.
-    const ProcessResult killed =
+    // A file beyond its limit: no signal ends the program within write(), and nothing is left of what was allowed.
+    const ProcessResult limited =
         runShell("ulimit -c 0; ulimit -f 1; exec " + picture + " --turn 50", folder.path().string());
-    EXPECT_EQ(killed.status, 128 + SIGXFSZ);
+    expectRefusal(limited, "a.png: could not be written, File too large");
     EXPECT_TRUE(fileText(folder.file("a.png")) == before);
-    EXPECT_EQ(folder.entries(), 2) << "the picture, and the part that nobody could remove";
-    // The next run is not disturbed by that part.
+    EXPECT_EQ(folder.entries(), 1);
     EXPECT_EQ(runShell(picture, folder.path().string()).status, 0);
     EXPECT_TRUE(fileText(folder.file("a.png")) == before);
 
@@ -148,21 +147,71 @@ TEST(Hostile, killed_while_writing) {
                                                seconds + "; kill -KILL $!; wait $!",
                                            series.path().string());
         EXPECT_EQ(run.status, 128 + SIGKILL) << run.err;
-        int parts = 0;
         for (const std::string& name : series.list()) {
-            if (name.front() == '.') {
-                ++parts;
-            } else {
-                EXPECT_EQ(loadPicture(series.path() / name).width, 300) << name;
-            }
+            EXPECT_NE(name.front(), '.') << "a part without a name is nobody's to remove";
+            EXPECT_EQ(loadPicture(series.path() / name).width, 300) << name;
         }
-        EXPECT_LE(parts, 1);
+    }
+}
+
+// What the program is given to write to is known by what it is: a stream goes on where it stands, and what runs is no file
+// to write.
+TEST(Hostile, streams_and_programs) {
+    const TemporaryFolder folder;
+    const std::string cube = program("cube-cull");
+    ASSERT_EQ(runShell(cube + " --shot alone.png", folder.path().string()).status, 0);
+    const std::string whole = "head\n" + fileText(folder.file("alone.png")) + "tail\n";
+    for (const char* name : {"/dev/fd/1", "/dev/stdout", "/proc/self/fd/1", "f", "-", "./f"}) {
+        for (const char* into : {"> f", ">> f"}) {
+            std::ofstream(folder.file("f"));
+            const ProcessResult run =
+                runShell("(echo head; " + cube + " --shot " + name + " && echo tail) " + into, folder.path().string());
+            EXPECT_EQ(run.status, 0) << run.err;
+            EXPECT_TRUE(fileText(folder.file("f")) == whole) << name << into;
+        }
+    }
+    const ProcessResult third =
+        runShell("(echo head >&3; " + cube + " --shot /dev/fd/3; echo tail >&3) 3> f", folder.path().string());
+    EXPECT_TRUE(fileText(folder.file("f")) == whole) << third.err;
+    expectRefusal(runShell(cube + " --shot /proc/self/exe", folder.path().string()),
+                  "/proc/self/exe: could not be written, Text file busy");
+    EXPECT_EQ(runShell(cube + " --list", folder.path().string()).status, 0) << "it is still there";
+    // Closed ones, or those that nobody reads: a sentence, and no other file gets what was meant for them.
+    for (const char* flags : {" --report", " --list", " --help", " --knobs", " --copyable", " --audit", " --shot -"}) {
+        for (const char* closed : {" >&-", " <&- >&-", " | true"}) {
+            const ProcessResult run =
+                runShell("(" + cube + flags + "; echo $? >&3) 3> status" + closed, folder.path().string());
+            const std::string status = fileText(folder.file("status"));
+            EXPECT_EQ(errorLine(run.err).find("could not be written") != std::string::npos, status == "1\n")
+                << flags << closed << run.err;
+            // What reads may do so before it ends.
+            EXPECT_TRUE(status == "1\n" || (closed == std::string(" | true") && status == "0\n")) << flags << closed;
+        }
+    }
+    EXPECT_EQ(runShell("exec " + cube + " --shot b.png <&- >&- 2>&-", folder.path().string()).status, 0);
+    EXPECT_TRUE(fileText(folder.file("b.png")) == fileText(folder.file("alone.png")));
+}
+
+// Names are shown, not obeyed: an error is one line whatever they hold.
+TEST(Hostile, names_that_a_terminal_would_obey) {
+    const TemporaryFolder folder;
+    const std::string name = "two\nlines\x1b[2J\a";
+    const std::vector<std::vector<std::string>> lines{{"--shot", "no/" + name},   {"--" + name, "1"},
+                                                      {"--cull", name},           {"--shot", name + ".jpg"},
+                                                      {"--at", "2", name + "=3"}, {name}};
+    for (std::vector<std::string> words : lines) {
+        words.insert(words.begin(), program("cube-cull"));
+        const ProcessResult run = runProcess(words, {.folder = folder.path().string()});
+        EXPECT_NE(run.status, 0);
+        EXPECT_EQ(run.err.find('\n'), run.err.size() - 1) << run.err;
+        EXPECT_EQ(run.err.find('\x1b'), std::string::npos) << run.err;
+        EXPECT_NE(run.err.find("two\\nlines\\x1b[2J"), std::string::npos) << run.err;
     }
 }
 
 // Told to end while gnuplot draws (a gnuplot that never ends), it leaves no temporary folder behind.
 TEST(Hostile, ended_while_it_plots) {
-    for (const int signal : {SIGTERM, SIGHUP}) {
+    for (const int signal : {SIGTERM, SIGHUP, SIGUSR1, SIGALRM}) {
         const TemporaryFolder folder;
         fs::create_directory(folder / "bin");
         fs::create_directory(folder / "tmp");
