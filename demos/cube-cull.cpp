@@ -120,6 +120,8 @@ constexpr Declaration declaration{
              {{"z-dist", "0.3"}, {"spin-x", "0"}, {"spin-y", "0"}},
              {{"culled", 2, 2}, {"outside", 10, 10}, {"surviving", 0, 0}}},
         },
+    .waste = {{"unused-buffer", "depth of 'cube-cull'", "the buffer stays when --depth-test switches the test off"},
+              {"no-sample", "draw of 'cube'", "that faces are left out, or all of them, is the lesson"}},
 };
 
 const bool added = addDemo<CubeCull, declaration>();

@@ -311,6 +311,10 @@ constexpr Declaration declaration{
               {"window-width", "9"},
               {"window-height", "9"}}},
         },
+    .waste = {{"outside-view", "draw of 'light'", "the light's ball is drawn sooner than asked for"},
+              {"no-sample", "draw of 'floor'",
+               "the map's pass draws the whole scene, and culling leaves the floor out"},
+              {"unused-object", "mesh 'light'", "made once, for the lights that have a place"}},
 };
 
 const bool added = addDemo<ShadowMap, declaration>();

@@ -310,7 +310,12 @@ constexpr Declaration declaration{
              "The floor in the map, without a bias: it shades itself in stripes, and a filter does not help.",
              {{"scene", "cube-on-plane"}, {"against", "pcf3"}, {"resolution", "1024"}, {"receiver", "on"}}},
         },
-    .waste = {{"no-sample", "draw of 'box'", otherHalf}, {"no-sample", "draw of 'pawn'", otherHalf}},
+    .waste = {{"no-sample", "draw of 'box'", otherHalf},
+              {"no-sample", "draw of 'pawn'", otherHalf},
+              {"no-sample", "draw of 'sphere'", otherHalf},
+              {"repeated-pass", "pass into 'lit fraction'", "what each method costs in every frame is the lesson"},
+              {"unused-buffer", "stencil of 'lit fraction'", "maps do without what volumes need"},
+              {"unused-buffer", "stencil of 'shadow-methods'", "maps do without what volumes need"}},
 };
 
 const bool added = addDemo<ShadowMethods, declaration>();

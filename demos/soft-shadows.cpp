@@ -312,7 +312,8 @@ constexpr Declaration declaration{
              "A blur that asks how wide: sharp at the feet of the legs, soft at the far edge.",
              {{"scene", "table"}, {"method", "pcss"}, {"taps", "15"}, {"lamp-size", "0.5"}, {"caster-height", "0"}}},
         },
-    .waste = {{"repeated-pass", "pass into 'darkness'", "what a soft shadow costs in every frame is the lesson"}},
+    .waste = {{"repeated-pass", "pass into 'darkness'", "what a soft shadow costs in every frame is the lesson"},
+              {"no-sample", "draw of 'leg 4'", "a leg that others hide from the lamp is known when it is drawn"}},
 };
 
 const bool added = addDemo<SoftShadows, declaration>();

@@ -323,7 +323,9 @@ constexpr Declaration declaration{
              "Panes that let light through, drawn from far to near; in another order the one behind is cut off.",
              {{"scene", "panes"}, {"order", "bgr"}, {"separation", "0.01"}, {"opacity", "0.6"}}},
         },
-    .waste = {{"repeated-pass", "pass into 'scene'", "what the depth test costs in every frame is the lesson"}},
+    .waste = {{"repeated-pass", "pass into 'scene'", "what the depth test costs in every frame is the lesson"},
+              {"unused-buffer", "depth of 'scene'", "the painter's way does without what the others need"},
+              {"unused-object", "texture 'scene'", "made once, for the settings that show it"}},
 };
 
 const bool added = addDemo<ZBuffer, declaration>();

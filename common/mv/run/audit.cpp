@@ -1,6 +1,7 @@
 #include "mv/run/audit.h"
 
 #include <algorithm>
+#include <charconv>
 #include <iostream>
 #include <iterator>
 #include <set>
@@ -14,6 +15,33 @@ namespace {
 // What is told and fails nothing.
 bool isSetAgain(std::string_view kind) { return kind == waste::stateAgain || kind == waste::uniformAgain; }
 
+// Whether the finding is what was declared: word for word, but that # stands for a number.
+bool isWordForWord(std::string_view found, std::string_view declared) {
+    while (!declared.empty()) {
+        if (declared.front() == '#') {
+            const auto digits = std::min(found.find_first_not_of("0123456789"), found.size());
+            if (digits == 0) return false;
+            found.remove_prefix(digits);
+        } else {
+            if (!found.starts_with(declared.front())) return false;
+            found.remove_prefix(1);
+        }
+        declared.remove_prefix(1);
+    }
+    return found.empty();
+}
+
+// And not more often than was declared: "draw of 'tree', up to 6 times".
+bool isDeclared(const Finding& finding, std::string_view declared) {
+    constexpr std::string_view upTo = ", up to ";
+    const auto at = declared.rfind(upTo);
+    if (at == std::string_view::npos) return isWordForWord(finding.what, declared);
+    const std::string_view bound = declared.substr(at + upTo.size());
+    int times = 0;
+    std::from_chars(bound.data(), bound.data() + bound.size(), times);
+    return finding.times <= times && isWordForWord(finding.what, declared.substr(0, at));
+}
+
 void sortFindings(AuditReport& report, const DemoInfo& info, std::vector<Finding> findings) {
     std::vector<bool> needed(info.waste.size(), false);
     for (Finding& finding : findings) {
@@ -22,7 +50,7 @@ void sortFindings(AuditReport& report, const DemoInfo& info, std::vector<Finding
             continue;
         }
         const auto excuse = std::find_if(info.waste.begin(), info.waste.end(), [&](const DeclaredWaste& waste) {
-            return waste.kind == finding.kind && waste.what == finding.what;
+            return waste.kind == finding.kind && isDeclared(finding, std::string_view(waste.what));
         });
         if (excuse == info.waste.end()) {
             report.findings.push_back(std::move(finding));

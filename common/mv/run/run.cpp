@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "mv/demo/chapters.h"
+#include "mv/host/trial.h"
 #include "mv/image/file.h"
 #include "mv/run/audit.h"
 #include "mv/run/command_line.h"
@@ -160,6 +161,7 @@ std::string oneLine(const std::string& sentence) {
 
 int runMain(int count, char** arguments) {
     steadyStreams();
+    tellOfFaults();
     std::string subject = "mvgl";
     try {
         Command command = parseCommandLine({arguments + 1, arguments + count});
