@@ -1,5 +1,7 @@
 // The programs under hostile input and in hostile surroundings: a clear message, exit status 1 or 2, nothing half-written.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <filesystem>
@@ -286,8 +288,8 @@ TEST(Hostile, odd_names) {
 TEST(Hostile, shader_files) {
     const TemporaryFolder folder;
     const std::vector<std::string> shaders{"PROBE_SHADERS=" + folder.path().string()};
-    const std::string command = "exec " + std::string(MVGL_PROBES) + " probe --headless --shot a.png";
-    const auto run = [&] { return runShell(command, folder.path().string(), shaders); };
+    const std::string command = "exec " + std::string(MVGL_PROBES) + " probe --shot a.png";
+    const auto run = [&] { return runShell(command + " --headless", folder.path().string(), shaders); };
     std::ofstream(folder.file("probe.frag"))
         << "uniform float level;\nout vec4 fragColor;\nvoid main() { fragColor = nonsense; }\n";
     const ProcessResult wrong = run();
@@ -299,4 +301,68 @@ TEST(Hostile, shader_files) {
     EXPECT_EQ(folder.list(), std::vector<std::string>{"probe.frag"});
     fs::remove(folder / "probe.frag");
     EXPECT_EQ(run().status, 0) << "without the file the program is the one that was built in";
+    // Of what is no file nobody waits for the text.
+    ASSERT_EQ(mkfifo(folder.file("probe.frag").c_str(), 0600), 0);
+    expectRefusal(run(), "probe.frag: must be a file that exists and may be read, it is a pipe or a device");
+    fs::remove(folder / "probe.frag");
+    // Includes of includes have a sum, too; and a compiler may end the program, by its stack say: in a sentence.
+    std::ofstream(folder.file("probe.frag")) << std::string(5 * 1000 * 1000, ' ');
+    expectRefusal(run(), "probe.frag: must hold at most 1048576 bytes");
+    std::string sums = "uniform float level;\nout vec4 fragColor;\nvoid main() { fragColor = vec4(level";
+    for (int i = 0; i < 20'000; ++i) sums += " + level";
+    std::ofstream(folder.file("probe.frag")) << sums << "); }\n";
+    for (const char* host : {"=osmesa", "=egl"}) {
+        const ProcessResult ended =
+            runShell("ulimit -c 0; " + command + " --headless" + host, folder.path().string(), shaders);
+        if (ended.status != 0) expectRefusal(ended, "is ended by a signal (");
+    }
+}
+
+// Little memory, no threads, variables that steer a driver into its end: a sentence and a status, and nothing waits for ever.
+TEST(Hostile, little_of_everything) {
+    const TemporaryFolder folder;
+    const std::string picture = "exec timeout 120 " + program("cube-cull") + " --shot a.png";
+    int refused = 0, done = 0;
+    for (const int megabytes : {24, 50, 100, 150, 200, 250, 300, 400, 500, 600, 4000}) {
+        const ProcessResult run = runShell(
+            "ulimit -c 0; ulimit -v " + std::to_string(1024 * megabytes) + "; " + picture, folder.path().string());
+        SCOPED_TRACE(std::to_string(megabytes) + " MB\n" + run.err);
+        // With less the loader itself cannot start it.
+        if (run.status == 127) continue;
+        ++(run.status == 0 ? done : refused);
+        EXPECT_EQ(fs::exists(folder / "a.png"), run.status == 0);
+        if (run.status != 0) {
+            EXPECT_EQ(run.status, 1);
+            EXPECT_NE(errorLine(run.err), "");
+            EXPECT_EQ(run.err.find("missing or broken"), std::string::npos);
+        }
+        fs::remove(folder / "a.png");
+    }
+    EXPECT_GT(refused, 3);
+    EXPECT_GT(done, 0);
+    // As somebody who has one process, this one; the superuser has as many as he likes.
+    const std::string nobody = geteuid() == 0 ? "setpriv --reuid=65534 --clear-groups " : "";
+    expectRefusal(runShell("exec " + nobody + "prlimit --nproc=1 " + program("cube-cull") + " --shot /dev/null",
+                           folder.path().string()),
+                  "must be allowed to start threads; ulimit -u and -v limit them, Resource temporarily unavailable");
+    for (const char* host : {"", " --headless=osmesa", " --headless=egl"}) {
+        const ProcessResult run =
+            runShell("ulimit -c 0; " + picture + host, folder.path().string(), {"LP_NATIVE_VECTOR_WIDTH=7"});
+        if (run.status != 0) expectRefusal(run, "LP_NATIVE_VECTOR_WIDTH=7");
+    }
+}
+
+// What has long to compute says before that there is no place for it; and time that does not pass is not waited for.
+TEST(Hostile, studies) {
+    const TemporaryFolder folder;
+    const std::string study = " --study out --vary plane-distance=1 --headless=osmesa";
+    fs::create_directories(folder / "out/study.csv");
+    const ProcessResult blocked = runShell("exec " + program("cube-shadows") + study, folder.path().string());
+    expectRefusal(blocked, "out/study.csv: could not be written, Is a directory");
+    EXPECT_EQ(blocked.err.find("study 1/"), std::string::npos) << "nothing was measured before: " << blocked.err;
+    fs::remove_all(folder / "out");
+    const ProcessResult still = runShell("exec timeout 200 " + program("pipeline") + " --study out --vary offset=1",
+                                         folder.path().string(), {"LD_PRELOAD=" MVGL_STILL_CLOCK});
+    expectRefusal(still, "must have a setting that can be measured");
+    EXPECT_NE(still.out.find("must not stand still"), std::string::npos) << still.out;
 }

@@ -293,11 +293,15 @@ TEST(Audit, declared_waste_is_excused_and_idle_excuses_are_found) {
     EXPECT_EQ(kindsFound(vague), std::vector<std::string>{waste::outsideView});
     EXPECT_EQ(vague.idleExcuses.size(), 1U);
     // But that # stands for a number, and that a number of times may be its limit.
-    for (const auto& [what, holds] : std::vector<std::pair<Literal, bool>>{{"draw of 'plate', up to 2 times", true},
-                                                                           {"draw of 'plate', up to 1 times", false},
-                                                                           {"draw of 'plate#'", false},
-                                                                           {"draw of '#'", false},
-                                                                           {"draw of 'plate'#", false}}) {
+    struct Bounded {
+        Literal what;
+        bool holds;
+    };
+    for (const auto& [what, holds] : std::initializer_list<Bounded>{{"draw of 'plate', up to 2 times", true},
+                                                                    {"draw of 'plate', up to 1 times", false},
+                                                                    {"draw of 'plate#'", false},
+                                                                    {"draw of '#'", false},
+                                                                    {"draw of 'plate'#", false}}) {
         const DeclaredWaste bounded{waste::outsideView, what, "bounded"};
         const std::initializer_list<DeclaredWaste> one{bounded};
         made.waste = one;

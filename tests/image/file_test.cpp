@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -374,6 +375,51 @@ TEST(ReadFile, HoldsTheLimit) {
     EXPECT_EQ(readFile(folder / "file", 5).size(), 5U);
     EXPECT_TRUE(contains(messageOf([&] { (void)readFile(folder / "file", 4); }), "must hold at most 4 bytes"));
     EXPECT_THROW((void)readFile("/dev/zero", plenty), Error);
+}
+
+// Nobody waits for who might write into it.
+TEST(ReadFile, APipeIsNoFile) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
+    for (const fs::path& path : {folder / "pipe", fs::path("/dev/zero"), fs::path("/dev/tty")}) {
+        const std::string message = messageOf([&] { (void)readFile(path, plenty); });
+        EXPECT_TRUE(contains(message, "must be a file that exists and may be read, ")) << message;
+    }
+    // But what it was given is read, however slowly it comes.
+    int ends[2] = {-1, -1};
+    ASSERT_EQ(pipe(ends), 0);
+    const pid_t writer = fork();
+    if (writer == 0) {
+        usleep(20000);
+        _exit(write(ends[1], "slowly", 6) == 6 ? 0 : 1);
+    }
+    close(ends[1]);
+    EXPECT_EQ(textOf("/dev/fd/" + std::to_string(ends[0])), "slowly");
+    close(ends[0]);
+    waitpid(writer, nullptr, 0);
+}
+
+TEST(WriteFile, WhetherItCanBeWrittenIsKnownBefore) {
+    const TemporaryFolder folder;
+    writeFileAtomically(folder / "file", "old");
+    for (const char* name : {"file", "new"}) EXPECT_NO_THROW(requireWritable(folder / name));
+    EXPECT_EQ(folder.entries(), 1);
+    EXPECT_TRUE(contains(messageOf([&] { requireWritable(folder / "no/file"); }), "No such file or directory"));
+    EXPECT_TRUE(contains(messageOf([&] { requireWritable(folder.path()); }), "Is a directory"));
+    EXPECT_TRUE(contains(messageOf([&] { requireWritable(folder / "file/below"); }), "Not a directory"));
+    fs::permissions(folder.path(), static_cast<fs::perms>(0555));
+    const auto refused = [&](const fs::path& path) {
+        becomeNobody();
+        try {
+            requireWritable(path);
+        } catch (const Error& error) {
+            _exit(contains(error.what(), "could not be written, Permission denied") ? 0 : 2);
+        }
+        _exit(1);
+    };
+    for (const char* name : {"new", "file"}) {
+        EXPECT_EXIT(refused(folder / name), testing::ExitedWithCode(0), "") << name;
+    }
 }
 
 TEST(ReadFile, TellsWhyNot) {

@@ -112,6 +112,11 @@ std::optional<LogLine> parseLogLine(std::string_view text) {
 
 void append(ShaderSource& source, const std::string& shownName, std::string_view text, int depth) {
     if (depth > 8) throw Error(shownName, "must not include itself");
+    constexpr std::size_t largestWhole = std::size_t{1} << 22U;
+    if (source.text.size() + text.size() > largestWhole) {
+        throw Error(shownName,
+                    "must hold, with all that it is included with, at most " + std::to_string(largestWhole) + " bytes");
+    }
     const auto number = std::to_string(source.files.size());
     source.files.push_back(shownName);
     source.text += "#line 1 " + number + "\n";

@@ -71,22 +71,22 @@ void writeAndClose(const fs::path& path, Descriptor file, std::span<const std::b
     if (const int error = file.close(); error != 0) refuseWrite(path, error);
 }
 
-// Whether it can be written to, and belongs to whoever started this program: what the program opens itself, and what
-// libraries do, is closed when another program is started.
-bool isInheritedForWriting(int number) {
+// Whether it is open for `mode`, and belongs to whoever started this program: what the program opens itself, and what libraries
+// do, is closed when another program is started.
+bool isInherited(int number, int mode) {
     const int flags = ::fcntl(number, F_GETFD);
     if (flags < 0 || (flags & FD_CLOEXEC) != 0) return false;
-    const int mode = ::fcntl(number, F_GETFL) & O_ACCMODE;
-    return mode == O_WRONLY || mode == O_RDWR;
+    const int present = ::fcntl(number, F_GETFL) & O_ACCMODE;
+    return present == mode || present == O_RDWR;
 }
 
 // The stream that the program was started with and that leads to this very file, if any: /dev/stdout, /dev/fd/3, the name of a
 // file to which a shell has redirected. The first ones are the usual ones.
-std::optional<int> streamOf(const struct stat& file) {
+std::optional<int> streamOf(const struct stat& file, int mode) {
     constexpr int mostStreams = 256;
-    for (int number = STDOUT_FILENO; number < mostStreams; ++number) {
+    for (int number = mode == O_WRONLY ? STDOUT_FILENO : STDIN_FILENO; number < mostStreams; ++number) {
         struct stat status {};
-        if (!isInheritedForWriting(number) || ::fstat(number, &status) != 0) continue;
+        if (!isInherited(number, mode) || ::fstat(number, &status) != 0) continue;
         if (status.st_dev == file.st_dev && status.st_ino == file.st_ino) return number;
     }
     return std::nullopt;
@@ -243,7 +243,7 @@ void writeFileAtomically(const fs::path& path, std::span<const std::byte> bytes)
     }
     if (S_ISDIR(status.st_mode)) refuseWrite(path, EISDIR);
     // A stream goes on where it stands, and what is no file is written to as it is.
-    const std::optional<int> stream = streamOf(status);
+    const std::optional<int> stream = streamOf(status, O_WRONLY);
     // For a file this asks whether it may be written to, which a rename does not: who protected it, or runs it, meant it.
     Descriptor file(stream ? ::fcntl(*stream, F_DUPFD_CLOEXEC, 0) : ::open(path.c_str(), O_WRONLY | O_CLOEXEC));
     if (file.number() < 0) refuseWrite(path, errno);
@@ -283,9 +283,31 @@ std::string printable(std::string_view text) {
     return shown;
 }
 
+void requireWritable(const fs::path& path) {
+    struct stat status {};
+    if (::stat(path.c_str(), &status) == 0) {
+        if (S_ISDIR(status.st_mode)) refuseWrite(path, EISDIR);
+        if (!S_ISREG(status.st_mode)) return;
+        if (::access(path.c_str(), W_OK) != 0) refuseWrite(path, errno);
+    } else {
+        const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+        if (errno != ENOENT || ::access(folder.c_str(), W_OK | X_OK) != 0) refuseWrite(path, errno);
+    }
+}
+
 std::vector<std::byte> readFile(const fs::path& path, std::size_t maximumBytes) {
-    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    // Not to wait for somebody who writes into a pipe of that name, nor for a terminal.
+    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
     if (file.number() < 0) refuseRead(path, errno);
+    struct stat status {};
+    if (::fstat(file.number(), &status) != 0) refuseRead(path, errno);
+    if (!S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode)) {
+        // But a stream that this program was given comes to an end.
+        if (!streamOf(status, O_RDONLY)) {
+            throw Error(path.string(), "must be a file that exists and may be read", "it is a pipe or a device");
+        }
+        ::fcntl(file.number(), F_SETFL, O_RDONLY);
+    }
 
     // Read to the end instead of asking for the size: pipes have none, and the size may change meanwhile.
     constexpr std::size_t step = std::size_t{1} << 16U;

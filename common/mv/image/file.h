@@ -32,11 +32,16 @@ namespace mv {
 void writeFileAtomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
 void writeFileAtomically(const std::filesystem::path& path, std::string_view text);
 
+// Error, as writing would say it, where it can be told before: the folder or the file may not be written to. For who has long to
+// compute before there is anything to write.
+void requireWritable(const std::filesystem::path& path);
+
 // The text for a line of its own: control characters, which names may have, as in C, "two\\nlines".
 [[nodiscard]] std::string printable(std::string_view text);
 
 // The whole content of the file at `path`.
-// Error if it does not exist, cannot be read, is a folder, or holds more than maximumBytes; so /dev/zero ends, too.
+// Error if it does not exist, cannot be read, is a folder, a device or a pipe, for whose writer one would wait, or holds more than
+// maximumBytes. A stream that this program was started with (/dev/stdin, a shell's <(...)) is read to its end.
 [[nodiscard]] std::vector<std::byte> readFile(const std::filesystem::path& path, std::size_t maximumBytes);
 // The same as text, byte by byte.
 [[nodiscard]] std::string readTextFile(const std::filesystem::path& path, std::size_t maximumBytes);
