@@ -315,9 +315,12 @@ Quantities compared(Stage& stage, const Command& command) {
 Quantities audited(Stage& stage, const Command& command) {
     Quantities result;
     const AuditReport report = auditDemo(stage, *command.demo, command.knobs, command.firstFrame);
-    for (const std::vector<Finding>& all : {report.findings, report.again}) {
-        for (const Finding& finding : all) result[finding.kind] = counted(result[finding.kind].value + finding.times);
-    }
+    const auto add = [&](const Finding& finding) {
+        result[finding.kind] = counted(result[finding.kind].value + finding.times);
+    };
+    for (const Finding& finding : report.findings) add(finding);
+    for (const Finding& finding : report.again) add(finding);
+    for (const auto& [finding, reason] : report.excused) add(finding);
     return result;
 }
 
