@@ -447,6 +447,7 @@ constexpr Declaration declaration{
              {{"scene", "diagram"}, {"diagram", "uv"}, {"mix", "linear"}},
              {{"part-of-diagram", 33, 34}}},
         },
+    .waste = {{"unused-buffer", "depth of 'color-models'", "the diagram is flat, the solids are not"}},
 };
 
 const bool added = addDemo<ColorModels, declaration>();

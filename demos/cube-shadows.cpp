@@ -422,6 +422,8 @@ constexpr Declaration declaration{
              "The matrix as a slide prints it, for row vectors: two patches that belong to nothing.",
              {{"formula", "transposed"}}},
         },
+    .waste = {{"no-sample", "draw of 'cube'", "what is wholly hidden, or cut off, is known when it is drawn"},
+              {"no-sample", "draw of 'sphere'", "what is wholly hidden, or cut off, is known when it is drawn"}},
 };
 
 const bool added = addDemo<CubeShadows, declaration>();

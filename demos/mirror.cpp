@@ -421,6 +421,8 @@ constexpr Declaration declaration{
              "Two mirrors that are not parallel: the images lie on a circle.",
              {{"mirrors", "two"}, {"mirror-turn", "12"}}},
         },
+    .waste = {{"no-sample", "draw of 'floor'", "what of the floor is seen is known when it is drawn"},
+              {"unused-buffer", "stencil of 'mirror'", "a mirror by a texture does without"}},
 };
 
 const bool added = addDemo<MirrorDemo, declaration>();

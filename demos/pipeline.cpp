@@ -338,6 +338,8 @@ constexpr Declaration declaration{
              "A projection for an eye that looks along +z: all of the cube has w below 0 and is clipped.",
              {{"matrices", "slide-projection"}}},
         },
+    .waste = {{"no-sample", "draw of 'corners'", "corners that are clipped are the lesson"},
+              {"outside-view", "draw of 'cube'", "what is clipped is the lesson"}},
 };
 
 const bool added = addDemo<Pipeline, declaration>();

@@ -298,6 +298,10 @@ constexpr Declaration declaration{
              "From 1000 m the perspective is nearly the parallel view of the same turn.",
              {{"show", "vanishing"}, {"distance", "1000"}}},
         },
+    .waste = {{"unused-object", "mesh 'horizon'", "made once, for the settings that show it"},
+              {"unused-object", "mesh 'rays'", "made once, for the settings that show them"},
+              {"no-sample", "draw of 'horizon'",
+               "from afar it lies beyond the far plane's edge, as a line that no pixel has"}},
 };
 
 const bool added = addDemo<Projections, declaration>();

@@ -175,6 +175,8 @@ constexpr Declaration declaration{
             {"from-above", "From above the whole shadow is seen.", {{"spin-x", "-40"}}},
             {"from-below", "From below there is none: the floor hides it.", {{"spin-x", "40"}}},
         },
+    .waste = {{"outside-view", "draw of 'light'", "the light's ball is drawn sooner than asked for"},
+              {"no-sample", "draw of 'square'", "that the floor hides it from below is the lesson"}},
 };
 
 const bool added = addDemo<ShadowFloor, declaration>();

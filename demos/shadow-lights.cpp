@@ -288,7 +288,8 @@ constexpr Declaration declaration{
               {"no-sample", "draw of 'lower arm'", inShadow},
               {"no-sample", "draw of 'upper arm'", inShadow},
               {"no-sample", "draw of 'bulb'", "whether a shade hides it is known when it is drawn"},
-              {"outside-view", "draw of 'bulb'", "a bulb of 224 triangles is drawn sooner than asked for"}},
+              {"outside-view", "draw of 'bulb'", "a bulb of 224 triangles is drawn sooner than asked for"},
+              {"unused-buffer", "stencil of 'shadow-lights'", "maps do without what volumes need"}},
 };
 
 const bool added = addDemo<ShadowLights, declaration>();

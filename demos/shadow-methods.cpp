@@ -312,7 +312,10 @@ constexpr Declaration declaration{
         },
     .waste = {{"no-sample", "draw of 'box'", otherHalf},
               {"no-sample", "draw of 'pawn'", otherHalf},
-              {"state-again", "glStencilFunc", "counting volumes sets all that it needs, whatever was there before"}},
+              {"no-sample", "draw of 'sphere'", otherHalf},
+              {"repeated-pass", "pass into 'lit fraction'", "what each method costs in every frame is the lesson"},
+              {"unused-buffer", "stencil of 'lit fraction'", "maps do without what volumes need"},
+              {"unused-buffer", "stencil of 'shadow-methods'", "maps do without what volumes need"}},
 };
 
 const bool added = addDemo<ShadowMethods, declaration>();

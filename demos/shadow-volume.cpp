@@ -361,6 +361,9 @@ constexpr Declaration declaration{
              "Each triangle drawn out, instead of the silhouette: far more to fill, and no better.",
              {{"silhouette", "off"}}},
         },
+    .waste = {{"no-sample", "draw of 'shell #'", "what a volume counts is known when it is drawn"},
+              {"no-sample", "draw of 'whole picture'", "what no volume covers is known when it is drawn"},
+              {"no-sample", "draw of 'cube'", "what is wholly hidden is known when it is drawn"}},
 };
 
 const bool added = addDemo<ShadowVolumes, declaration>();

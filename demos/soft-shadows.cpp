@@ -313,7 +313,7 @@ constexpr Declaration declaration{
              {{"scene", "table"}, {"method", "pcss"}, {"taps", "15"}, {"lamp-size", "0.5"}, {"caster-height", "0"}}},
         },
     .waste = {{"repeated-pass", "pass into 'darkness'", "what a soft shadow costs in every frame is the lesson"},
-              {"state-again", "glViewport", "the darkness is as large as the picture, and a target sets its own"}},
+              {"no-sample", "draw of 'leg 4'", "a leg that others hide from the lamp is known when it is drawn"}},
 };
 
 const bool added = addDemo<SoftShadows, declaration>();

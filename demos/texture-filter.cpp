@@ -9,6 +9,7 @@
 // - [light-adds] A checker's far mean is 188 of 255 averaged in linear light, and 128 averaged as it is kept.
 // - [odd-sizes] Our mipmaps keep the mean of the texture for odd sizes, and a texture of one texel is a flat colour.
 // - [eight-bits] With 8 bits a texel llvmpipe filters in 8 bits, too, and is off by a few steps of them.
+// - [bounded-footprint] However long a pixel's footprint is, what is read for it is bounded, in a picture of any size.
 // - [only-what-is-read] Without a filter between levels a texture has a single one.
 #include <algorithm>
 #include <array>
@@ -84,8 +85,8 @@ struct TextureFilterDemo final : Demo {
     Readout shorter{this, "shorter", "the other one", "texels"};
     Readout levelsMade{this, "levels-made", "levels of the texture, each a picture of its own"};
 
-    Program program;
-    OnDemand<Program> texelProgram{"texture-filter", "texels"};
+    OnDemand<Program> program{"texture-filter"}, alongProgram{"texture-filter", "along"},
+        texelProgram{"texture-filter", "texels"};
     Mesh floor, cover;
     Texture image;
     MadeFor<FloorPattern, int, int, Average, Texels, bool, bool, bool> imageFor;
@@ -104,7 +105,6 @@ struct TextureFilterDemo final : Demo {
     }
 
     void init() override {
-        program = Program("texture-filter");
         MeshData plane{.primitive = Primitive::triangleStrip};
         for (const float x : {-1000.0F, 1000.0F}) {
             for (const float z : {-1000.0F, 1000.0F}) plane.positions.emplace_back(x, 0, z);
@@ -135,10 +135,12 @@ struct TextureFilterDemo final : Demo {
         const Pane pane = floorPane(frame);
         glViewport(pane.x, pane.y, pane.width, pane.height);
         const FloorCamera camera = floorCamera(pane.aspect());
-        program.use();
-        program.set("clipFromFloor", camera.clipFromView * camera.viewFromWorld * rotateY(turn));
-        program.set("bias", isMipmapped() ? double(bias) : 0);
-        program.set("encoded", average == Average::encoded);
+        const Program& with = looks() > 1 ? *alongProgram : *program;
+        with.use();
+        with.set("clipFromFloor", camera.clipFromView * camera.viewFromWorld * rotateY(turn));
+        with.set("bias", isMipmapped() ? double(bias) : 0);
+        with.set("encoded", average == Average::encoded);
+        if (looks() > 1) with.set("looks", looks());
         floor.draw();
 
         if (!frame.measuring()) tell(frame);

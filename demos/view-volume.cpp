@@ -304,6 +304,8 @@ constexpr Declaration declaration{
              {{"plane-error", 0.115, 0.125}}},
             {"from-the-front", "Seen from the front the cube is the camera's picture.", {{"turn", "0"}, {"tilt", "0"}}},
         },
+    .waste = {{"no-sample", "draw of 'tree', up to 6 times",
+               "a tree that is in view may be hidden, or smaller than a pixel"}},
 };
 
 const bool added = addDemo<ViewVolume, declaration>();

@@ -195,6 +195,8 @@ constexpr Declaration declaration{
              "Straight down. Up along the gaze says nothing, so +y is up here.",
              {{"view", "9"}, {"height", "40"}}},
         },
+    .waste = {{"no-sample", "draw of 'cube'", "what hides it is known when it is drawn"},
+              {"outside-view", "draw of 'cube'", "a scene of a few cubes is drawn sooner than asked for"}},
 };
 
 const bool added = addDemo<Viewpoints, declaration>();

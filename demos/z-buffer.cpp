@@ -325,7 +325,8 @@ constexpr Declaration declaration{
              {{"scene", "panes"}, {"order", "bgr"}, {"separation", "0.01"}, {"opacity", "0.6"}}},
         },
     .waste = {{"repeated-pass", "pass into 'scene'", "what the depth test costs in every frame is the lesson"},
-              {"state-again", "glViewport", "the scene is as large as the picture, and a target sets its own"}},
+              {"unused-buffer", "depth of 'scene'", "the painter's way does without what the others need"},
+              {"unused-object", "texture 'scene'", "made once, for the settings that show it"}},
 };
 
 const bool added = addDemo<ZBuffer, declaration>();

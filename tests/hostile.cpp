@@ -1,5 +1,7 @@
 // The programs under hostile input and in hostile surroundings: a clear message, exit status 1 or 2, nothing half-written.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <filesystem>
@@ -129,13 +131,12 @@ TEST(Hostile, killed_while_writing) {
     ASSERT_EQ(runShell(picture, folder.path().string()).status, 0);
     const std::string before = fileText(folder.file("a.png"));
     ASSERT_GT(before.size(), 1024U) << "longer than the limit";
-    // A file beyond its limit: the system kills the process within write(), after the bytes that are allowed.
-    const ProcessResult killed =
+    // A file beyond its limit: no signal ends the program within write(), and nothing is left of what was allowed.
+    const ProcessResult limited =
         runShell("ulimit -c 0; ulimit -f 1; exec " + picture + " --turn 50", folder.path().string());
-    EXPECT_EQ(killed.status, 128 + SIGXFSZ);
+    expectRefusal(limited, "a.png: could not be written, File too large");
     EXPECT_TRUE(fileText(folder.file("a.png")) == before);
-    EXPECT_EQ(folder.entries(), 2) << "the picture, and the part that nobody could remove";
-    // The next run is not disturbed by that part.
+    EXPECT_EQ(folder.entries(), 1);
     EXPECT_EQ(runShell(picture, folder.path().string()).status, 0);
     EXPECT_TRUE(fileText(folder.file("a.png")) == before);
 
@@ -148,15 +149,65 @@ TEST(Hostile, killed_while_writing) {
                                                seconds + "; kill -KILL $!; wait $!",
                                            series.path().string());
         EXPECT_EQ(run.status, 128 + SIGKILL) << run.err;
-        int parts = 0;
         for (const std::string& name : series.list()) {
-            if (name.front() == '.') {
-                ++parts;
-            } else {
-                EXPECT_EQ(loadPicture(series.path() / name).width, 300) << name;
-            }
+            EXPECT_NE(name.front(), '.') << "a part without a name is nobody's to remove";
+            EXPECT_EQ(loadPicture(series.path() / name).width, 300) << name;
         }
-        EXPECT_LE(parts, 1);
+    }
+}
+
+// What the program is given to write to is known by what it is: a stream goes on where it stands, and what runs is no file
+// to write.
+TEST(Hostile, streams_and_programs) {
+    const TemporaryFolder folder;
+    const std::string cube = program("cube-cull");
+    ASSERT_EQ(runShell(cube + " --shot alone.png", folder.path().string()).status, 0);
+    const std::string whole = "head\n" + fileText(folder.file("alone.png")) + "tail\n";
+    for (const char* name : {"/dev/fd/1", "/dev/stdout", "/proc/self/fd/1", "f", "-", "./f"}) {
+        for (const char* into : {"> f", ">> f"}) {
+            std::ofstream(folder.file("f"));
+            const ProcessResult run =
+                runShell("(echo head; " + cube + " --shot " + name + " && echo tail) " + into, folder.path().string());
+            EXPECT_EQ(run.status, 0) << run.err;
+            EXPECT_TRUE(fileText(folder.file("f")) == whole) << name << into;
+        }
+    }
+    const ProcessResult third =
+        runShell("(echo head >&3; " + cube + " --shot /dev/fd/3; echo tail >&3) 3> f", folder.path().string());
+    EXPECT_TRUE(fileText(folder.file("f")) == whole) << third.err;
+    expectRefusal(runShell(cube + " --shot /proc/self/exe", folder.path().string()),
+                  "/proc/self/exe: could not be written, Text file busy");
+    EXPECT_EQ(runShell(cube + " --list", folder.path().string()).status, 0) << "it is still there";
+    // Closed ones, or those that nobody reads: a sentence, and no other file gets what was meant for them.
+    for (const char* flags : {" --report", " --list", " --help", " --knobs", " --copyable", " --audit", " --shot -"}) {
+        for (const char* closed : {" >&-", " <&- >&-", " | true"}) {
+            const ProcessResult run =
+                runShell("(" + cube + flags + "; echo $? >&3) 3> status" + closed, folder.path().string());
+            const std::string status = fileText(folder.file("status"));
+            EXPECT_EQ(errorLine(run.err).find("could not be written") != std::string::npos, status == "1\n")
+                << flags << closed << run.err;
+            // What reads may do so before it ends.
+            EXPECT_TRUE(status == "1\n" || (closed == std::string(" | true") && status == "0\n")) << flags << closed;
+        }
+    }
+    EXPECT_EQ(runShell("exec " + cube + " --shot b.png <&- >&- 2>&-", folder.path().string()).status, 0);
+    EXPECT_TRUE(fileText(folder.file("b.png")) == fileText(folder.file("alone.png")));
+}
+
+// Names are shown, not obeyed: an error is one line whatever they hold.
+TEST(Hostile, names_that_a_terminal_would_obey) {
+    const TemporaryFolder folder;
+    const std::string name = "two\nlines\x1b[2J\a";
+    const std::vector<std::vector<std::string>> lines{{"--shot", "no/" + name},   {"--" + name, "1"},
+                                                      {"--cull", name},           {"--shot", name + ".jpg"},
+                                                      {"--at", "2", name + "=3"}, {name}};
+    for (std::vector<std::string> words : lines) {
+        words.insert(words.begin(), program("cube-cull"));
+        const ProcessResult run = runProcess(words, {.folder = folder.path().string()});
+        EXPECT_NE(run.status, 0);
+        EXPECT_EQ(run.err.find('\n'), run.err.size() - 1) << run.err;
+        EXPECT_EQ(run.err.find('\x1b'), std::string::npos) << run.err;
+        EXPECT_NE(run.err.find("two\\nlines\\x1b[2J"), std::string::npos) << run.err;
     }
 }
 
@@ -216,8 +267,8 @@ TEST(Hostile, odd_names) {
 TEST(Hostile, shader_files) {
     const TemporaryFolder folder;
     const std::vector<std::string> shaders{"PROBE_SHADERS=" + folder.path().string()};
-    const std::string command = "exec " + std::string(MVGL_PROBES) + " probe --headless --shot a.png";
-    const auto run = [&] { return runShell(command, folder.path().string(), shaders); };
+    const std::string command = "exec " + std::string(MVGL_PROBES) + " probe --shot a.png";
+    const auto run = [&] { return runShell(command + " --headless", folder.path().string(), shaders); };
     std::ofstream(folder.file("probe.frag"))
         << "uniform float level;\nout vec4 fragColor;\nvoid main() { fragColor = nonsense; }\n";
     const ProcessResult wrong = run();
@@ -229,4 +280,68 @@ TEST(Hostile, shader_files) {
     EXPECT_EQ(folder.list(), std::vector<std::string>{"probe.frag"});
     fs::remove(folder / "probe.frag");
     EXPECT_EQ(run().status, 0) << "without the file the program is the one that was built in";
+    // Of what is no file nobody waits for the text.
+    ASSERT_EQ(mkfifo(folder.file("probe.frag").c_str(), 0600), 0);
+    expectRefusal(run(), "probe.frag: must be a file that exists and may be read, it is a pipe or a device");
+    fs::remove(folder / "probe.frag");
+    // Includes of includes have a sum, too; and a compiler may end the program, by its stack say: in a sentence.
+    std::ofstream(folder.file("probe.frag")) << std::string(5 * 1000 * 1000, ' ');
+    expectRefusal(run(), "probe.frag: must hold at most 1048576 bytes");
+    std::string sums = "uniform float level;\nout vec4 fragColor;\nvoid main() { fragColor = vec4(level";
+    for (int i = 0; i < 20'000; ++i) sums += " + level";
+    std::ofstream(folder.file("probe.frag")) << sums << "); }\n";
+    for (const char* host : {"=osmesa", "=egl"}) {
+        const ProcessResult ended =
+            runShell("ulimit -c 0; " + command + " --headless" + host, folder.path().string(), shaders);
+        if (ended.status != 0) expectRefusal(ended, "is ended by a signal (");
+    }
+}
+
+// Little memory, no threads, variables that steer a driver into its end: a sentence and a status, and nothing waits for ever.
+TEST(Hostile, little_of_everything) {
+    const TemporaryFolder folder;
+    const std::string picture = "exec timeout 120 " + program("cube-cull") + " --shot a.png";
+    int refused = 0, done = 0;
+    for (const int megabytes : {24, 50, 100, 150, 200, 250, 300, 400, 500, 600, 4000}) {
+        const ProcessResult run = runShell(
+            "ulimit -c 0; ulimit -v " + std::to_string(1024 * megabytes) + "; " + picture, folder.path().string());
+        SCOPED_TRACE(std::to_string(megabytes) + " MB\n" + run.err);
+        // With less the loader itself cannot start it.
+        if (run.status == 127) continue;
+        ++(run.status == 0 ? done : refused);
+        EXPECT_EQ(fs::exists(folder / "a.png"), run.status == 0);
+        if (run.status != 0) {
+            EXPECT_EQ(run.status, 1);
+            EXPECT_NE(errorLine(run.err), "");
+            EXPECT_EQ(run.err.find("missing or broken"), std::string::npos);
+        }
+        fs::remove(folder / "a.png");
+    }
+    EXPECT_GT(refused, 3);
+    EXPECT_GT(done, 0);
+    // As somebody who has one process, this one; the superuser has as many as he likes.
+    const std::string nobody = geteuid() == 0 ? "setpriv --reuid=65534 --clear-groups " : "";
+    expectRefusal(runShell("exec " + nobody + "prlimit --nproc=1 " + program("cube-cull") + " --shot /dev/null",
+                           folder.path().string()),
+                  "must be allowed to start threads; ulimit -u and -v limit them, Resource temporarily unavailable");
+    for (const char* host : {"", " --headless=osmesa", " --headless=egl"}) {
+        const ProcessResult run =
+            runShell("ulimit -c 0; " + picture + host, folder.path().string(), {"LP_NATIVE_VECTOR_WIDTH=7"});
+        if (run.status != 0) expectRefusal(run, "LP_NATIVE_VECTOR_WIDTH=7");
+    }
+}
+
+// What has long to compute says before that there is no place for it; and time that does not pass is not waited for.
+TEST(Hostile, studies) {
+    const TemporaryFolder folder;
+    const std::string study = " --study out --vary plane-distance=1 --headless=osmesa";
+    fs::create_directories(folder / "out/study.csv");
+    const ProcessResult blocked = runShell("exec " + program("cube-shadows") + study, folder.path().string());
+    expectRefusal(blocked, "out/study.csv: could not be written, Is a directory");
+    EXPECT_EQ(blocked.err.find("study 1/"), std::string::npos) << "nothing was measured before: " << blocked.err;
+    fs::remove_all(folder / "out");
+    const ProcessResult still = runShell("exec timeout 200 " + program("pipeline") + " --study out --vary offset=1",
+                                         folder.path().string(), {"LD_PRELOAD=" MVGL_STILL_CLOCK});
+    expectRefusal(still, "must have a setting that can be measured");
+    EXPECT_NE(still.out.find("must not stand still"), std::string::npos) << still.out;
 }

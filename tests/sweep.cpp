@@ -262,15 +262,23 @@ TEST_P(Sweep, buffers_as_declared) {
     EXPECT_EQ(samples, needs.samples);
 }
 
-// A frame at the initial settings does nothing needless that the demo does not declare.
+// A frame of a preset does nothing needless that the demo does not declare; and what it declares, some preset does.
 TEST_P(Sweep, nothing_needless) {
     DemoInfo info = findDemo(GetParam());
     const int by = coarserIfSanitized(info);
     info.width /= by;
     info.height /= by;
-    const AuditReport report = auditDemo(stage(), info, {}, 1);
-    EXPECT_TRUE(report.clean()) << auditText(report);
-    EXPECT_GT(report.first.samplesPassed, 0);
+    std::set<std::string> idle;
+    for (const Preset& preset : info.presets) {
+        SCOPED_TRACE(preset.name);
+        const AuditReport report = auditDemo(stage(), info, {preset.settings.begin(), preset.settings.end()}, 1);
+        EXPECT_TRUE(report.clean()) << auditText(report);
+        EXPECT_GT(report.first.samplesPassed, 0);
+        const std::set<std::string> here(report.idleExcuses.begin(), report.idleExcuses.end());
+        if (&preset == info.presets.begin()) idle = here;
+        std::erase_if(idle, [&](const std::string& excuse) { return !here.contains(excuse); });
+    }
+    for (const std::string& excuse : idle) ADD_FAILURE() << "declared, and in no preset: " << excuse;
 }
 
 // Other sizes than the original's, the smallest one and odd ones too.
@@ -283,6 +291,35 @@ TEST_P(Sweep, sizes) {
         EXPECT_EQ(picture.width, width);
         EXPECT_EQ(picture.height, height);
         EXPECT_EQ(run.picture(), picture);
+    }
+}
+
+// A preset asks of each pixel about as much in a picture of any size: what is drawn over and over where a side is odd, or where the
+// horizon meets the middle of a row, is found by its counts, not by its time. (A shader's own loops and its textures' footprints no
+// count shows: those of texture-filter have a claim.)
+TEST_P(Sweep, work_at_odd_sizes) {
+    if (sanitized) GTEST_SKIP() << "counts of the same draws, ten times as slow";
+    DemoInfo info = findDemo(GetParam());
+    for (const Preset& preset : info.presets) {
+        const std::vector<KnobSetting> settings(preset.settings.begin(), preset.settings.end());
+        const auto workAt = [&](int width, int height) {
+            info.width = width;
+            info.height = height;
+            return auditDemo(stage(), info, settings, 1).first;
+        };
+        // A quarter of the demo's own picture, and two near it: of the parity that 320x288 has, and of no parity.
+        const int width = findDemo(GetParam()).width / 4, height = findDemo(GetParam()).height / 4;
+        const FrameWork usual = workAt(width, height);
+        for (const auto& [w, h] : {std::pair{160, 144}, {97, 61}}) {
+            const FrameWork odd = workAt(w, h);
+            SCOPED_TRACE(preset.name + " " + std::to_string(w) + "x" + std::to_string(h));
+            const double pixels = double(w) * h, usualPixels = double(width) * height;
+            // Shadow maps and sheets of words have sizes of their own, so that a smaller picture has more of them a pixel.
+            const double more = std::max(1.0, usualPixels / pixels);
+            EXPECT_LE(double(odd.samplesPassed) / pixels, 4 * more * (1 + double(usual.samplesPassed) / usualPixels));
+            EXPECT_LE(odd.draws, 2 * usual.draws + 8);
+            EXPECT_LE(odd.triangles.submitted, 4 * usual.triangles.submitted + 10'000);
+        }
     }
 }
 

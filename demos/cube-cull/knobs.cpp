@@ -20,6 +20,8 @@ constexpr Declaration about{
     .height = 600,
     .background = vec4(0.9, 1.0, 1.0, 1.0),
     .needs = {.depth = true},
+    .waste = {{"unused-buffer", "depth of 'cube-cull'", "the buffer stays when --depth-test switches the test off"},
+              {"no-sample", "draw of 'cube'", "that faces are left out, or all of them, is the lesson"}},
 };
 
 bool oneSideIsCulled(const Settings& s) { return s.cull == Cull::back || s.cull == Cull::front; }

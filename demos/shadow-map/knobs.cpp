@@ -24,6 +24,10 @@ constexpr Declaration about{
     .background = vec4(0, 0, 0, 1),
     .needs = {.depth = true,
               .beyondEs = {{"float targets", "falsely-dark, falsely-lit and pixels-asked are not measured"}}},
+    .waste = {{"outside-view", "draw of 'light'", "the light's ball is drawn sooner than asked for"},
+              {"no-sample", "draw of 'floor'",
+               "the map's pass draws the whole scene, and culling leaves the floor out"},
+              {"unused-object", "mesh 'light'", "made once, for the lights that have a place"}},
 };
 
 bool isCone(const Settings& s) { return s.rays == Rays::spot && s.frustum == Fit::set; }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "mv/gl/gl.h"
 #include "mv/math/color.h"
 #include "shared/floor_texture.h"
 #include "support/demo_run.h"
@@ -186,6 +187,48 @@ TEST(TextureFilter, anisotropic_keeps) {
     EXPECT_GT(anisotropic, 0.5);
     // One look along the footprint is trilinear.
     EXPECT_EQ(largestChange(run.set("anisotropy", 1).picture(), run.set("filter", "trilinear").picture()), 0);
+}
+
+// What an implementation may walk is bounded, whatever the steps are: at the horizon they are thousands of repeats, or no numbers.
+TEST(TextureFilter, bounded_footprint) {
+    stage();
+    const Program program =
+        Program::fromText("footprint", "in vec4 position;\nvoid main() { gl_Position = position; }\n",
+                          "#include \"footprint.glsl\"\n"
+                          "uniform vec2 x;\nuniform vec2 y;\nuniform float looks;\n"
+                          "uniform bool endless;\nout vec4 found;\n"
+                          "void main() {\n    vec2 a = endless ? y / 0.0 : x, b = y;\n"
+                          "    boundFootprint(a, b, looks);\n    found = vec4(a, b);\n}\n");
+    const Target target(1, 1, {.color = GL_RGBA32F}, "steps");
+    const Mesh cover(
+        {.primitive = Primitive::triangleStrip, .positions = {{-1, -1, 0}, {1, -1, 0}, {-1, 1, 0}, {1, 1, 0}}},
+        "cover");
+    int tried = 0;
+    for (const double looks : {2.0, 3.0, 16.0}) {
+        for (const double length : {0.0, 1e-30, 1e-6, 0.01, 1.0, 15.9, 17.0, 4000.0, 1e12, 3e37}) {
+            for (const double other : {0.0, 1e-30, 1e-3, 1.0, 1e5, -1.0}) {
+                for (const double turn : {0.0, 0.3, 1.6}) {
+                    target.bind();
+                    program.use();
+                    program.set("endless", other < 0);
+                    program.set("x", std::max(0.0, other) * vec2(std::cos(turn + 1.5), std::sin(turn + 1.5)));
+                    program.set("y", length * vec2(std::cos(turn), std::sin(turn)));
+                    program.set("looks", looks);
+                    cover.draw();
+                    std::array<float, 4> found{};
+                    glReadPixels(0, 0, 1, 1, GL_RGBA, GL_FLOAT, found.data());
+                    const double a = std::hypot(found[0], found[1]), b = std::hypot(found[2], found[3]);
+                    SCOPED_TRACE(numberText(looks) + " looks, " + numberText(length) + ", " + numberText(other));
+                    // Bounded by components, so by a root of two; and the shader's roundings, of floats.
+                    EXPECT_LE(std::max(a, b), looks * std::sqrt(2.0) * 1.0001);
+                    // Below, the square of a length is no number of a float.
+                    EXPECT_TRUE(std::max(a, b) < 1e-18 || std::max(a, b) <= std::min(a, b) * looks * 1.0001) << a << b;
+                    ++tried;
+                }
+            }
+        }
+    }
+    EXPECT_EQ(tried, 3 * 10 * 6 * 3);
 }
 
 TEST(TextureFilter, light_adds) {

@@ -159,25 +159,22 @@ TEST(ViewVolume, culled_is_not_drawn) {
             };
             const AuditReport all = audited("off"), kept = audited("on");
             EXPECT_EQ(all.steady.draws - kept.steady.draws, 2 * long(culled));
-            const auto unseen = [](const AuditReport& report) {
-                return std::any_of(report.findings.begin(), report.findings.end(),
-                                   [](const Finding& finding) { return finding.kind == waste::noSample; });
-            };
-            EXPECT_TRUE(unseen(all));
             // The page's numbers: draws of which no sample is seen
             const auto unseenDraws = [](const AuditReport& report) {
                 int draws = 0;
                 for (const Finding& finding : report.findings) {
                     if (finding.kind == waste::noSample) draws += finding.times;
                 }
+                for (const auto& [finding, reason] : report.excused) draws += finding.times;
                 return draws;
             };
+            EXPECT_GT(unseenDraws(all), unseenDraws(kept));
             if (projection == std::string("perspective") && pan != std::string("-70")) {
                 EXPECT_EQ(unseenDraws(all), 34);
                 EXPECT_EQ(unseenDraws(kept), pan == std::string("0") ? 0 : 2);
             }
             if (pan == std::string("0")) {
-                EXPECT_FALSE(unseen(kept));
+                EXPECT_EQ(unseenDraws(kept), 0);
             }
         }
     }

@@ -246,7 +246,7 @@ TEST(CommandLine, empty_values_and_flags_as_values_are_refused) {
     }
     EXPECT_EQ(refusal({"--audit", "--all=no"}), "--all: takes no value, 'no'");
     EXPECT_EQ(parseCommandLine({"cube-cull", "--shot", "./--report"}).shot, "./--report");
-    EXPECT_EQ(parseCommandLine({"cube-cull", "--shot", "-"}).shot, "-") << "a file of that name";
+    EXPECT_EQ(parseCommandLine({"cube-cull", "--shot", "-"}).shot, "-") << "standard output";
     for (const char* number : {"+-3", "++3", "-+3", "+", "-", "--3", "3-", ""}) {
         EXPECT_NE(refusal({"cube-cull", "--z-dist", number}), "accepted") << number;
     }
@@ -274,6 +274,55 @@ TEST(CommandLine, a_copyable_command_says_what_differs) {
     // The present value is the first of the two, so it stands nowhere else.
     const std::string both = copyableCommand(info.name, info, *demo, 1, 600, 600, {"cull", "none"});
     EXPECT_EQ(both, "cube-cull --spin-x 0.1 --compare cull=front,none");
+}
+
+// What is written is a PNG, whatever it is called: so no name may say otherwise.
+TEST(CommandLine, a_picture_is_what_its_name_says) {
+    for (const char* name : {"a.png", "a.PNG", "a", "-", "/dev/fd/1", "a.b.png", "a.7", ".a", "a.", "%d", "x.jpg/a"}) {
+        EXPECT_EQ(refusal({"cube-cull", "--shot", name}), "accepted") << name;
+    }
+    for (const std::string name : {"x.jpg", "x.JPEG", "a.png.gif", "x.svg", "x.pngx", "f%d.bmp"}) {
+        EXPECT_EQ(refusal({"cube-cull", "--shot", name}),
+                  "--shot: must be a name that ends in .png, or says no other format, '" + name + "'");
+    }
+    EXPECT_TRUE(has(refusal({"viewpoints", "--shot", "-", "--frames", "1..3"}), "must have %d"));
+    EXPECT_TRUE(has(refusal({"viewpoints", "--shot", "-", "--report"}), "goes to standard output"));
+    EXPECT_TRUE(has(refusal({"viewpoints", "--shot", "-", "--until", "1"}), "goes to standard output"));
+}
+
+// Of every demo, also one that stands still: the line that is copied is understood, and means the same picture.
+TEST(CommandLine, a_copied_line_with_changes_is_understood) {
+    int still = 0;
+    for (const DemoInfo& info : catalogue()) {
+        const auto demo = info.make();
+        const Knob& knob = *demo->knobs().front();
+        std::string other;
+        for (const std::string& value : knob.sweep()) {
+            if (value != knob.text()) other = value;
+        }
+        if (other.empty()) continue;
+        still += info.animated ? 0 : 1;
+        const std::vector<TimedChange> changes{{7, knob.name(), other}};
+        for (const int frame : {7, 9, 3}) {
+            Timeline timeline(*demo);
+            timeline.setChanges(changes);
+            const std::string line =
+                copyableCommand(info.name, info, *demo, frame, info.width, info.height, {}, &timeline);
+            std::vector<std::string> words;
+            std::istringstream stream(line + " --shot a.png");
+            for (std::string word; stream >> word;) {
+                std::erase(word, '\'');
+                words.push_back(word);
+            }
+            const Command command = parseCommandLine(words);
+            const auto until = static_cast<std::size_t>(frame < 7 ? 0 : 1);
+            EXPECT_EQ(command.changes,
+                      std::vector<TimedChange>(changes.begin(), changes.begin() + std::ptrdiff_t(until)))
+                << line;
+            EXPECT_EQ(command.lastFrame, info.animated || until > 0 ? frame : 1) << line;
+        }
+    }
+    EXPECT_GT(still, 5);
 }
 
 TEST(CommandLine, changes_at_frames) {

@@ -304,6 +304,27 @@ TEST_F(Gl, a_file_that_was_included_in_vain_is_followed) {
     EXPECT_TRUE(mended.standing.empty());
 }
 
+// A few small files can ask for more than there is memory.
+TEST_F(Gl, includes_of_includes_have_a_sum) {
+    const TemporaryFolder folder;
+    addShaderFile("include/much.glsl", "", folder.file("much.glsl"));
+    addShaderFile("include/more.glsl", "", folder.file("more.glsl"));
+    addShaderFile("sums.vert", plainVertex, "");
+    addShaderFile("sums.frag", plainFragment, folder.file("sums.frag"));
+    writeFileAtomically(folder / "much.glsl", std::string(1'000'000, ' '));
+    const auto including = [](const std::string& file, int times) {
+        std::string text;
+        for (int i = 0; i < times; ++i) text += "#include \"" + file + "\"\n";
+        return text;
+    };
+    writeFileAtomically(folder / "more.glsl", including("much.glsl", 30));
+    writeFileAtomically(folder / "sums.frag", including("much.glsl", 4) + plainFragment);
+    EXPECT_EQ(errorOf([] { Program("sums"); }), "no error");
+    writeFileAtomically(folder / "sums.frag", including("more.glsl", 30) + plainFragment);
+    EXPECT_EQ(errorOf([] { Program("sums"); }),
+              "shaders/include/much.glsl: must hold, with all that it is included with, at most 4194304 bytes");
+}
+
 // Whatever is in a shader's file, or in its place: an Error that names it, and never another program than the file's.
 TEST_F(Gl, hostile_shader_files_are_named) {
     const TemporaryFolder folder;

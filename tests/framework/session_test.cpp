@@ -194,6 +194,26 @@ TEST(Session, time_passes_in_frames) {
     EXPECT_EQ(stage().picture(), later);
 }
 
+// What is changed at some frame comes, also in a demo that does not move by itself.
+TEST(Session, a_still_demo_plays_where_something_changes) {
+    Session session(stage(), findDemo("cube-cull"),
+                    {.width = width, .height = height, .changes = {{7, "cull", "front"}}});
+    session.draw(width, height, false);
+    const Picture before = stage().picture();
+    EXPECT_EQ(Knobs{session}["cull"], "back");
+    session.advance(0.1);
+    session.draw(width, height, false);
+    EXPECT_EQ(session.drawnFrame(), 7);
+    EXPECT_EQ(Knobs{session}["cull"], "front");
+    EXPECT_NE(stage().picture(), before);
+    stage().close();
+    Session still(stage(), findDemo("cube-cull"), {.width = width, .height = height});
+    still.advance(0.1);
+    still.draw(width, height, false);
+    EXPECT_EQ(still.drawnFrame(), 1);
+    stage().close();
+}
+
 TEST(Session, draws_what_is_due_and_no_more) {
     Session session(stage(), findDemo("cube-cull"), {.width = width, .height = height});
     for (int i = 0; i < 3; ++i) session.draw(width, height, false);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <random>
 #include <string>
@@ -237,6 +238,30 @@ TEST(Timeline, a_demo_without_memory_is_left_alone) {
 }
 
 // 24 hours of frames: kept frames stay few, the memory's numbers are those of the formula.
+// Frames of a demo that remembers nothing are not gone through one by one, however many there are.
+TEST(Timeline, the_last_frame_of_a_still_demo_is_as_near_as_the_first) {
+    struct Counting final : Demo {
+        Whole level{this, "level", 1, {1, 9}, "a number"};
+        int steps = 0;
+        void init() override {}
+        void draw(const Frame&) override {}
+        void step(int) override { ++steps; }
+    } demo;
+    Timeline timeline(demo);
+    timeline.setChanges({{5, "level", "3"}, {1'000'000'000, "level", "7"}});
+    for (const auto& [frame, level] : std::vector<std::pair<int, int>>{{4, 1},
+                                                                       {5, 3},
+                                                                       {999'999'999, 3},
+                                                                       {1'000'000'000, 7},
+                                                                       {std::numeric_limits<int>::max(), 7},
+                                                                       {5, 3},
+                                                                       {0, 1}}) {
+        timeline.bring(frame);
+        EXPECT_EQ(demo.level, level) << frame;
+    }
+    EXPECT_EQ(demo.steps, 0);
+}
+
 TEST(Timeline, lasts_a_day) {
     Walker demo;
     Timeline timeline(demo);

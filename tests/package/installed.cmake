@@ -1,5 +1,6 @@
 # Installs mvgl into an empty folder, moves it, and builds and runs a consumer outside the tree against it.
 include("${CMAKE_CURRENT_LIST_DIR}/run.cmake")
+include("${CMAKE_CURRENT_LIST_DIR}/runpath.cmake")
 set(work "${BUILD}/package-test")
 file(REMOVE_RECURSE "${work}")
 
@@ -12,6 +13,7 @@ foreach(path IN ITEMS "${BUILD}" "${SOURCE}")
     message(FATAL_ERROR "what is installed must not name ${path}/, in\n${files}")
   endif()
 endforeach()
+checks_runpaths(3 "${work}/installed")
 # A header that is installed finds those that it includes, whether the consumer below asks for it or not.
 file(GLOB_RECURSE headers "${work}/installed/include/mv/*")
 foreach(header IN LISTS headers)

@@ -11,7 +11,8 @@
 
 namespace mv {
 
-// The kinds of waste, by the names that DemoInfo::waste and --audit use.
+// The kinds of waste, by the names that DemoInfo::waste and --audit use. The first two are told, and the others end --audit with
+// status 1 where a demo does not declare them.
 namespace waste {
 inline constexpr const char* stateAgain = "state-again";      // state set to what it was in this frame
 inline constexpr const char* uniformAgain = "uniform-again";  // a uniform set to what it was, or twice for no draw

@@ -18,6 +18,9 @@ std::filesystem::path programFolder() {
 std::filesystem::path findFolder(const std::string& group) {
     for (const auto& beside : {libraryFolder(), programFolder()}) {
         const auto folder = beside / "mvgl-shaders";
+        std::error_code missing;
+        // (For what is no file, a pipe say, one would wait.)
+        if (!std::filesystem::is_regular_file(folder / group, missing)) continue;
         std::ifstream file(folder / group);
         std::string line;
         if (std::getline(file, line) && !line.empty()) return (folder / line).lexically_normal();

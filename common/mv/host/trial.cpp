@@ -5,11 +5,17 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdio>
 #include <cstring>
+#include <mutex>
 #include <string_view>
+#include <system_error>
+#include <thread>
+#include <vector>
 
 #include "mv/error.h"
 #include "mv/gl/program.h"
@@ -63,11 +69,111 @@ void drawSomething(const Context& context) {
     _exit(0);
 }
 
+// ---- What the system does not give
+
+// The limit of memory in words, and "" where there is none that matters.
+std::string memoryLimit() {
+    constexpr rlim_t plenty = rlim_t{2} << 30U;
+    rlimit limit{};
+    if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY || limit.rlim_cur >= plenty) return "";
+    return "ulimit -v allows " + std::to_string(limit.rlim_cur >> 20U) + " MB";
+}
+
+// A driver starts threads, as many as there are processors, and waits for ever for those that could not be started.
+void requireThreads(const std::string& host) {
+    constexpr unsigned fewest = 2, most = 16;
+    const std::size_t wanted = std::clamp(std::thread::hardware_concurrency(), fewest, most);
+    std::vector<std::thread> threads;
+    std::mutex held;
+    std::unique_lock lock(held);  // all of them are there at once
+    std::string reason;
+    try {
+        while (threads.size() < wanted) threads.emplace_back([&held] { const std::scoped_lock wait(held); });
+    } catch (const std::system_error& error) {
+        reason = error.code().message();
+    }
+    lock.unlock();
+    for (std::thread& thread : threads) thread.join();
+    if (!reason.empty()) {
+        throw Error(host, "must be allowed to start threads; ulimit -u and -v limit them", reason);
+    }
+}
+
+// Opens it. What fails for want of memory is told as that: a driver that cannot be loaded says that it is missing.
+std::unique_ptr<Context> openWithin(const std::string& host, const std::function<std::unique_ptr<Context>()>& open) {
+    const std::string limit = memoryLimit();
+    if (limit.empty()) return open();
+    try {
+        return open();
+    } catch (const Error&) {
+        throw Error(host, "must have more memory to be opened, some 500 MB", limit);
+    }
+}
+
+// ---- The end by a signal
+
+constexpr std::array faults{SIGSEGV, SIGABRT, SIGBUS, SIGILL, SIGFPE};
+
+// What is said then after the signal's name, made before: a handler may not allocate.
+std::array<char, 2048> afterFault{};
+
+void say(const char* text) {
+    for (std::size_t left = std::strlen(text); left > 0;) {
+        const ssize_t written = ::write(STDERR_FILENO, text, left);
+        if (written <= 0) return;
+        text += written;
+        left -= static_cast<std::size_t>(written);
+    }
+}
+
+const char* faultName(int signal) {
+    switch (signal) {
+        case SIGSEGV:
+            return "Segmentation fault";
+        case SIGABRT:
+            return "Aborted";
+        case SIGBUS:
+            return "Bus error";
+        case SIGILL:
+            return "Illegal instruction";
+        default:
+            return "Floating point exception";
+    }
+}
+
+void tellAndEnd(int signal) {
+    say("error: driver: must go on, and is ended by a signal (");
+    say(faultName(signal));
+    say(afterFault.data());
+    _exit(1);
+}
+
 }  // namespace
 
+void tellOfFaults() {
+    // A compiler that has used up the stack for a long shader has none left for the handler.
+    static std::array<char, std::size_t{1} << 16U> stack;
+    const stack_t other{.ss_sp = stack.data(), .ss_flags = 0, .ss_size = stack.size()};
+    sigaltstack(&other, nullptr);
+    const std::string variables = driverVariables(), limit = memoryLimit();
+    std::string text = "); it wants more memory or stack than there is (ulimit -v, -s; a long shader), or is at fault";
+    if (!limit.empty()) text += "; " + limit;
+    if (!variables.empty()) text += "; unset what steers it, " + variables;
+    std::snprintf(afterFault.data(), afterFault.size(), "%s\n", text.c_str());
+    for (const int signal : faults) {
+        struct sigaction now {};
+        if (sigaction(signal, nullptr, &now) != 0 || now.sa_handler != SIG_DFL) continue;  // a sanitizer's, say
+        struct sigaction ours {};
+        ours.sa_handler = tellAndEnd;
+        ours.sa_flags = SA_ONSTACK;
+        sigaction(signal, &ours, nullptr);
+    }
+}
+
 std::unique_ptr<Context> openTried(const std::string& host, const std::function<std::unique_ptr<Context>()>& open) {
+    requireThreads(host);
     const std::string variables = driverVariables();
-    if (variables.empty()) return open();
+    if (variables.empty()) return openWithin(host, open);
     const pid_t child = fork();
     if (child < 0) throw Error(host, "must be tried in a process of its own", std::strerror(errno));
     if (child == 0) tryInChild(open);
@@ -80,7 +186,7 @@ std::unique_ptr<Context> openTried(const std::string& host, const std::function<
                         "); unset what steers its driver",
                     variables);
     }
-    return open();
+    return openWithin(host, open);
 }
 
 }  // namespace mv

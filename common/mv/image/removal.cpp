@@ -17,7 +17,9 @@
 namespace mv {
 namespace {
 
-constexpr std::array signals{SIGTERM, SIGINT, SIGHUP};
+// All that end a process and that somebody may send, or a limit; those of a fault of the program itself are left to it.
+constexpr std::array signals{SIGTERM, SIGINT,    SIGHUP,  SIGQUIT, SIGALRM, SIGUSR1, SIGUSR2,
+                             SIGPIPE, SIGVTALRM, SIGPROF, SIGXCPU, SIGXFSZ, SIGIO,   SIGPWR};
 
 // A place for one path. What is in it is read by the handler, which may not allocate, lock or throw: so it is here from the
 // start, and `noted` is set when the path is whole.
@@ -120,10 +122,9 @@ RemovedOnSignal::~RemovedOnSignal() {
 }
 
 SignalsHeld::SignalsHeld() {
-    sigset_t held;
-    ::sigemptyset(&held);
-    for (const int signal : signals) ::sigaddset(&held, signal);
-    ::pthread_sigmask(SIG_BLOCK, &held, &before_);
+    sigset_t all;
+    ::sigfillset(&all);
+    ::pthread_sigmask(SIG_BLOCK, &all, &before_);
 }
 
 SignalsHeld::~SignalsHeld() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }

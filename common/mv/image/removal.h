@@ -5,8 +5,9 @@
 
 namespace mv {
 
-// As long as this lives, TERM, INT and HUP remove the file or folder at `path`, with all that is in it, before they end the
-// process as they would have done; and so does exit(), whoever calls it. A signal that the program handles or ignores
+// As long as this lives, a signal that ends the process removes the file or folder at `path`, with all that is in it, before it
+// ends the process as it would have done: TERM, INT, HUP, QUIT, ALRM, USR1, XCPU and the like, not a crash's; and so does
+// exit(), whoever calls it. A signal that the program handles or ignores
 // is left as it is. What KILL and crashes leave, nobody removes, nor what another thread makes in that very moment. Two
 // dozen paths at once; a further one, or one of 4096 bytes, is not noted. In the ordinary case who has made the file
 // removes it.
@@ -21,8 +22,8 @@ class RemovedOnSignal {
     int slot_ = -1;
 };
 
-// As long as this lives, this thread is not interrupted by TERM, INT and HUP: they come afterwards. For the moment between
-// making a file and noting that it is to be removed.
+// As long as this lives, this thread is not interrupted by a signal: they come afterwards, but for KILL. For the moment between
+// making a file and noting that it is to be removed, or renaming it.
 class SignalsHeld {
   public:
     SignalsHeld();

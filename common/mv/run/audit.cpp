@@ -1,6 +1,7 @@
 #include "mv/run/audit.h"
 
 #include <algorithm>
+#include <charconv>
 #include <iostream>
 #include <iterator>
 #include <set>
@@ -13,11 +14,45 @@
 namespace mv {
 namespace {
 
+// What is told and fails nothing.
+bool isSetAgain(std::string_view kind) { return kind == waste::stateAgain || kind == waste::uniformAgain; }
+
+// Whether the finding is what was declared: word for word, but that # stands for a number.
+bool isWordForWord(std::string_view found, std::string_view declared) {
+    while (!declared.empty()) {
+        if (declared.front() == '#') {
+            const auto digits = std::min(found.find_first_not_of("0123456789"), found.size());
+            if (digits == 0) return false;
+            found.remove_prefix(digits);
+        } else {
+            if (!found.starts_with(declared.front())) return false;
+            found.remove_prefix(1);
+        }
+        declared.remove_prefix(1);
+    }
+    return found.empty();
+}
+
+// And not more often than was declared: "draw of 'tree', up to 6 times".
+bool isDeclared(const Finding& finding, std::string_view declared) {
+    constexpr std::string_view upTo = ", up to ";
+    const auto at = declared.rfind(upTo);
+    if (at == std::string_view::npos) return isWordForWord(finding.what, declared);
+    const std::string_view bound = declared.substr(at + upTo.size());
+    int times = 0;
+    std::from_chars(bound.data(), bound.data() + bound.size(), times);
+    return finding.times <= times && isWordForWord(finding.what, declared.substr(0, at));
+}
+
 void sortFindings(AuditReport& report, const DemoInfo& info, std::vector<Finding> findings) {
     std::vector<bool> needed(info.waste.size(), false);
     for (Finding& finding : findings) {
+        if (isSetAgain(finding.kind)) {
+            report.again.push_back(std::move(finding));
+            continue;
+        }
         const auto excuse = std::find_if(info.waste.begin(), info.waste.end(), [&](const DeclaredWaste& waste) {
-            return waste.kind == finding.kind && waste.what == finding.what;
+            return waste.kind == finding.kind && isDeclared(finding, std::string_view(waste.what));
         });
         if (excuse == info.waste.end()) {
             report.findings.push_back(std::move(finding));
@@ -28,11 +63,12 @@ void sortFindings(AuditReport& report, const DemoInfo& info, std::vector<Finding
     }
     for (std::size_t i = 0; i < needed.size(); ++i) {
         const DeclaredWaste& waste = info.waste.begin()[i];
-        if (std::find(std::begin(waste::all), std::end(waste::all), std::string_view(waste.kind)) ==
-            std::end(waste::all)) {
-            throw Error(info.name, "must declare waste of a kind that --audit finds", "'" + waste.kind + "'");
+        if (isSetAgain(waste.kind) || std::find(std::begin(waste::all), std::end(waste::all),
+                                                std::string_view(waste.kind)) == std::end(waste::all)) {
+            throw Error(info.name, "must declare waste of a kind that ends --audit with status 1",
+                        "'" + waste.kind + "'");
         }
-        if (!needed[i]) report.staleExcuses.push_back(waste.kind + ", " + waste.what);
+        if (!needed[i]) report.idleExcuses.push_back(waste.kind + ", " + waste.what);
     }
 }
 
@@ -111,14 +147,12 @@ std::string auditText(const AuditReport& report) {
     }
     if (!report.undone.empty()) text += "\n";
     for (const Finding& finding : report.findings) text += "needless  " + findingText(finding) + "\n";
+    for (const Finding& finding : report.again) text += "again     " + findingText(finding) + "\n";
     for (const auto& [finding, reason] : report.excused) {
         text += "declared  " + findingText(finding) + " (" + reason + ")\n";
     }
     for (const std::string& feature : report.undeclaredBeyondEs) {
         text += "undeclared  " + feature + ": OpenGL ES 3.0 lacks it; declare it in .needs = {.beyondEs = ...}\n";
-    }
-    for (const std::string& excuse : report.staleExcuses) {
-        text += "needless  declared waste that is not there: " + excuse + "\n";
     }
     if (!report.remarks.empty()) text += "what the driver says:\n" + remarksText(report.remarks, "  ");
     if (report.clean())

@@ -14,20 +14,23 @@ struct AuditReport {
     FrameWork first;                  // the first frame after the demo is opened
     FrameWork steady;                 // the same frame once more: what stays to be done while nothing changes
     std::vector<std::string> undone;  // Stage::undone() of that frame
+    // What the scene does not need, and the demo does not declare: passes, draws, buffers, uploads, objects.
     std::vector<Finding> findings;
+    // State and uniforms that were set to what they were: worth a look, and no fault.
+    std::vector<Finding> again;
     // Findings that the demo declares, with its reasons.
     std::vector<std::pair<Finding, std::string>> excused;
-    // Declared exceptions that excuse nothing (any more).
-    std::vector<std::string> staleExcuses;
+    // Declared exceptions that excuse nothing in these settings.
+    std::vector<std::string> idleExcuses;
     // What ES 3.0 lacks, used in these frames and not declared in needs.beyondEs.
     std::vector<std::string> undeclaredBeyondEs;
     // What the driver says, and what is no fault.
     std::vector<DriverRemark> remarks;
-    bool clean() const { return findings.empty() && staleExcuses.empty() && undeclaredBeyondEs.empty(); }
+    bool clean() const { return findings.empty() && undeclaredBeyondEs.empty(); }
 };
 
 // Opens the demo on the stage under audit, draws the frame twice and closes it. Error: as Stage::open and draw; an
-// exception declared for a kind of waste that there is not.
+// exception declared for a kind of waste that there is not, or that nobody need declare.
 AuditReport auditDemo(Stage& stage, const DemoInfo& info, const std::vector<KnobSetting>& knobs, int index);
 
 std::string auditText(const AuditReport& report);

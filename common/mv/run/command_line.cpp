@@ -6,6 +6,7 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <filesystem>
 #include <optional>
@@ -119,7 +120,8 @@ struct Flags {
 void declareFlags(CLI::App& app, Flags& flags, bool launcher) {
     app.add_option("--preset", flags.preset, "begin with these settings; other flags of knobs then move from there")
         ->type_name("NAME");
-    app.add_option("--shot", flags.shot, "write the picture to a PNG file; opens no window")->type_name("FILE");
+    app.add_option("--shot", flags.shot, "write the picture to a PNG file, - for standard output; opens no window")
+        ->type_name("FILE");
     app.add_option("--frame", flags.frame, "which frame, at 60 a second; 1 is the original's first picture")
         ->type_name("N");
     app.add_option("--frames", flags.frames, "several frames; the file is then named a.%04d.png")->type_name("A..B");
@@ -230,6 +232,23 @@ std::string footerOf(const DemoInfo& info) {
     return text;
 }
 
+// What the name says that the file is: a PNG, or nothing. "-" is standard output.
+void checkShot(const Command& command) {
+    const std::string file = frameFile(command.shot, 1);
+    std::string kind = std::filesystem::path(file).extension().string();
+    std::ranges::transform(kind, kind.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    if (kind.size() > 1 && std::isalpha(static_cast<unsigned char>(kind[1])) != 0 && kind != ".png") {
+        throw UsageError("--shot", "must be a name that ends in .png, or says no other format",
+                         "'" + command.shot + "'");
+    }
+    if (command.shot == "-" && (command.report != ReportForm::none || command.until)) {
+        throw UsageError("--shot", "must be a file where a report is printed, which goes to standard output", "'-'");
+    }
+    if (command.lastFrame > command.firstFrame && file == command.shot) {
+        throw UsageError("--shot", "must have %d or %04d in its name for several frames", "'" + command.shot + "'");
+    }
+}
+
 Command readFlags(const Flags& flags, Command command, Demo* demo) {
     if (!flags.frame.empty()) command.firstFrame = command.lastFrame = frameNumber("--frame", flags.frame);
     if (!flags.frames.empty()) readFrames(flags.frames, command);
@@ -275,9 +294,7 @@ Command readFlags(const Flags& flags, Command command, Demo* demo) {
         for (const auto& [frame, setting] : flags.at) readChange(frame, setting, *demo, command);
     }
     checkChanges(command);
-    if (command.lastFrame > command.firstFrame && frameFile(flags.shot, 1) == flags.shot) {
-        throw UsageError("--shot", "must have %d or %04d in its name for several frames", "'" + flags.shot + "'");
-    }
+    checkShot(command);
     // A report without a window needs no picture, but it is headless: that is asked for by name.
     if (command.action == Action::render && flags.shot.empty() && command.report == ReportForm::none) {
         command.report = ReportForm::text;

@@ -32,7 +32,8 @@ struct Command {
     std::vector<TimedChange> changes;  // --at
     int width = 0, height = 0;         // 0: the original's canvas
     HostKind host = HostKind::automatic;
-    std::string shot;         // the picture's file; "" for none. With several frames it contains %d or %04d
+    std::string
+        shot;  // the picture's file; "" for none, "-" standard output. With several frames it contains %d or %04d
     std::string compareKnob;  // "" for no comparison
     std::vector<std::string> compareValues;
     ReportForm report = ReportForm::none;

@@ -47,7 +47,9 @@ std::string copyableCommand(const std::string& start, const DemoInfo& info, cons
         text += " --compare " +
                 quotedForShell(compared.name + "=" + demo.knob(compared.name).text() + "," + compared.other);
     }
-    if (info.animated && frame != 1) text += " --frame " + std::to_string(frame);
+    if (framesDiffer(info, timeline ? timeline->changesUntil(frame) : std::vector<TimedChange>()) && frame != 1) {
+        text += " --frame " + std::to_string(frame);
+    }
     if (width != info.width || height != info.height) {
         text += " --size " + std::to_string(width) + "x" + std::to_string(height);
     }

@@ -7,7 +7,7 @@ namespace mv {
 // leaves frames out.
 class Playback {
   public:
-    // A demo that is not animated stands still for ever.
+    // What is not animated, as framesDiffer() has it, stands still for ever.
     Playback(bool animated, int first, bool paused);
 
     bool animated() const { return animated_; }

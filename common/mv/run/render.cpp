@@ -84,7 +84,8 @@ void render(const Command& command) {
         }
         if (command.until) stage.stopAfter(index, *command.until);
         if (!command.shot.empty()) {
-            writePng(frameFile(command.shot, index), command.compareKnob.empty() ? stage.picture() : sheet);
+            writePng(command.shot == "-" ? "/dev/stdout" : frameFile(command.shot, index),
+                     command.compareKnob.empty() ? stage.picture() : sheet);
         }
         if (now - shown > std::chrono::seconds(2) && index < command.lastFrame) {
             shown = now;

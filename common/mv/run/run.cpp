@@ -1,13 +1,21 @@
 #include "mv/run/run.h"
 
-#include <cstdio>
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
 #include <exception>
 #include <iostream>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "mv/demo/chapters.h"
+#include "mv/host/trial.h"
+#include "mv/image/file.h"
 #include "mv/run/audit.h"
 #include "mv/run/command_line.h"
 #include "mv/run/copyable.h"
@@ -119,9 +127,41 @@ void act(const Command& command) {
     }
 }
 
+// Standard streams that are closed would be taken by the next files that are opened, a driver's say. In their place stands a pipe
+// that nobody reads: what is written there fails, as it would. And what may not be written is told in words, not by a
+// signal's end.
+void steadyStreams() {
+    for (const int signal : {SIGXFSZ, SIGPIPE}) std::signal(signal, SIG_IGN);
+    std::vector<int> closed;
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        if (::fcntl(stream, F_GETFD) >= 0 || errno != EBADF) continue;
+        // The lowest free number is this one, since those below are open.
+        if (::open("/dev/null", O_RDONLY) == stream && stream != STDIN_FILENO) closed.push_back(stream);  // NOLINT
+    }
+    std::array<int, 2> ends{-1, -1};
+    if (closed.empty() || ::pipe2(ends.data(), O_CLOEXEC) != 0) return;
+    for (const int stream : closed) ::dup2(ends[1], stream);
+    for (const int end : ends) ::close(end);
+}
+
+// The sentence as it is printed: names may hold newlines and what a terminal obeys, which are shown as in C. Only a shader's log
+// keeps its lines, each below the sentence.
+std::string oneLine(const std::string& sentence) {
+    // A log is what stands after the comma, on lines of its own (mv/gl/program.cpp).
+    constexpr std::string_view log = ", \n";
+    const auto at = sentence.find(log);
+    if (at == std::string::npos) return printable(sentence);
+    std::string text = printable(sentence.substr(0, at)) + ", ";
+    std::istringstream lines(sentence.substr(at + log.size()));
+    for (std::string line; std::getline(lines, line);) text += "\n" + printable(line);
+    return text;
+}
+
 }  // namespace
 
 int runMain(int count, char** arguments) {
+    steadyStreams();
+    tellOfFaults();
     std::string subject = "mvgl";
     try {
         Command command = parseCommandLine({arguments + 1, arguments + count});
@@ -130,10 +170,10 @@ int runMain(int count, char** arguments) {
         act(command);
         return 0;
     } catch (const UsageError& error) {
-        std::cerr << "error: " << error.what() << "\n";
+        std::cerr << "error: " << oneLine(error.what()) << "\n";
         return 2;
     } catch (const std::exception&) {
-        std::cerr << "error: " << caughtSentence(subject) << "\n";
+        std::cerr << "error: " << oneLine(caughtSentence(subject)) << "\n";
         return 1;
     }
 }

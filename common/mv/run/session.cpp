@@ -11,7 +11,7 @@ namespace mv {
 Session::Session(Stage& stage, const DemoInfo& info, const SessionStart& start)
     : stage_(stage),
       info_(info),
-      playback_(info.animated, start.frame, start.paused),
+      playback_(framesDiffer(info, start.changes), start.frame, start.paused),
       until_(start.until),
       drawnFrame_(start.frame) {
     stage_.open(info, start.width, start.height);

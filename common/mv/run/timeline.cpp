@@ -147,26 +147,26 @@ void Timeline::change(const Told& told, int frame) {
 
 // To the nearest frame before `to`, or that one, of which the memory is kept.
 void Timeline::jump(Run& run, const Told& told, int to) {
-    if (demo_.memory()) {
-        if (to != run.now || !run.entered) {
-            const auto nearest = std::prev(run.kept.upper_bound(to));
-            run.now = nearest->first;
-            run.entered = nearest->second;
-        }
-        demo_.memory()->restore(run.entered);
-    } else {
-        run.now = to;
+    if (to != run.now || !run.entered) {
+        const auto nearest = std::prev(run.kept.upper_bound(to));
+        run.now = nearest->first;
+        run.entered = nearest->second;
     }
+    demo_.memory()->restore(run.entered);
     setKnobs(told.beginning, told.changes, run.now);
     change(told, run.now);
 }
 
 void Timeline::follow(Run& run, const Told& told, int index) {
+    if (!demo_.memory()) {  // no frame follows from the one before: only the changes count, however far it is
+        setKnobs(told.beginning, told.changes, std::min(index, std::numeric_limits<int>::max() - 1) + 1);
+        return;
+    }
     if (run.now < 0) {
         setKnobs(told.beginning, {}, 0);
         demo_.reset();
         run.now = 0;
-        if (demo_.memory()) run.entered = run.kept[0] = demo_.memory()->copy();
+        run.entered = run.kept[0] = demo_.memory()->copy();
     } else {
         const int differs = firstDifference(run.told.changes, told.changes);
         std::erase_if(run.kept, [&](const auto& each) { return each.first > differs; });
@@ -182,11 +182,9 @@ void Timeline::follow(Run& run, const Told& told, int index) {
     auto said = std::chrono::steady_clock::now();
     while (run.now < index) {
         demo_.step(++run.now);
-        if (demo_.memory()) {
-            keep(run);
-            // What somebody moves at the frame that is shown begins here.
-            run.entered = recording_ && run.now == index ? demo_.memory()->copy() : nullptr;
-        }
+        keep(run);
+        // What somebody moves at the frame that is shown begins here.
+        run.entered = recording_ && run.now == index ? demo_.memory()->copy() : nullptr;
         change(told, run.now);
         if (run.now % 64 != 0 || !progress) continue;
         const auto now = std::chrono::steady_clock::now();

@@ -15,6 +15,12 @@
 
 namespace mv {
 
+// Whether the number of a frame says anything: the demo moves, or something is changed at some frame. Who shows frames plays them
+// then, and who names a picture names its frame.
+inline bool framesDiffer(const DemoInfo& info, const std::vector<TimedChange>& changes) {
+    return info.animated || !changes.empty();
+}
+
 class Timeline {
   public:
     // The demo outlives it. Its settings when it is first brought to a frame are those it begins with.

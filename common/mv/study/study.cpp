@@ -244,11 +244,14 @@ constexpr double slowMs = 300;
 double timedMs(Stage& stage, const Study& study, double lastMs) {
     if (study.ofValues) {
         stage.demo().values();
+        constexpr int enough = 1000;  // in so many any clock has moved, but for one that stands still
         int repeats = 0;
         const auto start = Clock::now();
         do {
             stage.demo().values();
             ++repeats;
+            if (repeats == enough && milliseconds(start) <= 0)
+                throw Error("clock", "must not stand still while something is timed");
         } while (milliseconds(start) < 2);
         return milliseconds(start) / repeats;
     }
@@ -471,6 +474,7 @@ void study(const Command& command) {
     std::error_code failure;
     std::filesystem::create_directories(command.folder, failure);
     if (failure) throw Error(command.folder, "could not be made", failure.message());
+    for (const char* file : {"/study.csv", "/study.json", "/study.svg"}) requireWritable(command.folder + file);
 
     HeadlessStage headless(command.host);
     headless.stage.open(info, wanted.width, wanted.height);

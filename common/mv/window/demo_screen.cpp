@@ -357,7 +357,7 @@ void DemoScreen::showPanelContent() {
         showMatrices(session_.notes());
     }
     if (section("Picture")) showFile();
-    if (section("Keys and mouse")) showControls(demo, info_.animated, menu_, comparison_.on());
+    if (section("Keys and mouse")) showControls(demo, session_.playback().animated(), menu_, comparison_.on());
 }
 
 std::string DemoScreen::defaultName() const {
