@@ -207,7 +207,7 @@ double e5Error(OdeMethod method) {
     return Row{.id = "X34 E5",
                .input = "the chemical problem E5 until t = 1e13, relative tolerance 1e-6 and absolute 1e-24",
                .measured = "relative error of the second and third substance, 8.9e-23 each",
-               .naive = "RODAS, whose roundings of the linear systems stay in what y2 - y3 - y4 = 0 ought to keep",
+               .naive = "RODAS: roundings of its linear systems stay in y2 - y3 - y4, which ought to be 0",
                .naiveError = e5Error(OdeMethod::rodas),
                .ours = "Radau IIA 5",
                .ourError = e5Error(OdeMethod::radau),

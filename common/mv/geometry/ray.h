@@ -64,7 +64,7 @@ struct TriangleHit {
 // decides whether it is hit, and where: leave out before what areOnOneLine(), as the ray caster does. So it is with one
 // that is seen exactly from the side; there its neighbours are hit. Coordinates whose products would leave the range of T
 // are not supported.
-// A triangle in whose plane the ray begins, but for 5 roundings of the ways to its corners, is not met: so a ray that begins
+// A triangle in whose plane the ray begins, but for a few roundings of the ways to its corners, is not met: so a ray that begins
 // besideSurface() does not meet what it leaves, however slender that is.
 // Source: Woop, Benthin, Wald, "Watertight ray/triangle intersection", JCGT 2(1), 2013; a bound on t as of Pharr, Jakob and
 // Humphreys, "Physically based rendering" (2023), "Avoiding intersections behind ray origins", but on the distance from the plane.
@@ -151,18 +151,18 @@ bool areOnOneLine(const glm::vec<3, T>& a, const glm::vec<3, T>& b, const glm::v
     return crossWithSigns(ab, ac) == glm::vec<3, T>(0);
 }
 
-// Six times the volume between a triangle and a point, by the edges and the ways from the point to the corners; 0 where the
-// point may as well lie in the plane. The sum of the weights' products, which is the same on paper, has the sign of a rounding
-// where a slender triangle is near: each weight is a small difference of large products. Here a rounding of an edge counts as
-// if the plane were moved by it.
+// Six times the volume between a triangle and a point near it, by the edges from one corner and the way from the point to that
+// corner; 0 where the point may as well lie in the plane. The sum of the weights' products, which is the same on paper, has
+// the sign of a rounding where a slender triangle is near: each weight is a small difference of large products. Here a rounding
+// of an edge counts as if the plane were moved by it. `p` and `q` are the parts of the edges at which the ray passes; the
+// fewer of them, the less their roundings count.
 template <typename T>
-T volumeNearPlane(const glm::vec<3, T>& toA, const glm::vec<3, T>& toB, const glm::vec<3, T>& toC,
-                  const glm::vec<3, T>& ab, const glm::vec<3, T>& ac) {
-    const glm::vec<3, T> normal = crossWithSigns(ab, ac);
-    const T volume = -glm::dot(normal, toA);
-    // Seven halves of an epsilon for the way, the normal, the products and their sum, and two for both edges
-    const glm::vec<3, T> farthest = glm::max(glm::abs(toA), glm::max(glm::abs(toB), glm::abs(toC)));
-    const T bound = 5 * std::numeric_limits<T>::epsilon() * glm::dot(glm::abs(normal), farthest);
+T volumeNearPlane(const glm::vec<3, T>& toCorner, const glm::vec<3, T>& edgeP, T p, const glm::vec<3, T>& edgeQ, T q) {
+    const glm::vec<3, T> normal = crossWithSigns(edgeP, edgeQ);
+    const T volume = -glm::dot(normal, toCorner);
+    // Seven halves of an epsilon for the way, the normal, the products and their sum, and one for each edge
+    const glm::vec<3, T> sizes = glm::abs(toCorner) + p * glm::abs(edgeP) + q * glm::abs(edgeQ);
+    const T bound = 4 * std::numeric_limits<T>::epsilon() * glm::dot(glm::abs(normal), sizes);
     return std::abs(volume) > bound ? volume : 0;
 }
 
@@ -210,9 +210,16 @@ std::optional<TriangleHit<T>> TriangleTest<T>::hit(const glm::vec<3, T>& cornerA
     const T sum = u + v + w;
     if (sum == 0) return {};
     T volume = u * za + v * zb + w * zc;
-    // Corners before the origin and behind it
+    // Corners before the origin and behind it: from the corner that weighs most, which is as near to the ray as any
     if (std::min(std::min(za, zb), zc) <= 0 && std::max(std::max(za, zb), zc) >= 0) {
-        volume = volumeNearPlane(fromA, fromB, fromC, cornerB - cornerA, cornerC - cornerA);
+        const T a = u / sum, b = v / sum, c = w / sum;
+        if (a >= b && a >= c) {
+            volume = volumeNearPlane(fromA, cornerB - cornerA, b, cornerC - cornerA, c);
+        } else if (b >= c) {
+            volume = volumeNearPlane(fromB, cornerC - cornerB, c, cornerA - cornerB, a);
+        } else {
+            volume = volumeNearPlane(fromC, cornerA - cornerC, a, cornerB - cornerC, b);
+        }
     }
     const T t = scaleZ_ * volume / sum;
     if (!(t > 0 && t <= std::numeric_limits<T>::max())) return {};  // also where there was a NaN

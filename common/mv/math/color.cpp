@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/mat2x2.hpp>
+#include <glm/mat2x3.hpp>
 #include <glm/matrix.hpp>
 #include <string>
 
@@ -75,21 +76,22 @@ struct KeepsGrey {
         const vec2 beside(v.x - v.y, v.z - v.y);
         return {v.y + dot(weights[0], beside), v.y + dot(weights[1], beside), v.y + dot(weights[2], beside)};
     }
-    KeepsGrey inverse() const {
-        // It takes v's differences from the middle one to its own by a matrix of 2 x 2
-        const glm::dmat2 back = glm::inverse(glm::dmat2(weights[0] - weights[1], weights[2] - weights[1]));
-        const vec2 middle = -(back * weights[1]);
-        return {{middle + back[0], middle, middle + back[1]}};
-    }
 };
 
-// Light to what the eye's three kinds of cones are given, and of their cube roots L, a and b: in L the weights have the sum 1,
-// in a and b 0.
+// Light to what the eye's three kinds of cones are given, and, below, of their cube roots L, a and b: in L the weights have the
+// sum 1, in a and b 0.
 const KeepsGrey conesFromLinear{{vec2(0.412221469470763, 0.0514459932675022),
                                  vec2(0.2119034958178252, 0.1073969535369406),
                                  vec2(0.0883024591900564, 0.6299787016738222)}};
+// The inverse, of exact fractions: where its products nearly cancel, what a rounded number lacks would grow.
+const KeepsGrey linearFromCones{{vec2(4.076741636075958, 0.23096990318210484),
+                                 vec2(-1.268437973285032, -0.3413193760026576),
+                                 vec2(-0.0041960761386754565, 1.7076146940746117)}};
 const vec2 lightnessOfRoots(0.210454268309314, -0.0040720430116193);
 const glm::dmat2 abFromRoots(1.9779985324311684, 0.0259040424655478, 0.450593709617411, -0.8086757549230774);
+// By columns, a and b: what they add to L in each root, by exact fractions too.
+const glm::dmat2x3 rootsFromAb(0.396337777376175, -0.10556134581565857, -0.08948417752981183, 0.2158037573099136,
+                               -0.06385417282581335, -1.2914855480194094);
 
 // The primaries' X, Y, Z in such amounts that they make up white.
 mat3 matrixOfPrimaries() {
@@ -175,11 +177,7 @@ vec3 oklabFromLinear(const vec3& linear) {
 
 vec3 linearFromOklab(const vec3& oklab) {
     requireFinite("linearFromOklab", "oklab", oklab);
-    static const KeepsGrey linearFromCones = conesFromLinear.inverse();
-    static const glm::dmat2 besideFromAb = inverse(abFromRoots);
-    const vec2 beside = besideFromAb * vec2(oklab.y, oklab.z);
-    const double middle = oklab.x - dot(lightnessOfRoots, beside);
-    const vec3 roots(middle + beside.x, middle, middle + beside.y);
+    const vec3 roots = oklab.x + rootsFromAb * vec2(oklab.y, oklab.z);
     return linearFromCones(roots * roots * roots);
 }
 
