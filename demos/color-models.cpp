@@ -88,8 +88,8 @@ vec3 mixed(Way way, const vec3& a, const vec3& b, double t) {
 
 vec3 asSeen(const vec3& srgb) { return oklabFromLinear(linearFromSrgb(srgb)); }
 vec3 shownAs(const vec3& srgb) { return glm::clamp(srgb, 0.0, 1.0); }
-// By more than the ten digits of OKLab's matrices.
-bool isBeyond(const vec3& srgb) { return glm::distance(srgb, shownAs(srgb)) > 1e-6; }
+// By more than OKLab's there and back rounds.
+bool isBeyond(const vec3& srgb) { return glm::distance(srgb, shownAs(srgb)) > 1e-9; }
 
 struct ColorModels final : Demo {
     Choice<Shows> shows{this,

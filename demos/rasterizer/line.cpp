@@ -112,21 +112,17 @@ std::vector<PixelStep> bresenham(int x1, int y1, int x2, int y2) {
     return set;
 }
 
-// Turned and mirrored so that it goes right, and rises or falls by less than it goes.
+// Turned so that it goes along x by no less than along y.
 struct Turned {
     bool steep;
     int x1, y1, x2, y2;
     Turned(int ax, int ay, int bx, int by)
         : steep(std::abs(by - ay) > std::abs(bx - ax)), x1(ax), y1(ay), x2(bx), y2(by) {
-        if (steep) {
-            std::swap(x1, y1);
-            std::swap(x2, y2);
-        }
-        if (x1 > x2) {
-            std::swap(x1, x2);
-            std::swap(y1, y2);
-        }
+        if (!steep) return;
+        std::swap(x1, y1);
+        std::swap(x2, y2);
     }
+    int step() const { return x1 <= x2 ? 1 : -1; }
     PixelStep back(PixelStep step) const {
         if (steep) std::swap(step.x, step.y);
         return step;
@@ -136,12 +132,14 @@ struct Turned {
 std::vector<PixelStep> octants(int ax, int ay, int bx, int by) {
     std::vector<PixelStep> set;
     const Turned line(ax, ay, bx, by);
-    const int rise = std::abs(line.y2 - line.y1), up = line.y1 < line.y2 ? 1 : -1, run = line.x2 - line.x1;
+    const int rise = std::abs(line.y2 - line.y1), up = line.y1 < line.y2 ? 1 : -1, run = std::abs(line.x2 - line.x1);
+    // Exactly between two pixels the way back has to wait where the way there has made its step: so both set the same.
+    const int least = line.step() > 0 ? 0 : 1;
     int e = -run;
-    for (int x = line.x1, y = line.y1; x <= line.x2; ++x) {
+    for (int i = 0, x = line.x1, y = line.y1; i <= run; ++i, x += line.step()) {
         set.push_back(line.back({x, y, double(e)}));
         e += 2 * rise;
-        if (e >= 0) {
+        if (e >= least) {
             y += up;
             e -= 2 * run;
         }
@@ -152,10 +150,10 @@ std::vector<PixelStep> octants(int ax, int ay, int bx, int by) {
 std::vector<PixelStep> smooth(int ax, int ay, int bx, int by) {
     std::vector<PixelStep> set;
     const Turned line(ax, ay, bx, by);
-    const int run = line.x2 - line.x1;
-    for (int x = line.x1; x <= line.x2; ++x) {
+    const int run = std::abs(line.x2 - line.x1);
+    for (int i = 0, x = line.x1; i <= run; ++i, x += line.step()) {
         // y at x is whole + above / run, without a rounding
-        const long rise = long(line.y2 - line.y1) * (x - line.x1);
+        const long rise = long(line.y2 - line.y1) * i;
         const long whole = run == 0 ? 0 : (rise >= 0 ? rise / run : -((-rise + run - 1) / run));
         const double part = run == 0 ? 0 : double(rise - whole * run) / run;
         const int y = line.y1 + static_cast<int>(whole);

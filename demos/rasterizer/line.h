@@ -16,7 +16,8 @@ enum class LineMethod {
     smooth,     // two pixels a column, by how near the line passes. Source: Wu (1991).
 };
 
-// The pixels from (x1, y1) to (x2, y2), in the order in which they are set. But for octants and smooth the methods are the
+// The pixels from (x1, y1) to (x2, y2), in the order in which they are set; by octants and smooth a line back sets the same ones,
+// in the other order. But for octants and smooth the methods are the
 // lecture's, made for x1 < x2 and slopes from 0 to 1: steeper lines have gaps, and others are wrong or empty.
 std::vector<PixelStep> linePixels(LineMethod method, int x1, int y1, int x2, int y2);
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mv/geometry/clip_segment.h"
 #include "sheet.h"
 
 namespace mv::rasterizer {
@@ -32,7 +33,7 @@ namespace mv {
 std::vector<PixelStep> polygonPixels(const std::vector<vec2>& corners, int width, int height, Winding winding) {
     std::vector<PixelStep> set;
     struct Crossing {
-        double x;
+        int column;  // the first whose middle is not left of the edge
         int turn;
     };
     for (int j = 0; j < height; ++j) {
@@ -41,15 +42,20 @@ std::vector<PixelStep> polygonPixels(const std::vector<vec2>& corners, int width
         for (std::size_t i = 0; i < corners.size(); ++i) {
             const vec2 &a = corners[i], &b = corners[(i + 1) % corners.size()];
             if ((a.y > y) == (b.y > y)) continue;
-            crossings.push_back({a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x), a.y < b.y ? 1 : -1});
+            const vec2 &low = a.y < b.y ? a : b, &high = a.y < b.y ? b : a;
+            const double x = low.x + (y - low.y) / (high.y - low.y) * (high.x - low.x);
+            // Where a middle is on the edge x is a rounding off it, to either side: so the neighbour across the edge would differ.
+            int column = static_cast<int>(std::ceil(x - 0.5)) - 1;
+            while (orientation(low, high, {column + 0.5, y}) > 0) ++column;
+            crossings.push_back({column, a.y < b.y ? 1 : -1});
         }
-        std::ranges::sort(crossings, [](const Crossing& a, const Crossing& b) { return a.x < b.x; });
+        std::ranges::sort(crossings, {}, &Crossing::column);
         int turns = 0;
         for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
             turns += winding == Winding::evenOdd ? 1 : crossings[i].turn;
             if (winding == Winding::evenOdd ? turns % 2 == 0 : turns == 0) continue;
-            const int first = std::max(0, static_cast<int>(std::ceil(crossings[i].x - 0.5)));
-            for (int x = first; x < width && x + 0.5 < crossings[i + 1].x; ++x) set.push_back({x, j, double(turns)});
+            for (int x = std::max(0, crossings[i].column); x < std::min(width, crossings[i + 1].column); ++x)
+                set.push_back({x, j, double(turns)});
         }
     }
     return set;

@@ -35,16 +35,20 @@ std::vector<Wide> listOf(const Wide3& v) { return {v[0], v[1], v[2]}; }
 // A decimal of the sources.
 Wide decimal(const char* digits) { return Wide(digits); }
 
+// Rows of the sum 1 or 0: the middle number is what is left of that, where the source's is rounded to 16 digits.
+Wide3 rowOf(int sum, const char* first, const char* last) {
+    return {{decimal(first), sum - decimal(first) - decimal(last), decimal(last)}};
+}
 const WideRows& conesFromLight() {
-    static const WideRows rows{{{{decimal("0.4122214708"), decimal("0.5363325363"), decimal("0.0514459929")}},
-                                {{decimal("0.2119034982"), decimal("0.6806995451"), decimal("0.1073969566")}},
-                                {{decimal("0.0883024619"), decimal("0.2817188376"), decimal("0.6299787005")}}}};
+    static const WideRows rows{{rowOf(1, "0.412221469470763", "0.0514459932675022"),
+                                rowOf(1, "0.2119034958178252", "0.1073969535369406"),
+                                rowOf(1, "0.0883024591900564", "0.6299787016738222")}};
     return rows;
 }
 const WideRows& labFromRoots() {
-    static const WideRows rows{{{{decimal("0.2104542553"), decimal("0.7936177850"), decimal("-0.0040720468")}},
-                                {{decimal("1.9779984951"), decimal("-2.4285922050"), decimal("0.4505937099")}},
-                                {{decimal("0.0259040371"), decimal("0.7827717662"), decimal("-0.8086757660")}}}};
+    static const WideRows rows{{rowOf(1, "0.210454268309314", "-0.0040720430116193"),
+                                rowOf(0, "1.9779985324311684", "0.450593709617411"),
+                                rowOf(0, "0.0259040424655478", "-0.8086757549230774")}};
     return rows;
 }
 

@@ -1,6 +1,7 @@
-// X26: hue, saturation and lightness of greys, of what is lighter than white, and of all colours of 8 bits.
+// X26: hue, saturation and lightness of greys, of what is lighter than white, and of all colours of 8 bits. Y23: OKLab's greys.
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "extremes/measure.h"
 #include "extremes/row.h"
@@ -77,6 +78,34 @@ fvec3 usualHsl(const fvec3& rgb) {
                .ourError = static_cast<double>(changed) / (1 << 24),
                .tolerance = 0,
                .reason = "each comes back"};
+});
+
+// OKLab by the numbers that were published first.
+vec3 oklabOf2021(const vec3& linear) {
+    const mat3 cones(0.4122214708, 0.2119034982, 0.0883024619, 0.5363325363, 0.6806995451, 0.2817188376, 0.0514459929,
+                     0.1073969566, 0.6299787005),
+        roots(0.2104542553, 1.9779984951, 0.0259040371, 0.7936177850, -2.4285922050, 0.7827717662, -0.0040720468,
+              0.4505937099, -0.8086757660);
+    const vec3 seen = cones * linear;
+    return roots * vec3(std::cbrt(seen.x), std::cbrt(seen.y), std::cbrt(seen.z));
+}
+
+[[maybe_unused]] const bool y23 = addRow([] {
+    double naive = 0, ours = 0;
+    for (int i = 0; i <= 255; ++i) {
+        const auto error = [&](const vec3& lab) { return glm::distance(lab, vec3(std::cbrt(i / 255.0), 0, 0)); };
+        naive = worse(naive, error(oklabOf2021(vec3(i / 255.0))));
+        ours = worse(ours, error(oklabFromLinear(vec3(i / 255.0))));
+    }
+    return Row{.id = "Y23",
+               .input = "256 greys from black to white, as OKLab",
+               .measured = "distance from the grey of that lightness, which has a and b of 0",
+               .naive = "the matrices of 2021, of ten digits, times the colour",
+               .naiveError = naive,
+               .ours = "oklabFromLinear: CSS Color 4's, by differences from green",
+               .ourError = ours,
+               .tolerance = 0,
+               .reason = "the differences are 0, and so is what is multiplied with them"};
 });
 
 }  // namespace

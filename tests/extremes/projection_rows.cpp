@@ -70,10 +70,32 @@ Row planesAt(const std::string& id, double ratio) {
             .tolerance = 1e-6,
             .reason = "the matrix keeps 2 near/far of the plane, known to 1.1e-16: 1.1e-8 at 1e8"};
 }
+// A far plane at infinity: of points far and near the smallest distance inside it, which is to be above 0.
+Row planesAtInfinity() {
+    const mat4 clipFromCamera = infinitePerspective(50, 1.5, 0.1), rows = glm::transpose(clipFromCamera);
+    const vec4 far = rows[3] - rows[2], divided = far / glm::length(vec3(far));
+    const auto outside = [](const vec4& plane) {
+        double count = 0;
+        for (const double distance : {0.2, 1e3, 1e12}) count += glm::dot(plane, vec4(0, 0, -distance, 1)) > 0 ? 0 : 1;
+        return count;
+    };
+    return {.id = "X07 inf",
+            .input = "far at infinity: three points before the eye, up to 1e12 away",
+            .measured = "points that are beyond the far plane",
+            .naive = "Gribb and Hartmann's plane, divided by its normal's length",
+            .naiveError = outside(divided),
+            .ours = "planesFromClip; perspectivePlanes",
+            .ourError = worse(outside(planesFromClip(clipFromCamera)[mv::farPlane]),
+                              outside(perspectivePlanes(50, 1.5, 0.1, infinite)[mv::farPlane])),
+            .tolerance = 0,
+            .reason = "the plane at infinity is (0, 0, 0, 1), exactly"};
+}
+
 [[maybe_unused]] const bool x07a = addRow([] { return planesAt("X07 1e5", 1e5); });
 [[maybe_unused]] const bool x07b = addRow([] { return planesAt("X07 1e6", 1e6); });
 [[maybe_unused]] const bool x07c = addRow([] { return planesAt("X07 1e7", 1e7); });
 [[maybe_unused]] const bool x07d = addRow([] { return planesAt("X07 1e8", 1e8); });
+[[maybe_unused]] const bool x07e = addRow([] { return planesAtInfinity(); });
 
 // A view nearly half the sky wide: f = cot(fovy/2) is small, and the angle in radians is rounded at 3.
 [[maybe_unused]] const bool y02 = addRow([] {

@@ -1,10 +1,13 @@
 // X18 to X21: rays against spheres far away and under the eye, against the edges of a mesh, and against triangles that are
-// small, thin, or nothing.
+// small, thin, or nothing. Y24: points beside an edge.
 #include <algorithm>
+#include <array>
+#include <span>
 
 #include "accuracy/function.h"
 #include "extremes/measure.h"
 #include "extremes/row.h"
+#include "mv/geometry/ray_forms.h"
 #include "support/ray_trials.h"
 #include "support/textbook_rays.h"
 
@@ -190,6 +193,40 @@ Row smallTriangles(const std::string& id, const std::string& what, double length
         .ourError = double(hitsOfNothing(woop)),
         .tolerance = 0,
         .reason = "whole numbers: that their area is 0 is exact"};
+});
+
+// Points as near to a triangle's slanting edge as doubles let them be, each on the side that is decided in Wide.
+template <typename Holds>
+double wronglyHeld(Holds holds) {
+    Random random(24);
+    double wrong = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        const vec2 a(random.number(0, 1), random.number(0, 1)), b(random.number(17, 18), random.number(17, 18));
+        const double along = random.number(0.01, 0.99);
+        const vec2 at = a + along * (b - a);
+        const Wide turn =
+            (Wide(b.x) - Wide(a.x)) * (Wide(at.y) - Wide(a.y)) - (Wide(b.y) - Wide(a.y)) * (Wide(at.x) - Wide(a.x));
+        const std::array<vec2, 3> corners{a, b, vec2(20, 0)};
+        wrong += holds(std::span<const vec2>(corners), at) == (turn <= 0) ? 0 : 1;
+    }
+    return wrong;
+}
+
+[[maybe_unused]] const bool y24 = addRow([] {
+    const auto byDifferences = [](std::span<const vec2> corners, const vec2& at) {
+        const vec2 edge = corners[1] - corners[0], way = at - corners[0];
+        return edge.x * way.y - edge.y * way.x <= 0;
+    };
+    return Row{
+        .id = "Y24",
+        .input = "20 000 points within a rounding of a triangle's edge",
+        .measured = "points that are inside and said to be outside, or the other way round",
+        .naive = "on which side of the edge: a difference of products of differences",
+        .naiveError = wronglyHeld(byDifferences),
+        .ours = "isInside",
+        .ourError = wronglyHeld([](std::span<const vec2> corners, const vec2& at) { return isInside(corners, at); }),
+        .tolerance = 0,
+        .reason = "the sign is that of the exact sum"};
 });
 
 }  // namespace

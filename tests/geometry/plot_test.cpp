@@ -51,6 +51,57 @@ TEST(Plot, TicksAreRoundNumbers) {
     }
 }
 
+// Ascending, between the ends, and not too many: for the smallest, the largest and the narrowest ranges that there are
+void expectTicks(const Axis& axis, int most) {
+    SCOPED_TRACE(testing::Message() << axis.low << " to " << axis.high << ", " << most);
+    const Values values = ticks(axis, most);
+    EXPECT_LE(values.size(), std::size_t(most));
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        EXPECT_TRUE(std::isfinite(values[i]));
+        EXPECT_GE(values[i] / 2, axis.low / 2 - 1e-9 * (axis.high / 2 - axis.low / 2));
+        EXPECT_LE(values[i] / 2, axis.high / 2 + 1e-9 * (axis.high / 2 - axis.low / 2));
+        if (i > 0) {
+            EXPECT_GT(values[i], values[i - 1]);
+        }
+        if (axis.logarithmic) {
+            EXPECT_GT(values[i], 0);
+        }
+    }
+}
+
+TEST(Plot, TicksOfAnyRange) {
+    constexpr double least = std::numeric_limits<double>::denorm_min(), most = std::numeric_limits<double>::max();
+    for (const int count : {1, 2, 4, 7, 1000}) {
+        for (const double size :
+             {least, 1e-320, 1e-310, 1e-307, 1e-300, 1e-3, 1.0, 3e15, 1e16, 1e300, most / 2, most}) {
+            expectTicks({-size, size}, count);
+            expectTicks({0, size}, count);
+            if (size < most / 2) expectTicks({size, 2 * size}, count);
+            for (const int roundings : {1, 2, 3, 10, 100}) {
+                double low = size;
+                for (int i = 0; i < roundings; ++i) low = std::nextafter(low, -1.0);
+                expectTicks({low, size}, count);
+                expectTicks({-size, -low}, count);
+                if (low > 0) expectTicks({low, size, "", true}, count);
+            }
+            if (size > 1e-310) expectTicks({1e-310, size, "", true}, count);
+            if (size > least) expectTicks({least, size, "", true}, count);
+        }
+        expectTicks({1 + 1e-10, 1 + 2e-10, "", true}, count);
+    }
+    EXPECT_EQ(ticks({1e-307, 2e-307}, 4), (Values{1e-307, 1.5e-307, 2e-307}));
+    EXPECT_EQ(ticks({-1e308, 1e308}, 5), (Values{-1e308, -5e307, 0, 5e307, 1e308}));
+    EXPECT_EQ(ticks({1, std::nextafter(1, 2)}, 4), (Values{1, std::nextafter(1, 2)}));
+    EXPECT_EQ(ticks({0, least}, 4), (Values{0, least}));
+    EXPECT_EQ(ticks({1e-310, 1e-308, "", true}, 4), (Values{1e-310, 1e-309, 1e-308}));
+    // Where a value is drawn does not overflow either
+    const Plot plot{{{0, 0}, {200, 100}}, {-1e308, 1e308}, {-most, most}};
+    EXPECT_EQ(plot.pixel({0, 0}), vec2(100, 50));
+    EXPECT_EQ(plot.pixel({-1e308, most}), vec2(0, 100));
+    EXPECT_EQ(plot.value({150, 50}), vec2(5e307, 0));
+    EXPECT_EQ(plot.value({200, 100}), vec2(1e308, most));
+}
+
 TEST(Plot, TicksOfALogarithmAreDecades) {
     EXPECT_EQ(ticks({0.1, 1e4, "", true}, 10), (Values{0.1, 1, 10, 100, 1e3, 1e4}));
     EXPECT_EQ(ticks({0.1, 1e4, "", true}, 3), (Values{0.1, 10, 1e3}));

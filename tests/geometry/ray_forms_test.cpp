@@ -67,6 +67,36 @@ TEST(RayForms, polygons_that_share_edges_hold_each_point_once) {
     EXPECT_FALSE(isInside(std::span<const vec2>(), vec2(0, 0)));
 }
 
+// As near to an edge as doubles are: what lies between a point and its neighbour is decided, and by no rounded difference.
+TEST(RayForms, a_point_beside_an_edge_by_less_than_a_rounding) {
+    const std::array<vec2, 3> corners{vec2(0.9500000000001119, 0.9500000000001101), vec2(18, 18), vec2(18, 0.95)};
+    const vec2 point(16.8, 16.8);
+    // The edge's line is below the point by 9e-17, half of what its coordinates can say
+    ASSERT_EQ(orientation(corners[0], corners[1], point), 1);
+    EXPECT_FALSE(isInside(std::span<const vec2>(corners), point));
+
+    // Either way round, and as a neighbour on the other side of the edge has it
+    Random random(6);
+    int byRounding = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        const vec2 a(random.number(0, 1), random.number(0, 1)), b(random.number(17, 18), random.number(17, 18));
+        const double along = random.number(0.01, 0.99);
+        const vec2 at = a + along * (b - a);
+        const std::array<vec2, 3> right{a, b, vec2(20, 0)}, turned{vec2(20, 0), b, a}, left{a, b, vec2(0, 20)};
+        const int side = orientation(a, b, at);
+        const auto holds = [&](const std::array<vec2, 3>& polygon) {
+            return isInside(std::span<const vec2>(polygon), at);
+        };
+        ASSERT_EQ(holds(right), side <= 0) << i;
+        ASSERT_EQ(holds(turned), side <= 0) << i;
+        ASSERT_EQ(holds(left), side > 0) << i;
+        const vec2 edge = b - a, way = at - a;
+        const double rounded = differenceOfProducts(edge.x, way.y, edge.y, way.x);
+        byRounding += (rounded > 0) != (side > 0) ? 1 : 0;
+    }
+    EXPECT_GT(byRounding, 1000) << "the differences of coordinates are rounded, so that form is a matter of luck here";
+}
+
 TEST(RayForms, polygons_in_space) {
     // An arrow, not convex, in a slanting plane
     const mat4 placed = translate(1, 2, -3) * rotateY(40) * rotateX(-25);

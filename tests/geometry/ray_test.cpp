@@ -1,5 +1,6 @@
 #include "mv/geometry/ray.h"
 
+#include <cstdlib>
 #include <glm/geometric.hpp>
 #include <string>
 
@@ -268,6 +269,70 @@ TEST(IntersectTriangle, TakesSmallAndThinOnesAndPassesOverThoseWithoutArea) {
         found += intersectTriangle(Ray{{0.5, 0.5, 1}, towards - vec3(0.5, 0.5, 1)}, p, vec3(1, 1, -2), beside) ? 1 : 0;
     }
     EXPECT_GT(found, 0);
+}
+
+// Of 1e5 rays each, and of 1e7 where MVGL_LONG is set
+TEST(IntersectTriangle, IsNotMetByTheRayThatLeavesIt) {
+    const long count = std::getenv("MVGL_LONG") != nullptr ? 10'000'000 : 100'000;
+    const auto start = [](const vec3& place, const vec3& normal, const vec3& way, const vec3& size) {
+        return besideSurface(place, normal, way, size, 8);
+    };
+    const auto ours = [](const Ray& ray, const vec3& a, const vec3& b, const vec3& c) {
+        return intersectTriangle(ray, a, b, c);
+    };
+    for (const Leaving kind : {Leaving::inPlaneX0, Leaving::inPlaneY0, Leaving::inPlaneY001, Leaving::anywhere,
+                               Leaving::slender100, Leaving::slender1e4, Leaving::slender1e6, Leaving::slender1e8}) {
+        EXPECT_EQ(metAgain(kind, count, start, ours), 0) << int(kind);
+    }
+    // Half of what leaves a slender one meets it by t as published, whichever way the start is off it.
+    EXPECT_GT(metAgain(Leaving::slender1e6, 10'000, start, publishedWatertight), 4000);
+    // Off by the roundings of the coordinate along the normal alone, so not at all in y = 0
+    const auto alongNormal = [](const vec3& place, const vec3&, const vec3&, const vec3&) { return place; };
+    EXPECT_GT(metAgain(Leaving::inPlaneY0, 10'000, alongNormal, publishedWatertight), 2000);
+}
+
+// Two triangles of whole coordinates in one plane, of an edge up to a millionth as long: a ray leaves the one beside that edge, or
+// on it, as flatly as doubles have it, and meets neither.
+TEST(IntersectTriangle, IsNotMetByTheRayThatLeavesItsNeighbour) {
+    Random random(29);
+    for (const double width : {1024.0, 1.0, 1.0 / 1024}) {
+        for (const vec3& slope : {vec3(0, 0, 0), vec3(1, 1, 0), vec3(0, 2, 1e6)}) {
+            const auto placed = [&](double x, double z) { return vec3(x, slope.x * x + slope.y * z + slope.z, z); };
+            const vec3 middle = placed(0, 0), first = placed(1024, 0), common = placed(1024, width),
+                       last = placed(1024, 2 * width), normal = unit(accurateCross(first - middle, common - middle));
+            const vec3 size = glm::max(glm::abs(first), glm::max(glm::abs(common), glm::abs(middle)));
+            for (int i = 0; i < 20'000; ++i) {
+                const double part = i % 3 == 0 ? 0 : random.logarithmic(1e-18, 1), along = random.number(0, 1 - part);
+                const vec3 place = (1 - part - along) * middle + part * first + along * common;
+                vec3 way = random.direction();
+                if (i % 2 == 0) way -= (1 - random.logarithmic(1e-15, 1)) * glm::dot(way, normal) * normal;
+                const Ray ray{besideSurface(place, normal, way, size, 8), way};
+                ASSERT_FALSE(intersectTriangle(ray, middle, first, common)) << width << " " << i;
+                ASSERT_FALSE(intersectTriangle(ray, middle, common, last)) << width << " " << i;
+            }
+        }
+    }
+}
+
+// What is nearer to the plane than roundings of the ways is passed over, and nothing else, however slender.
+TEST(IntersectTriangle, IsMetFromCloseBy) {
+    Random random(31);
+    for (const double aspect : {1.0, 1e3, 1e6}) {
+        int met = 0;
+        for (int i = 0; i < 20'000; ++i) {
+            const vec3 a = random.point(1), along = random.direction(),
+                       across = glm::normalize(glm::cross(along, random.direction()));
+            const vec3 b = a + along, c = a + 0.5 * along + across / aspect, normal = glm::cross(along, across);
+            // Well within it, up to 1e-12 from the plane, at 0.3 to it or steeper
+            const vec3 place = (a + b + c) / 3.0, way = random.direction();
+            if (std::abs(glm::dot(way, normal)) < 0.3) continue;
+            const double distance = random.logarithmic(1e-12, 0.1 / aspect + 2e-12);
+            ASSERT_TRUE(intersectTriangle(Ray{place - distance * way, way}, a, b, c)) << aspect << " " << distance;
+            ASSERT_FALSE(intersectTriangle(Ray{place + distance * way, way}, a, b, c)) << aspect << " " << distance;
+            ++met;
+        }
+        EXPECT_GT(met, 10'000);
+    }
 }
 
 TEST(IntersectTriangle, MeetsNothingBehindItAndNothingThatIsNoNumber) {

@@ -109,6 +109,26 @@ TEST(Strokes, PolygonsCoverTheirAreaInEitherWinding) {
     }
 }
 
+TEST(Strokes, AThinPolygonIsTheSameFarFromTheOrigin) {
+    for (const double width : {0x1p-4, 0x1p-10, 0x1p-18}) {
+        for (const bool isTurned : {false, true}) {
+            std::vector<vec2> corners{{0, 0}, {10, 3}, {10, 3 + width}, {0, width}};
+            if (isTurned) std::reverse(corners.begin(), corners.end());
+            Painted near, far;
+            fillConvex(near, corners, 0, red);
+            const vec2 away(0x1p30, 0x1p29);  // exact: 2^-18 is no less than a double's step there
+            for (vec2& corner : corners) corner += away;
+            fillConvex(far, corners, 0, red);
+            ASSERT_EQ(near.size(), far.size()) << width;
+            for (std::size_t i = 0; i < near.size(); ++i) {
+                // The rim's corners are rounded to that step
+                EXPECT_LT(glm::distance(vec2(near[i].position), vec2(far[i].position) - away), 0x1p-20) << width;
+                EXPECT_EQ(near[i].color, far[i].color);
+            }
+        }
+    }
+}
+
 TEST(Strokes, CuttingKeepsWhatIsInside) {
     Painted all;
     strokeLine(all, std::array{vec3(-50, 10, -1), vec3(60, 43, 1)}, 5, red);

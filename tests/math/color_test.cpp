@@ -149,16 +149,27 @@ TEST(HslAndHsv, refuse_what_is_no_color) {
 }
 
 TEST(Oklab, known_colors) {
-    // The page's own examples are of XYZ; these are of its reference code, to the digits of its matrices.
-    const vec3 white = oklabFromLinear(vec3(1)), black = oklabFromLinear(vec3(0));
-    EXPECT_NEAR(white.x, 1, 1e-8);
-    EXPECT_NEAR(white.y, 0, 1e-8);
-    EXPECT_NEAR(white.z, 0, 4e-8);
-    EXPECT_EQ(black, vec3(0));
-    const vec3 red = oklabFromLinear(vec3(1, 0, 0));
-    EXPECT_NEAR(red.x, 0.62796, 1e-5);
-    EXPECT_NEAR(red.y, 0.22486, 1e-5);
-    EXPECT_NEAR(red.z, 0.12585, 1e-5);
+    EXPECT_EQ(oklabFromLinear(vec3(1)), vec3(1, 0, 0));
+    EXPECT_EQ(oklabFromLinear(vec3(0)), vec3(0));
+    EXPECT_EQ(linearFromOklab({1, 0, 0}), vec3(1));
+    // By the matrices of CSS Color 4 as they are printed, in order: light to cones, and their roots to L, a and b. The middle
+    // numbers are rounded to 16 digits, of sizes up to 2.4.
+    const mat3 cones = transpose(mat3(0.412221469470763, 0.5363325372617348, 0.0514459932675022, 0.2119034958178252,
+                                      0.6806995506452344, 0.1073969535369406, 0.0883024591900564, 0.2817188391361215,
+                                      0.6299787016738222)),
+               roots = transpose(mat3(0.210454268309314, 0.7936177747023054, -0.0040720430116193, 1.9779985324311684,
+                                      -2.4285922420485799, 0.450593709617411, 0.0259040424655478, 0.7827717124575296,
+                                      -0.8086757549230774));
+    Random random(8);
+    for (int i = 0; i < 1000; ++i) {
+        const vec3 linear = anyColor(random), seen = cones * linear;
+        const vec3 printed = roots * vec3(std::cbrt(seen.x), std::cbrt(seen.y), std::cbrt(seen.z));
+        EXPECT_LE(largest(oklabFromLinear(linear) - printed), 4e-15);
+    }
+    // As CSS Color 4 prints them, to five digits
+    const vec3 red = oklabFromLinear(vec3(1, 0, 0)), blue = oklabFromLinear(vec3(0, 0, 1));
+    EXPECT_LE(largest(red - vec3(0.62796, 0.22486, 0.12585)), 5e-6);
+    EXPECT_LE(largest(blue - vec3(0.45201, -0.03246, -0.31153)), 5e-6);
     // Eight times the light is twice as far from black.
     EXPECT_LE(largest(oklabFromLinear(vec3(0.8, 0.4, 0.16)) - 2.0 * oklabFromLinear(vec3(0.1, 0.05, 0.02))), 1e-15);
 }
@@ -172,14 +183,16 @@ TEST(Oklab, there_and_back) {
     }
 }
 
-// Greys are on the axis as far as the ten digits of the matrices go.
+// Greys have no chroma, and come back as greys: to the last bit.
 TEST(Oklab, greys_rise_along_the_axis) {
     double last = -1;
     for (int i = 0; i <= 100; ++i) {
         const vec3 lab = oklabFromLinear(vec3(i / 100.0));
         EXPECT_GT(lab.x, last);
-        EXPECT_NEAR(lab.y, 0, 1e-8);
-        EXPECT_NEAR(lab.z, 0, 4e-8);
+        EXPECT_EQ(lab, vec3(std::cbrt(i / 100.0), 0, 0));
+        const vec3 back = linearFromOklab(lab);
+        EXPECT_EQ(back, vec3(back.x));
+        EXPECT_NEAR(back.x, i / 100.0, 1e-15);
         last = lab.x;
     }
 }

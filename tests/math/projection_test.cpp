@@ -292,7 +292,7 @@ TEST(PlanesExtremes, X07FarPlaneAtLargeRatios) {
     }
     // The parameters lose nothing at any ratio; the matrix says when it has.
     EXPECT_EQ(perspectivePlanes(50, 1.5, 1e-10, 1e10)[farPlane], vec4(0, 0, 1, 1e10));
-    for (const double ratio : {1e11, 1e13, 1e20}) {  // still there in part, mostly noise, gone
+    for (const double ratio : {1e11, 1e13}) {  // still there in part, mostly noise
         const std::string lost = refusal([&] { planesFromClip(perspective(50, 1.5, 1, ratio)); });
         EXPECT_EQ(lost.rfind("planesFromClip: the far plane's normal must not cancel; for an extreme far/near use "
                              "perspectivePlanes, ",
@@ -300,6 +300,9 @@ TEST(PlanesExtremes, X07FarPlaneAtLargeRatios) {
                   0u)
             << lost;
     }
+    // Where nothing of it is left the matrix is that of a far plane at infinity.
+    EXPECT_EQ(perspective(50, 1.5, 1, 1e20), infinitePerspective(50, 1.5, 1));
+    EXPECT_EQ(planesFromClip(perspective(50, 1.5, 1, 1e20))[farPlane], vec4(0, 0, 0, 1));
 }
 
 TEST(Planes, AreThoseOfAnyMultipleOfTheMatrix) {
@@ -321,6 +324,45 @@ TEST(Planes, AreThoseOfAnyMultipleOfTheMatrix) {
                   planesFromClip(1e-200 * perspective(50, 1.5, 1, 1e13));
               }).rfind("planesFromClip: the far plane's normal must not cancel", 0),
               0u);
+}
+
+TEST(Planes, AreFiveWhereTheFarOneIsAtInfinity) {
+    const mat4 view = rotateY(30) * translate(-1, -2, -3);
+    const auto fromArguments = perspectivePlanes(50, 1.5, 0.5, infinite);
+    const auto finite = perspectivePlanes(50, 1.5, 0.5, 20);
+    for (std::size_t i = 0; i < farPlane; ++i) EXPECT_EQ(fromArguments[i], finite[i]) << i;
+    EXPECT_EQ(fromArguments[farPlane], vec4(0, 0, 0, 1));
+    for (const double factor : {1.0, 3.0, 1e-200, 1e200}) {
+        const auto camera = planesFromClip(factor * infinitePerspective(50, 1.5, 0.5));
+        const auto world = planesFromClip(factor * (infinitePerspective(50, 1.5, 0.5) * view));
+        for (std::size_t i = 0; i < farPlane; ++i) {
+            EXPECT_LT(glm::length(camera[i] - finite[i]), 4 * rounding) << i;
+            EXPECT_NEAR(glm::length(vec3(world[i])), 1, rounding) << i;
+        }
+        EXPECT_EQ(camera[farPlane], vec4(0, 0, 0, 1));
+        EXPECT_EQ(world[farPlane], vec4(0, 0, 0, 1));
+        // What they hold is what the matrix shows, however far away, and a direction is held by the far plane, too.
+        Random random(8);
+        for (int i = 0; i < 2000; ++i) {
+            const vec3 p = random.logarithmic(1, 1e12) * random.direction();
+            const vec4 c = infinitePerspective(50, 1.5, 0.5) * view * vec4(p, 1);
+            const bool visible = std::max({std::abs(c.x), std::abs(c.y), std::abs(c.z)}) <= c.w;
+            const bool held = std::ranges::all_of(world, [&](const vec4& plane) { return inside(plane, p) >= 0; });
+            ASSERT_EQ(held, visible) << i;
+        }
+        EXPECT_EQ(glm::dot(world[farPlane], vec4(random.direction(), 0)), 0);
+    }
+    // Behind which everything lies, and of which nothing is left
+    mat4 behind = infinitePerspective(50, 1.5, 0.5);
+    behind[3].z = -behind[3].z;
+    EXPECT_EQ(refusal([&] { planesFromClip(behind); }).rfind("planesFromClip: the far plane's normal", 0), 0u);
+    EXPECT_EQ(refusal([] { planesFromClip(mv::scale(1, 1, 0)); }).rfind("planesFromClip: the near plane's normal", 0),
+              0u);
+    EXPECT_EQ(refusal([] { perspectivePlanes(50, 1.5, infinite, infinite); }).rfind("perspectivePlanes: near must", 0),
+              0u);
+    EXPECT_NE(refusal([] { perspectivePlanes(50, 1.5, 0, infinite); }), "");
+    EXPECT_NE(refusal([] { perspectivePlanes(50, 1.5, 1, -infinite); }), "");
+    EXPECT_NE(refusal([] { perspectivePlanes(50, 1.5, 1, notANumber); }), "");
 }
 
 TEST(Planes, RefuseWhatIsNoProjection) {

@@ -19,6 +19,7 @@
 #include <glm/geometric.hpp>
 #include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -74,6 +75,24 @@ TEST(Rasterizer, within_half_a_pixel) {
             }
             ASSERT_EQ(along.size(), pixels.size()) << "one a column, or a row";
             ASSERT_TRUE(touchesStart && touchesEnd);
+            // From the first end, pixel by pixel, and back by the same ones
+            auto there = placesOf(pixels);
+            ASSERT_EQ(there.front(), std::pair(3, -2)) << x << " " << y;
+            for (std::size_t i = 1; i < there.size(); ++i) {
+                const int dx = there[i].first - there[i - 1].first, dy = there[i].second - there[i - 1].second;
+                ASSERT_EQ(std::max(std::abs(dx), std::abs(dy)), 1) << x << " " << y;
+            }
+            std::ranges::reverse(there);
+            ASSERT_EQ(there, placesOf(linePixels(LineMethod::octants, 3 + x, -2 + y, 3, -2))) << x << " " << y;
+            // Two pixels a column by nearness, and these in the same order
+            const auto fine = linePixels(LineMethod::smooth, 3, -2, 3 + x, -2 + y),
+                       back = linePixels(LineMethod::smooth, 3 + x, -2 + y, 3, -2);
+            ASSERT_EQ(std::pair(fine.front().x, fine.front().y), std::pair(3, -2)) << x << " " << y;
+            ASSERT_EQ(std::pair(fine.back().x, fine.back().y), std::pair(3 + x, -2 + y)) << x << " " << y;
+            std::set<std::tuple<int, int, double>> ofFine, ofBack;
+            for (const PixelStep& pixel : fine) ofFine.emplace(pixel.x, pixel.y, pixel.coverage);
+            for (const PixelStep& pixel : back) ofBack.emplace(pixel.x, pixel.y, pixel.coverage);
+            ASSERT_EQ(ofFine, ofBack) << x << " " << y;
         }
     }
     // By nearness: each column's two pixels share the colour, and their middle is the line.
@@ -309,4 +328,16 @@ TEST(Rasterizer, two_insides) {
     const auto covered = coveredPixels({triangle[0], triangle[1], triangle[2]}, 10, 10, FillMethod::brute).pixels;
     for (const Winding winding : {Winding::evenOdd, Winding::nonZero})
         EXPECT_EQ(placesOf(polygonPixels(triangle, 10, 10, winding)), placesOf(covered));
+    // Also where middles lie on edges, which no rounding decides
+    Random random(41);
+    for (int i = 0; i < 2000; ++i) {
+        Corners corners;
+        for (vec2& corner : corners) {
+            const double x = std::floor(random.number(0, 40)) + 0.5;
+            corner = {x, std::floor(random.number(0, 30)) + 0.5};
+        }
+        ASSERT_EQ(placesOf(polygonPixels({corners.begin(), corners.end()}, 40, 30, Winding::evenOdd)),
+                  placesOf(coveredPixels(corners, 40, 30, FillMethod::brute).pixels))
+            << i;
+    }
 }

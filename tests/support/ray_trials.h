@@ -159,4 +159,61 @@ int hitsOfNothing(Intersect intersect) {
     return hits;
 }
 
+// ---- rays that leave a triangle
+
+// Triangles of a length up to 2 near the origin.
+enum class Leaving { inPlaneX0, inPlaneY0, inPlaneY001, anywhere, slender100, slender1e4, slender1e6, slender1e8 };
+
+inline std::array<vec3, 3> triangleToLeave(Random& random, Leaving kind) {
+    std::array<vec3, 3> corners{random.point(1), random.point(1), random.point(1)};
+    const auto slender = [&](double aspect) {
+        const vec3 along = random.direction(), across = glm::normalize(glm::cross(along, random.direction()));
+        corners[1] = corners[0] + along;
+        corners[2] = corners[0] + random.number(0, 1) * along + across / aspect;
+    };
+    switch (kind) {
+        case Leaving::inPlaneX0:
+            for (vec3& corner : corners) corner.x = 0;
+            break;
+        case Leaving::inPlaneY0:
+            for (vec3& corner : corners) corner.y = 0;
+            break;
+        case Leaving::inPlaneY001:
+            for (vec3& corner : corners) corner.y = 0.01;
+            break;
+        case Leaving::anywhere:
+            break;
+        case Leaving::slender100:
+            slender(100);
+            break;
+        case Leaving::slender1e4:
+            slender(1e4);
+            break;
+        case Leaving::slender1e6:
+            slender(1e6);
+            break;
+        case Leaving::slender1e8:
+            slender(1e8);
+            break;
+    }
+    return corners;
+}
+
+// How many of `count` rays that leave such a triangle, in any direction, meet it again. `start` is a function of a place, the
+// normal, the direction and the largest sizes of the corners' coordinates.
+template <typename Start, typename Intersect>
+long metAgain(Leaving kind, long count, Start start, Intersect intersect) {
+    Random random(27);
+    long met = 0;
+    for (long i = 0; i < count; ++i) {
+        const auto [a, b, c] = triangleToLeave(random, kind);
+        double v = random.number(0, 1), w = random.number(0, 1);
+        if (v + w > 1) v = 1 - v, w = 1 - w;
+        const vec3 place = (1 - v - w) * a + v * b + w * c, normal = glm::normalize(glm::cross(b - a, c - a));
+        const vec3 size = glm::max(glm::abs(a), glm::max(glm::abs(b), glm::abs(c))), way = random.direction();
+        met += intersect(Ray{start(place, normal, way, size), way}, a, b, c).has_value() ? 1 : 0;
+    }
+    return met;
+}
+
 }  // namespace mv::test

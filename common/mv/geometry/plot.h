@@ -27,7 +27,8 @@ struct Plot {
 };
 
 // Round numbers from low to high, both included: multiples of 1, 2 or 5 times a power of ten, as many as there can be
-// up to `most`. On a logarithmic axis powers of ten, of each second or third decade where there would be too many.
+// up to `most`, ascending, each rounded once; of a range of few roundings only those that are numbers of their own. On a
+// logarithmic axis powers of ten, of each second or third decade where there would be too many.
 // Either may leave none. Refused: ends that are not finite or not in order, most below 1, and a logarithmic axis that
 // does not begin above 0.
 std::vector<double> ticks(const Axis& axis, int most);

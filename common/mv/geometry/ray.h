@@ -64,7 +64,10 @@ struct TriangleHit {
 // decides whether it is hit, and where: leave out before what areOnOneLine(), as the ray caster does. So it is with one
 // that is seen exactly from the side; there its neighbours are hit. Coordinates whose products would leave the range of T
 // are not supported.
-// Source: Woop, Benthin, Wald, "Watertight ray/triangle intersection", JCGT 2(1), 2013.
+// A triangle in whose plane the ray begins, but for a few roundings of the ways to its corners, is not met: so a ray that begins
+// besideSurface() does not meet what it leaves, however slender that is.
+// Source: Woop, Benthin, Wald, "Watertight ray/triangle intersection", JCGT 2(1), 2013; a bound on t as of Pharr, Jakob and
+// Humphreys, "Physically based rendering" (2023), "Avoiding intersections behind ray origins", but on the distance from the plane.
 template <typename T>
 class TriangleTest {
   public:
@@ -96,11 +99,15 @@ std::optional<TriangleHit<T>> intersectTriangle(const RayOf<T>& ray, const glm::
 }
 
 // Where a ray in `direction` begins that leaves a surface at `point`: off it along the unit vector `normal`, to the side that the
-// direction leads to, by that many roundings of coordinates as large as `size`. That is how far the point, and what the next
-// ray computes, may be off the true surface; no fixed epsilon, so it serves at every scale.
+// direction leads to, by that many roundings of the largest coordinate in `size`, along each axis. That is how far the point, and
+// what the next ray computes, may be off the true surface; no fixed epsilon, so it serves at every scale. For a triangle: 8, and
+// the largest sizes of its corners' coordinates; TriangleTest then meets neither it again nor a neighbour in its plane.
+// Trap: roundings of the coordinates along the normal alone, which are 0 in the plane y = 0, are not enough: the next ray's
+// test mixes all three.
 inline vec3 besideSurface(const vec3& point, const vec3& normal, const vec3& direction, const vec3& size,
                           double roundings) {
-    const double off = roundings * std::numeric_limits<double>::epsilon() * glm::dot(glm::abs(normal), size);
+    const double rounding = std::numeric_limits<double>::epsilon() * largestComponent(size);
+    const double off = roundings * glm::dot(glm::abs(normal), vec3(rounding));
     return glm::dot(normal, direction) < 0 ? point - off * normal : point + off * normal;
 }
 
@@ -124,6 +131,13 @@ T component(const glm::vec<3, T>& v) {
     if constexpr (I % 3 == 2) return v.z;
 }
 
+// p x q, each component with the sign of the exact one.
+template <typename T>
+glm::vec<3, T> crossWithSigns(const glm::vec<3, T>& p, const glm::vec<3, T>& q) {
+    return {signedDifference(p.y, q.z, p.z, q.y), signedDifference(p.z, q.x, p.x, q.z),
+            signedDifference(p.x, q.y, p.y, q.x)};
+}
+
 template <typename T>
 bool areOnOneLine(const glm::vec<3, T>& a, const glm::vec<3, T>& b, const glm::vec<3, T>& c) {
     const glm::vec<3, T> ab = b - a, ac = c - a;
@@ -134,8 +148,22 @@ bool areOnOneLine(const glm::vec<3, T>& a, const glm::vec<3, T>& b, const glm::v
     for (int i = 0; i < 3; ++i) {
         if (!isExact(ab[i], b[i], a[i]) || !isExact(ac[i], c[i], a[i])) return false;
     }
-    return signedDifference(ab.y, ac.z, ab.z, ac.y) == 0 && signedDifference(ab.z, ac.x, ab.x, ac.z) == 0 &&
-           signedDifference(ab.x, ac.y, ab.y, ac.x) == 0;
+    return crossWithSigns(ab, ac) == glm::vec<3, T>(0);
+}
+
+// Six times the volume between a triangle and a point near it, by the edges from one corner and the way from the point to that
+// corner; 0 where the point may as well lie in the plane. The sum of the weights' products, which is the same on paper, has
+// the sign of a rounding where a slender triangle is near: each weight is a small difference of large products. Here a rounding
+// of an edge counts as if the plane were moved by it. `p` and `q` are the parts of the edges at which the ray passes; the
+// fewer of them, the less their roundings count.
+template <typename T>
+T volumeNearPlane(const glm::vec<3, T>& toCorner, const glm::vec<3, T>& edgeP, T p, const glm::vec<3, T>& edgeQ, T q) {
+    const glm::vec<3, T> normal = crossWithSigns(edgeP, edgeQ);
+    const T volume = -glm::dot(normal, toCorner);
+    // Seven halves of an epsilon for the way, the normal, the products and their sum, and one for each edge
+    const glm::vec<3, T> sizes = glm::abs(toCorner) + p * glm::abs(edgeP) + q * glm::abs(edgeQ);
+    const T bound = 4 * std::numeric_limits<T>::epsilon() * glm::dot(glm::abs(normal), sizes);
+    return std::abs(volume) > bound ? volume : 0;
 }
 
 template <typename T>
@@ -181,7 +209,19 @@ std::optional<TriangleHit<T>> TriangleTest<T>::hit(const glm::vec<3, T>& cornerA
     }
     const T sum = u + v + w;
     if (sum == 0) return {};
-    const T t = scaleZ_ * (u * za + v * zb + w * zc) / sum;
+    T volume = u * za + v * zb + w * zc;
+    // Corners before the origin and behind it: from the corner that weighs most, which is as near to the ray as any
+    if (std::min(std::min(za, zb), zc) <= 0 && std::max(std::max(za, zb), zc) >= 0) {
+        const T a = u / sum, b = v / sum, c = w / sum;
+        if (a >= b && a >= c) {
+            volume = volumeNearPlane(fromA, cornerB - cornerA, b, cornerC - cornerA, c);
+        } else if (b >= c) {
+            volume = volumeNearPlane(fromB, cornerC - cornerB, c, cornerA - cornerB, a);
+        } else {
+            volume = volumeNearPlane(fromC, cornerA - cornerC, a, cornerB - cornerC, b);
+        }
+    }
+    const T t = scaleZ_ * volume / sum;
     if (!(t > 0 && t <= std::numeric_limits<T>::max())) return {};  // also where there was a NaN
     return TriangleHit<T>{t, u / sum, v / sum, w / sum};
 }

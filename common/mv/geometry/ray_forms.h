@@ -14,6 +14,7 @@
 #include <span>
 #include <utility>
 
+#include "mv/geometry/clip_segment.h"
 #include "mv/geometry/ray.h"
 
 namespace mv {
@@ -68,7 +69,8 @@ glm::vec<2, T> without(int axis, const glm::vec<3, T>& v) {
 
 // Whether the point is inside the polygon, convex or not, by the even-odd rule: edges to its right are counted, each
 // half-open in y, so that of polygons that share their edges and cover a place each point is in exactly one. Refuses none:
-// fewer than 3 corners hold nothing. A point exactly on an edge is inside or not by the side on which the polygon lies.
+// fewer than 3 corners hold nothing. A point exactly on an edge is inside or not by the side on which the polygon lies; which points
+// are that is decided exactly, by orientation(), whose range of coordinates it has.
 template <typename T>
 bool isInside(std::span<const glm::vec<2, T>> corners, const glm::vec<2, T>& point) {
     bool inside = false;
@@ -77,8 +79,7 @@ bool isInside(std::span<const glm::vec<2, T>> corners, const glm::vec<2, T>& poi
         const bool rises = corners[before].y < corners[i].y;
         const glm::vec<2, T>&a = corners[rises ? before : i], &b = corners[rises ? i : before];
         if ((a.y > point.y) == (b.y > point.y)) continue;
-        const glm::vec<2, T> edge = b - a, way = point - a;
-        if (signedDifference(edge.x, way.y, edge.y, way.x) > 0) inside = !inside;
+        if (orientation(vec2(a), vec2(b), vec2(point)) > 0) inside = !inside;
     }
     return inside;
 }

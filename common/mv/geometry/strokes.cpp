@@ -8,6 +8,7 @@
 #include "mv/error.h"
 #include "mv/math/clip.h"
 #include "mv/math/require.h"
+#include "mv/math/robust.h"
 #include "mv/math/transform.h"
 
 namespace mv {
@@ -94,12 +95,13 @@ void fillConvex(Painted& painted, std::span<const vec2> corners, double depth, c
     }
     if (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
     const std::size_t count = ring.size();
+    // Of differences: far from the origin, products of coordinates would round a thin polygon's area away.
     double area = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        const vec2 &a = ring[i], &b = ring[(i + 1) % count];
-        area += (a.x * b.y - a.y * b.x) / 2;
+    for (std::size_t i = 2; i < count; ++i) {
+        const vec2 one = ring[i - 1] - ring[0], other = ring[i] - ring[0];
+        area += differenceOfProducts(one.x, other.y, one.y, other.x);
     }
-    if (count < 3 || area == 0) return;
+    if (area == 0) return;
     if (area < 0) std::reverse(ring.begin(), ring.end());
 
     // Each corner moved half a pixel in and out, along the mitre of its two edges; no more than 4 pixels at a sharp one

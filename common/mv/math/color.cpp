@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/mat2x2.hpp>
+#include <glm/mat2x3.hpp>
 #include <glm/matrix.hpp>
 #include <string>
 
 #include "mv/error.h"
 #include "mv/math/require.h"
-#include "mv/math/robust.h"
 
 namespace mv {
 namespace {
@@ -66,21 +67,31 @@ glm::vec<3, T> colorOfHue(const char* subject, T hue, T most, T least) {
     }
 }
 
-// By columns, as mat3: light to what the eye's three kinds of cones are given, and its cube roots to L, a and b. They are
-// published with ten digits: times 10^10 they are whole numbers, which a double holds exactly.
-const double decimals = 1e10;
-const mat3 wholeCones(4122214708, 2119034982, 883024619, 5363325363, 6806995451, 2817188376, 514459929, 1073969566,
-                      6299787005);
-const mat3 wholeOklab(2104542553, 19779984951, 259040371, 7936177850, -24285922050, 7827717662, -40720468, 4505937099,
-                      -8086757660);
+// A matrix whose rows have the sum 1, so that it keeps what is three times the same number: what the first and the last number
+// weigh in each row. The middle one has what is left to 1, and is not asked for, so that greys stay greys to the last bit.
+struct KeepsGrey {
+    std::array<vec2, 3> weights;
 
-// The inverse of whole / decimals. Where two products nearly cancel, what a rounded entry lacks would grow: one entry of
-// the cones' inverse would be off by 1.5e-14 of itself.
-mat3 inverseOfDecimals(const mat3& whole) {
-    const vec3 first = accurateCross(whole[1], whole[2]);
-    const mat3 rows(first, accurateCross(whole[2], whole[0]), accurateCross(whole[0], whole[1]));
-    return transpose(rows) * (decimals / dot(whole[0], first));
-}
+    vec3 operator()(const vec3& v) const {
+        const vec2 beside(v.x - v.y, v.z - v.y);
+        return {v.y + dot(weights[0], beside), v.y + dot(weights[1], beside), v.y + dot(weights[2], beside)};
+    }
+};
+
+// Light to what the eye's three kinds of cones are given, and, below, of their cube roots L, a and b: in L the weights have the
+// sum 1, in a and b 0.
+const KeepsGrey conesFromLinear{{vec2(0.412221469470763, 0.0514459932675022),
+                                 vec2(0.2119034958178252, 0.1073969535369406),
+                                 vec2(0.0883024591900564, 0.6299787016738222)}};
+// The inverse, of exact fractions: where its products nearly cancel, what a rounded number lacks would grow.
+const KeepsGrey linearFromCones{{vec2(4.076741636075958, 0.23096990318210484),
+                                 vec2(-1.268437973285032, -0.3413193760026576),
+                                 vec2(-0.0041960761386754565, 1.7076146940746117)}};
+const vec2 lightnessOfRoots(0.210454268309314, -0.0040720430116193);
+const glm::dmat2 abFromRoots(1.9779985324311684, 0.0259040424655478, 0.450593709617411, -0.8086757549230774);
+// By columns, a and b: what they add to L in each root, by exact fractions too.
+const glm::dmat2x3 rootsFromAb(0.396337777376175, -0.10556134581565857, -0.08948417752981183, 0.2158037573099136,
+                               -0.06385417282581335, -1.2914855480194094);
 
 // The primaries' X, Y, Z in such amounts that they make up white.
 mat3 matrixOfPrimaries() {
@@ -158,16 +169,16 @@ template vec3 rgbFromHsv(const HsvOf<double>&);
 
 vec3 oklabFromLinear(const vec3& linear) {
     requireFinite("oklabFromLinear", "linear", linear);
-    static const mat3 conesFromLinear = wholeCones / decimals, oklabFromRoots = wholeOklab / decimals;
-    const vec3 cones = conesFromLinear * linear;
-    return oklabFromRoots * vec3(std::cbrt(cones.x), std::cbrt(cones.y), std::cbrt(cones.z));
+    const vec3 cones = conesFromLinear(linear);
+    const vec3 roots(std::cbrt(cones.x), std::cbrt(cones.y), std::cbrt(cones.z));
+    const vec2 beside(roots.x - roots.y, roots.z - roots.y);
+    return {roots.y + dot(lightnessOfRoots, beside), abFromRoots * beside};
 }
 
 vec3 linearFromOklab(const vec3& oklab) {
     requireFinite("linearFromOklab", "oklab", oklab);
-    static const mat3 rootsFromOklab = inverseOfDecimals(wholeOklab), linearFromCones = inverseOfDecimals(wholeCones);
-    const vec3 roots = rootsFromOklab * oklab;
-    return linearFromCones * (roots * roots * roots);
+    const vec3 roots = oklab.x + rootsFromAb * vec2(oklab.y, oklab.z);
+    return linearFromCones(roots * roots * roots);
 }
 
 mat3 xyzFromLinear() {

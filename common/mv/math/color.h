@@ -68,10 +68,12 @@ glm::vec<3, T> rgbFromHsv(const HsvOf<T>& hsv);
 // ---- what is seen as even
 
 // Light as OKLab: lightness as seen, 0 for black to 1 for white, then green to red and blue to yellow, about -0.4 to 0.4.
-// Distances in it are about those that are seen. Light may be negative.
-// Trap: the published matrices have ten digits, so white has L = 0.9999999935 and b = 3.7e-8.
-// Refused: what is not finite. Source: Ottosson, "A perceptual color space for image processing" (2020), the matrices of
-// 25 January 2021.
+// Distances in it are about those that are seen. Light may be negative. White is (1, 0, 0), and a grey of light x is
+// (cbrt(x), 0, 0), both exactly.
+// Trap: the author's own matrices of 25 January 2021 have ten digits, by which white has L = 0.9999999935 and b = 3.7e-8; colours
+// differ by up to 4e-8 from those. CSS Color 4, culori and color.js have the ones used here.
+// Refused: what is not finite. Source: Ottosson, "A perceptual color space for image processing" (2020), with the matrices
+// of W3C, CSS Color Module Level 4, computed anew for the white of srgbWhite in 64 bits.
 vec3 oklabFromLinear(const vec3& linear);
 
 // The inverse, by the inverted matrices, so that there and back differs by roundings alone.

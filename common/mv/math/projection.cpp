@@ -264,6 +264,9 @@ mat4 frustum(const FrustumBounds& bounds) {
 
 namespace {
 
+// Its product with a point is 1, with a direction 0.
+const vec4 planeAtInfinity(0, 0, 0, 1);
+
 // x 2^exponent. The call costs more than all else of a plane, and ordinary numbers do not need it.
 double scaled(double x, int exponent) { return exponent == 0 ? x : std::scalbn(x, exponent); }
 
@@ -285,6 +288,11 @@ std::array<vec4, 6> planesFromClip(const mat4& clipFromWorld) {
         const int ofDistance = scalingExponent(std::max(std::abs(last.w), std::abs(row.w)));
         const vec3 ofLast = timesPowerOfTwo(vec3(last), -exponent), ofRow = timesPowerOfTwo(vec3(row), -exponent);
         const vec3 normal = ofLast + sign * ofRow;
+        // At infinity: z and w have the same row but for the last number
+        if (normal == vec3(0) && ofRow != vec3(0) && last.w + sign * row.w > 0) {
+            planes[i] = planeAtInfinity;
+            continue;
+        }
         const double length = glm::length(normal), terms = glm::length(ofLast) + glm::length(ofRow);
         if (!(length > 1e-10 * terms)) {
             throw Error("planesFromClip",
@@ -303,7 +311,8 @@ std::array<vec4, 6> planesFromClip(const mat4& clipFromWorld) {
 }
 
 std::array<vec4, 6> perspectivePlanes(double fovy, double aspect, double near, double far) {
-    const HalfAngle half = checkedHalfAngle("perspectivePlanes", fovy, aspect, near, far);
+    const bool isEndless = far == HUGE_VAL;
+    const HalfAngle half = checkedHalfAngle("perspectivePlanes", fovy, aspect, near, isEndless ? 2 * near : far);
 
     // Side planes pass through the eye: their normals are (cos, 0, -sin) of half the angle, from its tangent.
     // Above 1 by its reciprocal, since the tangent may overflow.
@@ -313,8 +322,9 @@ std::array<vec4, 6> perspectivePlanes(double fovy, double aspect, double near, d
     };
     const vec2 side = inward(half.tangent * aspect, half.cotangent / aspect);
     const vec2 level = inward(half.tangent, half.cotangent);
-    return {vec4(side.x, 0, side.y, 0),    vec4(-side.x, 0, side.y, 0), vec4(0, level.x, level.y, 0),
-            vec4(0, -level.x, level.y, 0), vec4(0, 0, -1, -near),       vec4(0, 0, 1, far)};
+    return {vec4(side.x, 0, side.y, 0),   vec4(-side.x, 0, side.y, 0),
+            vec4(0, level.x, level.y, 0), vec4(0, -level.x, level.y, 0),
+            vec4(0, 0, -1, -near),        isEndless ? planeAtInfinity : vec4(0, 0, 1, far)};
 }
 
 std::array<vec3, 8> viewVolumeCorners(const mat4& clipFromWorld) {

@@ -52,15 +52,17 @@ mat4 frustum(const FrustumBounds& bounds);
 enum FrustumPlane : std::size_t { leftPlane, rightPlane, bottomPlane, topPlane, nearPlane, farPlane };
 
 // The six planes (n, d) of a view volume in the space that clipFromWorld maps from: n has unit length and points
-// inwards, and dot(n, p) + d is the distance of p inside the plane. Index with FrustumPlane. Source: Gribb and
+// inwards, and dot(n, p) + d is the distance of p inside the plane. Index with FrustumPlane. Where a plane is at infinity, as
+// the far one of infinitePerspective(), it is (0, 0, 0, 1), which has no normal and holds every point. Source: Gribb and
 // Hartmann, "Fast Extraction of Viewing Frustum Planes from the World-View-Projection Matrix" (2001). Refused: NaN,
 // infinity, and a plane whose normal has cancelled to less than 1e-10 of its terms. The far plane's is 2 near/far of
-// them, known to 1e-16: good to 1e-6 up to far/near = 1e8, refused from about 1e10, where perspectivePlanes takes over.
+// them, known to 1e-16: good to 1e-6 up to far/near = 1e8, refused from about 1e10, where perspectivePlanes takes over; from
+// about 1e16 on the matrix is that of a far plane at infinity.
 // In float it is off by 0.5 % at 1e5 and gone at 1e8. A multiple of the matrix has the same planes, however large or small.
 std::array<vec4, 6> planesFromClip(const mat4& clipFromWorld);
 
 // The same six planes, in camera space, straight from the arguments of perspective(), without cancellation at any
-// far/near. Refuses what perspective refuses.
+// far/near, and with far = infinity: those of infinitePerspective(). Refuses what else perspective refuses.
 std::array<vec4, 6> perspectivePlanes(double fovy, double aspect, double near, double far);
 
 // The eight corners of a view volume in the space that clipFromWorld maps from: corner i is what goes to x, y, z = -1
