@@ -101,8 +101,9 @@ double colorDifference(const vec3& lab, const vec3& other) {
     // Lightness, chroma and hue. C2 - C1 as a quotient of squares' difference; the turn from one hue to the other from their
     // cross and dot products, with the sign of h2 - h1 where it is half a turn.
     const double byLightness = other.x - lab.x, sum = one.chroma + two.chroma;
-    const double byChroma =
-        sum == 0 ? 0 : ((two.a - one.a) * (two.a + one.a) + (two.b - one.b) * (two.b + one.b)) / sum;
+    const double squaresApart =
+        stretch * stretch * (other.y - lab.y) * (other.y + lab.y) + (other.z - lab.z) * (other.z + lab.z);
+    const double byChroma = sum == 0 ? 0 : squaresApart / sum;
     const double across = stretch * differenceOfProducts(lab.y, other.z, other.y, lab.z);
     const double along = one.a * two.a + one.b * two.b;
     double turn = across == 0 && along == 0 ? 0 : std::atan2(across, along);

@@ -33,7 +33,7 @@ mat4 perspective(double fovy, double aspect, double near, double far, DepthRange
             break;
         case DepthRange::oneToMinusOne:
             m[2][2] = isEndless ? 1 : (far + near) / d;
-            m[3][2] = isEndless ? 2 * near : timesOver(2 * far, near, d);
+            m[3][2] = 2 * (isEndless ? near : timesOver(far, near, d));
             break;
     }
     return m;
