@@ -26,6 +26,7 @@
 #include "mv/gl/gl.h"
 #include "mv/gl/on_demand.h"
 #include "mv/math/color.h"
+#include "mv/math/color_difference.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
 #include "shared/chromaticity_diagram.h"
@@ -37,6 +38,7 @@ namespace {
 
 enum class Shows { solids, diagram };
 enum class Way { srgb, linear, hsl, oklab };
+enum class Written { numbers, hex };
 enum Solid { cube, doubleCone, cone };
 
 const vec4 ink(0.1, 0.1, 0.1, 1), faint(0.35, 0.35, 0.35, 1), white(1, 1, 1, 1);
@@ -87,6 +89,7 @@ vec3 mixed(Way way, const vec3& a, const vec3& b, double t) {
 }
 
 vec3 asSeen(const vec3& srgb) { return oklabFromLinear(linearFromSrgb(srgb)); }
+vec3 labOf(const vec3& srgb) { return labFromLinear(linearFromSrgb(srgb)); }
 vec3 shownAs(const vec3& srgb) { return glm::clamp(srgb, 0.0, 1.0); }
 // By more than OKLab's there and back rounds.
 bool isBeyond(const vec3& srgb) { return glm::distance(srgb, shownAs(srgb)) > 1e-9; }
@@ -119,6 +122,11 @@ struct ColorModels final : Demo {
                             {{"xy", "of 1931"}, {"uv", "u'v' of 1976, nearer to distances as seen"}},
                             "which chromaticity diagram"};
     Spin spin{this, 0, -60};
+    Choice<Written> written{this,
+                            "written",
+                            Written::numbers,
+                            {{"numbers", "from 0 to 1"}, {"hex", "as style sheets do, the second colour too"}},
+                            "how the colour is written above the cube"};
 
     Readout hue{this, "hue", "of the colour; greys have none", "deg"};
     Readout lightness{this, "lightness", "of the colour, as seen: L of OKLab"};
@@ -128,6 +136,12 @@ struct ColorModels final : Demo {
                                   Readout{this, "uneven-oklab", "the same, mixed in OKLab", "%"}};
     Readout beyond{this, "beyond", "colours of the OKLab strip that no sRGB screen shows"};
     Readout partOfDiagram{this, "part-of-diagram", "of the diagram that sRGB holds", "%"};
+    Readout uneven2000{this, "uneven-ciede2000", "steps' deviation by CIEDE2000, mixed as drawn", "%"};
+    Readout difference{this, "ciede2000", "how different the two colours are seen; 1 is the least that is noticed"};
+    Readout contrastOf{this, "contrast", "of letters of one colour on the other, 1 to 21; 4.5 is asked for"};
+    Readout labLightness{this, "lab-l", "of the colour: lightness L* of CIELAB, 0 to 100"};
+    Readout labA{this, "lab-a", "the same: a*, from green to red"};
+    Readout labB{this, "lab-b", "the same: b*, from blue to yellow"};
 
     OnDemand<Program> program{"color-models"}, ofDiagram{"color-models", "diagram"};
     std::array<OnDemand<Mesh>, 3> solids{OnDemand<Mesh>(solidMesh(cube), "cube"),
@@ -146,7 +160,7 @@ struct ColorModels final : Demo {
                        [this, i](const FrameInfo& frame) { return markIn(frame, static_cast<int>(i), to()); });
         }
         const auto isSolids = [this] { return shows == Shows::solids; };
-        for (Knob* knob : std::vector<Knob*>{&steps, &cut, &spin.x, &spin.y}) {
+        for (Knob* knob : std::vector<Knob*>{&steps, &cut, &spin.x, &spin.y, &written}) {
             knob->onlyWhen(isSolids, "the diagram has neither solids nor strips");
         }
         diagram.onlyWhen([this] { return shows == Shows::diagram; }, "no diagram is shown");
@@ -293,9 +307,10 @@ struct ColorModels final : Demo {
         const double top = pane.height / unit(frame);
         words(frame, {12, top - 8}, isCube ? "RGB: cube" : isDouble ? "HSL: double cone" : "HSV: cone", ink, 18);
         words(frame, {12, top - 32},
-              isCube     ? numbers(rounded("%.2f", red), green, blue)
-              : isDouble ? numbers(turn, hsl.saturation, hsl.lightness)
-                         : numbers(turn, hsv.saturation, hsv.value),
+              isCube && written == Written::hex ? hexFromSrgb(from()) + "  to  " + hexFromSrgb(to())
+              : isCube                          ? numbers(rounded("%.2f", red), green, blue)
+              : isDouble                        ? numbers(turn, hsl.saturation, hsl.lightness)
+                                                : numbers(turn, hsv.saturation, hsv.value),
               faint, 15);
     }
 
@@ -312,20 +327,26 @@ struct ColorModels final : Demo {
         for (int i = 0; i <= steps; ++i) colors.push_back(mixed(by, from(), to(), double(i) / steps));
         return colors;
     }
-    // The lengths of a strip's steps as seen, by their mean; none where all are 0.
-    static std::vector<double> stepsOf(const std::vector<vec3>& colors) {
+    // The lengths of a strip's steps by their mean, in the space and by the distance given; none where all are 0.
+    template <class Space, class Distance>
+    static std::vector<double> stepsBy(const std::vector<vec3>& colors, const Space& inSpace,
+                                       const Distance& distance) {
         std::vector<double> lengths;
         double sum = 0;
-        vec3 last = asSeen(colors.front());
+        vec3 last = inSpace(colors.front());
         for (std::size_t i = 1; i < colors.size(); ++i) {
-            const vec3 next = asSeen(colors[i]);
-            lengths.push_back(glm::distance(last, next));
+            const vec3 next = inSpace(colors[i]);
+            lengths.push_back(distance(last, next));
             sum += lengths.back();
             last = next;
         }
         if (sum == 0) return {};
         for (double& length : lengths) length *= double(lengths.size()) / sum;
         return lengths;
+    }
+    // As seen.
+    static std::vector<double> stepsOf(const std::vector<vec3>& colors) {
+        return stepsBy(colors, asSeen, [](const vec3& a, const vec3& b) { return glm::distance(a, b); });
     }
     static std::optional<double> unevenness(const std::vector<double>& lengths) {
         if (lengths.empty()) return std::nullopt;
@@ -404,6 +425,13 @@ struct ColorModels final : Demo {
         for (std::size_t i = 0; i < 4; ++i) {
             if (const auto percent = unevenness(stepsOf(strip(static_cast<Way>(i))))) uneven.at(i) = *percent;
         }
+        if (const auto percent = unevenness(stepsBy(strip(way), labOf, colorDifference))) uneven2000 = *percent;
+        const vec3 lab = labOf(from());
+        labLightness = lab.x;
+        labA = lab.y;
+        labB = lab.z;
+        difference = colorDifference(lab, labOf(to()));
+        contrastOf = contrast(linearFromSrgb(from()), linearFromSrgb(to()));
         const std::vector<vec3> even = strip(Way::oklab);
         beyond = double(std::count_if(even.begin(), even.end(), isBeyond));
         if (*beyond.value() > 0 && shows == Shows::solids) {

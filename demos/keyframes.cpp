@@ -26,6 +26,7 @@
 
 #include "mv/demo/demo.h"
 #include "mv/demo/made_for.h"
+#include "mv/geometry/closest.h"
 #include "mv/geometry/plot.h"
 #include "mv/geometry/scene.h"
 #include "mv/gl/drawing.h"
@@ -89,6 +90,8 @@ struct Keyframes final : Demo {
     Readout endJump{this, "end-jump", "with which speed it begins or ends, the larger one", "m/s"};
     Readout curveLength{this, "curve-length", "how long the way is, of what is not eased", "m"};
     Readout overshoot{this, "overshoot", "how far it leaves the rectangle of its keys, of 60 places a second", "m"};
+    Readout offPolygon{this, "off-polygon", "how far it leaves the straight lines from key to key, of the same places",
+                       "m"};
     Readout polynomialError{this, "polynomial-error", "how far the polynomial is off, at most, at 1000 places"};
     Readout curveError{this, "curve-error", "how far the curve is off, at the same places"};
     Readout subjectSize{this, "subject-size", "height of the subject in the picture, part of the picture's"};
@@ -170,7 +173,8 @@ struct Keyframes final : Demo {
         }
         drawing.point(ball, 24 * unit, orange);
         words(frame, 0,
-              by.kind.text() + (by.isEased() ? ", " + by.ease.text() : "") + ": a dot every tenth of a second");
+              by.kind.text() + (by.isEased() ? ", " + by.ease.text() : "") +
+                  (by.hasSides() ? " " + by.side.text() : "") + ": a dot every tenth of a second");
 
         // Its speed over time, and its acceleration, or how it is eased
         drawGraph(frame, motion, now, Part::upper, "speed, m/s; red: a jump", &CurvePoint<vec3>::velocity);
@@ -250,18 +254,30 @@ struct Keyframes final : Demo {
             low = glm::min(low, key);
             high = glm::max(high, key);
         }
-        double out = 0;
+        double out = 0, off = 0;
         for (int i = 0; i <= std::lround(60 * motion.end()); ++i) {
             const vec2 place(motion.position(i / 60.0)), beyond = glm::max(low - place, place - high);
             out = std::max({out, beyond.x, beyond.y});
+            off = std::max(off, distanceToPolygon(vec3(place, 0)));
         }
         overshoot = out;
+        offPolygon = off;
         if (!by.isEased()) curveLength = ArcLength(motion.curve()).length();
         if (by.startsAtOnce()) return;
         const Jumps jumps = jumpsOf(motion, times);
         velocityJump = jumps.velocity;
         endJump = jumps.end;
         if (!by.isStraight()) accelerationJump = jumps.acceleration;
+    }
+
+    // To the nearest of the straight lines from key to key.
+    double distanceToPolygon(const vec3& place) const {
+        double least = HUGE_VAL;
+        for (std::size_t i = 1; i < keys.size(); ++i) {
+            const vec3 foot = closestOnSegment(place, vec3(keys[i - 1], 0), vec3(keys[i], 0));
+            least = std::min(least, glm::distance(place, foot));
+        }
+        return least;
     }
 
     // ---- one polynomial through many nodes, and a curve
@@ -480,9 +496,9 @@ struct Keyframes final : Demo {
         for (int i = 0; i <= 60 * int(lap); ++i) {
             const View view = viewAt(i / 60.0, zoom);
             if (!(view.distance >= 1 && view.fovy >= 1 && view.fovy <= 170)) {
-                throw Error("--handles",
+                throw Error(by.isBezierEase() ? "--handles" : "--ease",
                             "must keep the camera 1 m before its subject, and its angle of view in 1 .. 170",
-                            by.handles.text());
+                            by.isBezierEase() ? by.handles.text() : by.ease.text());
             }
         }
     }

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <optional>
@@ -32,6 +33,7 @@
 #include "mv/math/transform.h"
 #include "mv/motion/minimizing_frame.h"
 #include "mv/motion/orientation.h"
+#include "mv/motion/turn.h"
 #include "shared/car.h"
 #include "shared/lap.h"
 #include "shared/pose_sphere.h"
@@ -95,6 +97,13 @@ struct PathDemo final : Demo {
     PoseKnobs from{this, {"from-yaw", "from-pitch", "from-roll"}, {0, 40, 0}};
     PoseKnobs to{this, {"to-yaw", "to-pitch", "to-roll"}, {180, 55, 180}};
     Spin spin{this, 0, 0, vec2(0.5)};
+    Choice<EulerOrder> order{this,
+                             "order",
+                             EulerOrder::yxz,
+                             {{"yxz", "yaw, pitch, roll: as the poses are given"},
+                              {"xyz", "about x, then y, then z"},
+                              {"zyx", "about z, then y, then x"}},
+                             "which three angles of the poses are mixed; the last acts first"};
 
     Readout carSpeed{this, "car-speed", "of the car now", "m/s"};
     Readout lean{this, "lean", "of the car now, to the right", "deg"};
@@ -104,14 +113,19 @@ struct PathDemo final : Demo {
     Readout closing{this, "closing-angle", "by which the minimizing frame misses itself after a lap", "deg"};
     Readout length{this, "length", "of the lap, by the chosen rule", "m"};
     Readout lengthOff{this, "length-off", "how far that is off", "m"};
-    Readout axesApart{this, "axes-apart", "by three angles: angle between the axes of yaw and roll now; 0 is lock",
-                      "deg"};
+    Readout axesApart{this, "axes-apart",
+                      "by three angles: angle between the axes of the first and the last now; 0 is lock", "deg"};
     std::array<Readout, 3> turned{Readout{this, "turned-angles", "whole turn by three angles", "deg"},
                                   Readout{this, "turned-slerp", "whole turn by slerp", "deg"},
                                   Readout{this, "turned-nlerp", "whole turn by nlerp", "deg"}};
     std::array<Readout, 3> uneven{Readout{this, "uneven-angles", "by three angles: largest speed by smallest"},
                                   Readout{this, "uneven-slerp", "by slerp: largest speed by smallest"},
                                   Readout{this, "uneven-nlerp", "by nlerp: largest speed by smallest"}};
+
+    std::array<Readout, 3> axisNow{Readout{this, "axis-x", "of the axis about which slerp turns, by the smaller angle"},
+                                   Readout{this, "axis-y", "the same: y"}, Readout{this, "axis-z", "the same: z"}};
+    Readout noseTurn{this, "nose-turn", "smallest turn that takes the first nose to the second, whatever the roof does",
+                     "deg"};
 
     Program program;
     Mesh trackOnGround, car;
@@ -130,7 +144,7 @@ struct PathDemo final : Demo {
         for (PoseKnobs* pose : {&from, &to}) {
             const auto where = [this, pose](const FrameInfo& frame) -> std::optional<vec2> {
                 if (show != Show::poses) return std::nullopt;
-                const vec3 nose(-rotationMatrix(pose->orientation())[2]);
+                const vec3 nose = mv::turned(pose->orientation(), vec3(0, 0, -1));
                 return pictureFromPane(posePane(frame, 1), poseView(posePane(frame, 1)), nose);
             };
             bindHandle(pose == &from ? "nose at from" : "nose at to", {&pose->yaw, &pose->pitch}, where);
@@ -142,6 +156,7 @@ struct PathDemo final : Demo {
             knob->onlyWhen(isTrack, "between two poses there is no track");
         for (Knob* knob : std::vector<Knob*>{&from.yaw, &from.pitch, &from.roll, &to.yaw, &to.pitch, &to.roll})
             knob->onlyWhen(isPoses, "the track has no keys of poses");
+        order.onlyWhen(isPoses, "the track has no keys of poses");
         for (Knob* knob : std::vector<Knob*>{&transport, &spread})
             knob->onlyWhen([this] { return up == Up::minimizing; }, "the other rules carry nothing along");
         pieces.onlyWhen([this] { return lengthBy != LengthBy::adaptive; }, "adaptive chooses for itself");
@@ -341,14 +356,17 @@ struct PathDemo final : Demo {
         return 1 - std::abs(1 - std::fmod(start / 100 + frame.time() / 4, 2));
     }
 
-    YawPitchRoll anglesAt(double t) const {
-        const YawPitchRoll a = from.angles(), b = to.angles();
-        return {glm::mix(a.yaw, b.yaw, t), glm::mix(a.pitch, b.pitch, t), glm::mix(a.roll, b.roll, t)};
+    // About x, y and z: those that the pose is given by, or those of another order that make the same pose.
+    vec3 anglesOf(const PoseKnobs& pose) const {
+        const YawPitchRoll angles = pose.angles();
+        if (order == EulerOrder::yxz) return {angles.pitch, angles.yaw, angles.roll};
+        return eulerAnglesOf(pose.orientation(), order).degrees;
     }
+    vec3 anglesAt(double t) const { return glm::mix(anglesOf(from), anglesOf(to), t); }
     quat poseAt(std::size_t way, double t) const {
         if (way == 1) return slerp(from.orientation(), to.orientation(), t);
         if (way == 2) return nlerp(from.orientation(), to.orientation(), t);
-        return quatFromYawPitchRoll(anglesAt(t).yaw, anglesAt(t).pitch, anglesAt(t).roll);
+        return quatFromEuler(anglesAt(t), order);
     }
 
     static Pane posePane(const FrameInfo& frame, std::size_t way) {
@@ -378,13 +396,15 @@ struct PathDemo final : Demo {
             car.draw();
             drawing.in(pane);
             drawTurning(drawing, clipFromWorld, turning, names[way].second);
-            if (way == 0)
-                drawGimbal(drawing, clipFromWorld, anglesAt(t), {rightColor, upColor, forwardColor});
+            const vec3 angles = anglesAt(t);
+            const bool hasRings = way == 0 && order == EulerOrder::yxz;
+            if (hasRings)
+                drawGimbal(drawing, clipFromWorld, {angles.y, angles.x, angles.z}, {rightColor, upColor, forwardColor});
             else
                 drawFrame(drawing, clipFromWorld, vec3(0), {-vec3(turn[2]), vec3(turn[1]), vec3(turn[0])}, 1, 2);
             drawWords(drawing, frame, pane, 0, {names[way]});
             drawWords(drawing, frame, pane, 1, {{rounded("turns by %.1f°", turning.whole), ink}});
-            if (way == 0)
+            if (hasRings)
                 drawWords(drawing, frame, pane, -1, {{"yaw", upColor}, {"pitch", rightColor}, {"roll", forwardColor}});
             else
                 drawWords(drawing, frame, pane, -1,
@@ -393,7 +413,13 @@ struct PathDemo final : Demo {
             uneven[way].clear();
             if (turning.slowest > 1e-9) uneven[way] = turning.fastest / turning.slowest;
         }
-        axesApart = 90 - std::abs(anglesAt(t).pitch);
+        const vec3 angles = anglesAt(t);
+        axesApart = 90 - std::abs(order == EulerOrder::yxz ? angles.x : angles.y);
+        const AxisAngle turn = axisAngleOf(to.orientation() * inverse(from.orientation()));
+        for (int i = 0; i < 3; ++i) axisNow.at(std::size_t(i)) = turn.axis[i];
+        const vec3 ahead(0, 0, -1);
+        noseTurn = axisAngleOf(turnBetween(mv::turned(from.orientation(), ahead), mv::turned(to.orientation(), ahead)))
+                       .degrees;
         sayLock(frame);
 
         const double fastest = std::max({turnings[0].fastest, turnings[1].fastest, turnings[2].fastest, 1.0});

@@ -15,14 +15,17 @@
 #include <cctype>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <string>
 #include <vector>
 
 #include "mv/demo/demo.h"
+#include "mv/geometry/closest.h"
 #include "mv/geometry/shapes.h"
 #include "mv/gl/gl.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
+#include "mv/math/unproject.h"
 #include "shared/gpu_product.h"
 #include "shared/spin.h"
 
@@ -83,6 +86,10 @@ struct Pipeline final : Demo {
                    "largest difference of transform feedback from the products shown, in 2^-24 sum |m v|"};
     Readout fused{this, "fused-differ", "numbers in the products that fused multiply-adds would make others"};
     Readout roundedOnce{this, "once-differ", "numbers in them that sums in double, rounded once, would make others"};
+
+    Readout backOff{this, "back-off", "how far from the vertex unProject comes out, by its pixel and its depth"};
+    Readout depthStep{this, "depth-step", "what a step of a depth of 24 bits is there, back in the cube's space"};
+    Readout rayMiss{this, "ray-miss", "by how much the ray through that pixel passes the vertex by"};
 
     Program byThree, byOne;
     Mesh cube, corners;
@@ -254,6 +261,22 @@ struct Pipeline final : Demo {
         pixelY = pixel.y;
         depth = pixel.z;
         floatError = std::hypot(pixel.x - exactPixel.x, pixel.y - exactPixel.y);
+        wayBack(pane, pixel);
+    }
+
+    // From the pixel to the point again, in the cube's own space, by the matrices as they are in double.
+    void wayBack(const Pane& pane, const vec3& pixel) {
+        mat4 clipFromModel(1);
+        for (const Step& step : steps(pane.aspect())) clipFromModel = step.exact * clipFromModel;
+        const auto pointAt = [&](double kept) {
+            return unProject(vec2(pixel), kept, clipFromModel, pane.width, pane.height);
+        };
+        backOff = glm::distance(pointAt(pixel.z), corner(vertex));
+        const double step = 1.0 / ((1 << 24) - 1);
+        depthStep = glm::distance(pointAt(pixel.z), pointAt(pixel.z > 0.5 ? pixel.z - step : pixel.z + step));
+        const vec3 along = directionThroughPixel(vec2(pixel), clipFromModel, pane.width, pane.height);
+        const vec3 foot = closestOnLine(corner(vertex), pointAt(0), pointAt(0) + along);
+        rayMiss = glm::distance(corner(vertex), foot);
     }
 
     // The pixels about the one that is marked, magnified: a dot where float puts the vertex, a cross where double does.

@@ -18,7 +18,9 @@
 #include "mv/demo/demo.h"
 #include "mv/geometry/edges.h"
 #include "mv/gl/gl.h"
+#include "mv/math/depth_range.h"
 #include "mv/math/projection.h"
+#include "mv/math/shear.h"
 #include "mv/math/transform.h"
 #include "shared/scenes.h"
 #include "shared/vanishing.h"
@@ -44,11 +46,14 @@ struct View {
     double half;
     vec3 shortening{0};   // of x, y and z by the formulas, in a parallel view
     double distance = 0;  // of the eye from the middle, in a perspective; a parallel view has 0
-    mat4 clipFromWorld(double aspect) const {
-        const mat4 clipFromView =
-            distance == 0 ? ortho(-half * aspect, half * aspect, -half, half, -2 * reach, 2 * reach)
-                          : infinitePerspective(2 * degrees(std::atan(half / distance)), aspect, distance - reach);
-        return clipFromView * viewFromWorld;
+    double shift = 0;     // of a perspective's window, upwards, in its half heights
+    mat4 clipFromWorld(double aspect) const { return clipFromView(aspect) * viewFromWorld; }
+    mat4 clipFromView(double aspect) const {
+        if (distance == 0) return ortho(-half * aspect, half * aspect, -half, half, -2 * reach, 2 * reach);
+        const double near = distance - reach;
+        if (shift == 0) return infinitePerspective(2 * degrees(std::atan(half / distance)), aspect, near);
+        const double top = near * half / distance;
+        return infiniteFrustum(-top * aspect, top * aspect, top * (shift - 1), top * (shift + 1), near);
     }
 };
 
@@ -63,14 +68,12 @@ View axonometric(const std::string& name, double turn, double tilt, double half)
 // An oblique view: a side of the house is parallel to the picture, and what lies one metre behind it is drawn `length`
 // metres further in the direction `angle`.
 View oblique(const std::string& name, double angle, double length, double half) {
-    mat4 shear(1);
-    shear[2][0] = -length * std::cos(radians(angle));
-    shear[2][1] = -length * std::sin(radians(angle));
+    const mat4 shear = shearZ(-length * std::cos(radians(angle)), -length * std::sin(radians(angle)));
     return {name, shear * turned(0, 0), half, {1, 1, length}};
 }
 
-View perspective(const std::string& name, const mat4& turnedFromWorld, double distance, double half) {
-    return {name, translate(0, 0, -distance) * turnedFromWorld, half, vec3(0), distance};
+View perspective(const std::string& name, const mat4& turnedFromWorld, double distance, double half, double shift = 0) {
+    return {name, translate(0, 0, -distance) * turnedFromWorld, half, vec3(0), distance, shift};
 }
 
 // Corner i of the walls: bits 0, 1, 2 of i choose the high end of x, y, z.
@@ -98,6 +101,8 @@ struct Projections final : Demo {
     Real angle{this, "angle", 30, {-180, 180}, "yours, oblique: where depth is drawn to, from the horizontal", "deg"};
     Real length{this, "length", 0.75, {0, 2}, "yours, oblique: how long a metre of depth is drawn", "m"};
 
+    Real shift{this, "shift", 0, {-1, 1}, "yours, a perspective: how far its window is moved up, in its half heights"};
+
     Readout shortX{this, "shortening-x", "in your parallel view: how long a metre along x is drawn", "m"};
     Readout shortY{this, "shortening-y", "the same along y", "m"};
     Readout shortZ{this, "shortening-z", "the same along z", "m"};
@@ -116,8 +121,10 @@ struct Projections final : Demo {
         const auto turns = [this] { return show != Show::oblique; };
         turn.onlyWhen(turns, "an oblique view has its front to the picture");
         tilt.onlyWhen(turns, "an oblique view has its front to the picture");
-        distance.onlyWhen([this] { return show == Show::cad || show == Show::vanishing; },
-                          "there is no perspective among these views");
+        for (Knob* knob : std::vector<Knob*>{&distance, &shift}) {
+            knob->onlyWhen([this] { return show == Show::cad || show == Show::vanishing; },
+                           "there is no perspective among these views");
+        }
         angle.onlyWhen(oblique, "there is no oblique view among these");
         length.onlyWhen(oblique, "there is no oblique view among these");
     }
@@ -196,11 +203,11 @@ struct Projections final : Demo {
                 return {perspective("one-point", translate(-5.5, -4, 0) * turned(0, 0), 16, 12),
                         perspective("two-point", translate(0, -1, 0) * turned(42, 0), 11, 11),
                         perspective("three-point", turned(42, 42), 11, 14.5),
-                        perspective("yours", yours, distance, 13)};
+                        perspective("yours", yours, distance, 13, shift)};
             case Show::cad:
                 break;
         }
-        return {axonometric("top", 0, 90, 6), perspective("perspective", yours, distance, 6),
+        return {axonometric("top", 0, 90, 6), perspective("perspective", yours, distance, 6, shift),
                 axonometric("front", 0, 0, 6), axonometric("side", 90, 0, 6)};
     }
 

@@ -66,7 +66,11 @@ struct RayCast final : Demo {
                         {"polygon", "a star"},
                         {"transformed", "a sphere under a matrix"},
                         {"surface", "a flag, by Newton's method"},
-                        {"teapot", "triangles, in a tree"}},
+                        {"teapot", "triangles, in a tree"},
+                        {"cylinder", "round an axis, with lids"},
+                        {"cone", "with its base"},
+                        {"disk", "a plane, and a distance"},
+                        {"torus", "the first of four roots"}},
                        "what there is"};
     NumberChoice triangles{this,
                            "triangles",
@@ -119,7 +123,8 @@ struct RayCast final : Demo {
             return vec2(pane.x, pane.y) + vec2(pixelX, pixelY) * double(pane.width);
         });
         triangles.onlyWhen([this] { return isThere(CastKind::teapot); }, "there is no teapot");
-        form.onlyWhen([this] { return !isThere(CastKind::teapot); }, "triangles are met by the stable form");
+        form.onlyWhen([this] { return std::ranges::any_of(shown(), hasTextbookForm); },
+                      "triangles in a tree, and bodies round an axis, are met by the stable form");
         precision.onlyWhen([this] { return !isThere(CastKind::teapot); }, "triangles are met in double");
         plane.onlyWhen([this] { return isThere(CastKind::plane); }, "there is no plane");
         starts.onlyWhen([this] { return isThere(CastKind::surface) && form == CastForm::stable; },
@@ -275,7 +280,7 @@ struct RayCast final : Demo {
 
     bool isThere(CastKind kind) const {
         const std::string which = objects.text();
-        if (which == "all") return kind != CastKind::teapot;
+        if (which == "all") return kind < CastKind::teapot;
         return which == castKindNames.at(static_cast<std::size_t>(kind));
     }
     std::vector<CastKind> shown() const {

@@ -94,6 +94,48 @@ std::optional<Long> flagAt(const LongRay& ray, Long size) {
     return {};
 }
 
+// How far a place is from a body round the y axis, at scale 1; below 0 inside of it.
+Long distanceTo(CastKind kind, const Long3& place) {
+    const Long out = std::hypot(place.x, place.z);
+    if (kind == CastKind::torus) {
+        const Long3 from = place - Long3(cast::aboveOrigin);
+        return std::hypot(std::hypot(from.x, from.z) - static_cast<Long>(cast::torusMajor), from.y) -
+               static_cast<Long>(cast::torusMinor);
+    }
+    // In the half plane (out, y): a rectangle or a triangle, the largest of the distances to its sides inside
+    const Long radius = static_cast<Long>(kind == CastKind::cone ? cast::coneRadius : cast::cylinderRadius);
+    const Long height = static_cast<Long>(kind == CastKind::cone ? cast::coneHeight : cast::cylinderHeight);
+    if (kind == CastKind::cylinder) {
+        const Long beyond = out - radius, above = std::abs(place.y - height / 2) - height / 2;
+        return std::min(std::max(beyond, above), 0.0L) + std::hypot(std::max(beyond, 0.0L), std::max(above, 0.0L));
+    }
+    const Long side = std::hypot(radius, height), along = ((radius - out) * radius + place.y * height) / side;
+    const Long fromSide = ((out - radius) * height + place.y * radius) / side;
+    if (fromSide <= 0 && place.y >= 0) return std::max(fromSide, -place.y);
+    const Long toSide = std::hypot(fromSide, along - std::clamp(along, 0.0L, side));
+    return std::min(toSide, std::hypot(place.y, std::max(out - radius, 0.0L)));
+}
+
+// By walking as far as nothing is near: no quadratic and no quartic is solved.
+std::optional<Long> walkTo(CastKind kind, const LongRay& ray, Long size) {
+    const Long unit = glm::length(ray.direction);
+    Long t = (glm::length(ray.origin) - 4 * size) / unit;
+    const Long end = t + 8 * size / unit;
+    for (int step = 0; step < 20000 && t < end; ++step) {
+        const Long near = distanceTo(kind, (ray.origin + t * ray.direction) / size) * size;
+        if (near < 1e-15L * size) return t;
+        t += near / unit;
+    }
+    return {};
+}
+
+std::optional<Long> diskAt(const LongRay& ray, Long size) {
+    const Long3 center = size * Long3(cast::aboveOrigin), normal(cast::diskNormal);
+    const Long t = glm::dot(normal, center - ray.origin) / glm::dot(normal, ray.direction);
+    if (glm::distance(ray.origin + t * ray.direction, center) > size * static_cast<Long>(cast::diskRadius)) return {};
+    return t;
+}
+
 std::optional<Long> firstAt(const LongRay& ray, CastKind kind, Long size, bool isFloat) {
     const auto fan = [&](const Long3& middle, const auto& corners) {
         std::optional<Long> first;
@@ -133,8 +175,19 @@ std::optional<Long> firstAt(const LongRay& ray, CastKind kind, Long size, bool i
             return flagAt(ray, size);
         case CastKind::teapot:
             break;
+        case CastKind::cylinder:
+        case CastKind::cone:
+        case CastKind::torus:
+            return walkTo(kind, ray, size);
+        case CastKind::disk:
+            return diskAt(ray, size);
     }
     return {};
+}
+
+bool isShown(const Demo& demo, std::size_t kind) {
+    if (demo.word("objects") == "all") return kind < castTogether;
+    return demo.word("objects") == castKindNames.at(kind);
 }
 
 // The teapot's triangles, by the grid, which shares no box with the tree.
@@ -165,8 +218,8 @@ Reference longDouble(const Demo& demo, const ReferenceFrame&, const auto&) {
             const LongRay ray = rayOf(demo, i, j, side);
             std::optional<Long> first;
             int seen = 0;
-            for (std::size_t k = 0; k < castTogether; ++k) {
-                if (demo.word("objects") != "all" && demo.word("objects") != castKindNames.at(k)) continue;
+            for (std::size_t k = 0; k < castKindNames.size(); ++k) {
+                if (!isShown(demo, k)) continue;
                 const auto t = firstAt(ray, static_cast<CastKind>(k), size, isFloat);
                 if (!t || (first && *first <= *t)) continue;
                 first = t;
@@ -185,11 +238,11 @@ Reference longDouble(const Demo& demo, const ReferenceFrame&, const auto&) {
 std::vector<int> seenByRays(const Demo& demo, int side) {
     const CastWay way{demo.word("form") == "textbook" ? CastForm::textbook : CastForm::stable, PlaneForm::implicit,
                       static_cast<int>(demo.number("starts"))};
-    const bool isFloat = demo.word("precision") == "float", hasAll = demo.word("objects") == "all";
+    const bool isFloat = demo.word("precision") == "float";
     const double size = demo.number("scale");
     std::vector<std::size_t> kinds;
-    for (std::size_t k = 0; k < castTogether; ++k) {
-        if (hasAll || demo.word("objects") == castKindNames.at(k)) kinds.push_back(k);
+    for (std::size_t k = 0; k < castKindNames.size(); ++k) {
+        if (isShown(demo, k)) kinds.push_back(k);
     }
     std::vector<int> seen;
     for (int pixel = 0; pixel < side * side; ++pixel) {

@@ -19,6 +19,7 @@
 
 #include "mv/demo/demo.h"
 #include "mv/geometry/bounds.h"
+#include "mv/geometry/in_volume.h"
 #include "mv/gl/gl.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
@@ -30,6 +31,7 @@ namespace {
 
 enum class Projection { perspective, orthographic };
 enum class Planes { parameters, matrix, floatMatrix };
+enum class Round { box, ball };
 using SixPlanes = std::array<vec4, 6>;
 
 constexpr double fovy = 50, aspect = 1;
@@ -82,17 +84,27 @@ struct ViewVolume final : Demo {
                            {"matrix", "sums of rows of the matrix, in double"},
                            {"float-matrix", "the same in float"}},
                           "where the six planes come from"};
+    Choice<Round> round{this,
+                        "round",
+                        Round::box,
+                        {{"box", "the smallest along the object's axes"}, {"ball", "about the box's middle"}},
+                        "what is put round each object and compared with the planes"};
     Angle turn{this, "turn", 65, "how far we go round, to the right"};
     Real tilt{this, "tilt", 32, {-90, 90}, "how far we go up from there", "deg"};
 
     Readout drawn{this, "drawn", "objects drawn"};
     Readout culled{this, "culled", "objects left out"};
-    Readout clipped{this, "clipped", "objects drawn of whose boxes a part is outside"};
+    Readout clipped{this, "clipped", "objects drawn of whose boxes or balls a part is outside"};
     Readout ratio{this, "far-over-near", "far/near, by which the planes of a matrix lose digits"};
 
     Program faces;
     const std::vector<SceneObject> things = garden().objects;  // the house first, then trees
-    std::vector<std::array<vec3, 8>> boxes;                    // the corners of one around each object, in world space
+    struct Ball {
+        vec3 center;
+        double radius;
+    };
+    std::vector<std::array<vec3, 8>> boxes;  // the corners of one around each object, in world space
+    std::vector<Ball> balls;
     Mesh house, tree, ground;
     Drawing drawing;
 
@@ -104,6 +116,7 @@ struct ViewVolume final : Demo {
         bindHandle("near plane", {&near}, [this](const FrameInfo& frame) { return middleAt(frame, nearUsed()); });
         bindHandle("far plane", {&far}, [this](const FrameInfo& frame) { return middleAt(frame, far); });
         planes.onlyWhen([this] { return cull; }, "nothing is culled by them");
+        round.onlyWhen([this] { return cull; }, "nothing is culled by it");
     }
 
     void init() override {
@@ -114,6 +127,12 @@ struct ViewVolume final : Demo {
         for (const SceneObject& object : things) {
             boxes.push_back(boundsOf(object.mesh).corners());
             for (vec3& corner : boxes.back()) corner = vec3(object.worldFromObject * vec4(corner, 1));
+            Ball ball{boundsOf(object.mesh, object.worldFromObject).middle(), 0};
+            for (const fvec3& position : object.mesh.positions) {
+                const vec3 place(object.worldFromObject * vec4(vec3(position), 1));
+                ball.radius = std::max(ball.radius, glm::distance(place, ball.center));
+            }
+            balls.push_back(ball);
         }
     }
 
@@ -129,14 +148,11 @@ struct ViewVolume final : Demo {
         std::vector<std::size_t> kept;
         int cut = 0;
         for (std::size_t i = 0; i < boxes.size(); ++i) {
-            std::ptrdiff_t most = 0;  // of its box's eight corners that are outside of the same plane
-            for (const vec4& plane : worldPlanes) {
-                const auto outside = [&](const vec3& corner) { return glm::dot(plane, vec4(corner, 1)) < 0; };
-                most = std::max(most, std::count_if(boxes[i].begin(), boxes[i].end(), outside));
-            }
-            if (cull && most == 8) continue;
+            const InVolume place = round == Round::box ? hullInVolume(boxes[i], worldPlanes)
+                                                       : ballInVolume(balls[i].center, balls[i].radius, worldPlanes);
+            if (cull && place == InVolume::outside) continue;
             kept.push_back(i);
-            cut += most > 0 ? 1 : 0;
+            cut += place == InVolume::inside ? 0 : 1;
         }
         if (std::count(six.begin(), six.end(), vec4(0)) > 0)
             frame.say("A plane's normal has cancelled to 0 in float: that plane culls nothing.");

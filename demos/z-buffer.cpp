@@ -24,6 +24,7 @@
 #include "mv/gl/beyond_es.h"
 #include "mv/gl/gl.h"
 #include "mv/gl/on_demand.h"
+#include "mv/math/depth_range.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
 #include "shared/depth_order.h"
@@ -35,7 +36,7 @@ using namespace mv;
 namespace {
 
 enum class Place { cycle, road, panes };
-enum class Mapping { standard, infinite, reversed, flipped, logarithmic };
+enum class Mapping { standard, infinite, reversed, flipped, logarithmic, zeroToOne };
 enum class Shown { colors, depth, curve };
 
 const vec3 background(0.95, 1, 1);
@@ -71,15 +72,17 @@ struct ZBuffer final : Demo {
                                DepthFormat::d24,
                                {{"d16", "16 bits"}, {"d24", "24 bits"}, {"d32f", "32 bits, floating point"}},
                                "of the depth buffer"};
-    Choice<Mapping> mapping{this,
-                            "mapping",
-                            Mapping::standard,
-                            {{"standard", "0 at near, 1 at far"},
-                             {"infinite", "far at infinity"},
-                             {"reversed", "1 at near, 0 at far, with glClipControl"},
-                             {"flipped", "1 at near, 0 at far, as OpenGL has it without glClipControl"},
-                             {"logarithmic", "written by the fragment shader"}},
-                            "from distance to depth"};
+    Choice<Mapping> mapping{
+        this,
+        "mapping",
+        Mapping::standard,
+        {{"standard", "0 at near, 1 at far"},
+         {"infinite", "far at infinity"},
+         {"reversed", "1 at near, 0 at far, with glClipControl"},
+         {"flipped", "1 at near, 0 at far, as OpenGL has it without glClipControl"},
+         {"logarithmic", "written by the fragment shader"},
+         {"zero-to-one", "0 at near, 1 at far, with glClipControl, as Direct3D and Vulkan have it"}},
+        "from distance to depth"};
     Real near{this, "near", 0.1, {0.01, 2.5, Scale::logarithmic}, "where the view begins"};
     Real far{this, "far", 10000, {10, 1e6, Scale::logarithmic}, "where it ends"};
     Real separation{this,
@@ -184,19 +187,18 @@ struct ZBuffer final : Demo {
         if (zeroToOne()) glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
     }
 
-    bool zeroToOne() const { return mapping == Mapping::reversed && has(beyond_es::clipControl); }
+    bool asksForZeroToOne() const { return mapping == Mapping::reversed || mapping == Mapping::zeroToOne; }
+    bool zeroToOne() const { return asksForZeroToOne() && has(beyond_es::clipControl); }
     bool nearIsOne() const { return mapping == Mapping::reversed || mapping == Mapping::flipped; }
 
     // Only the third row of the matrix has to do with depth.
     mat4 clipFromView(double aspect, bool zeroToOne) const {
         const double n = near, f = far;
         if (mapping == Mapping::infinite) return infinitePerspective(50, aspect, n);
-        mat4 m = perspective(50, aspect, n, f);
-        if (nearIsOne()) {
-            m[2][2] = zeroToOne ? n / (f - n) : (f + n) / (f - n);
-            m[3][2] = zeroToOne ? f * n / (f - n) : 2 * f * n / (f - n);
-        }
-        return m;
+        if (nearIsOne())
+            return perspective(50, aspect, n, f, zeroToOne ? DepthRange::oneToZero : DepthRange::oneToMinusOne);
+        if (zeroToOne) return perspective(50, aspect, n, f, DepthRange::zeroToOne);
+        return perspective(50, aspect, n, f);
     }
 
     std::array<Plate, 3> platesOf() const {
@@ -258,7 +260,7 @@ struct ZBuffer final : Demo {
     // Of pairs of points, one the part `separation` farther away, those whose depths are equal or the wrong
     // way round.
     static constexpr int pairCount = 100000;
-    std::vector<double> values() const override { return misorderedAmong(mapping == Mapping::reversed); }
+    std::vector<double> values() const override { return misorderedAmong(asksForZeroToOne()); }
     std::vector<double> misorderedAmong(bool clipsToOne) const {
         const fmat4 clip(clipFromView(1, clipsToOne));
         return misorderedPairs(near, far, separation, pairCount, [&](float distance) {
@@ -304,7 +306,7 @@ constexpr Declaration declaration{
     .number = 8,
     .width = 600,
     .height = 600,
-    .needs = {.beyondEs = {{"clip control", "the depth is reversed within -1..1, as with --mapping flipped"}}},
+    .needs = {.beyondEs = {{"clip control", "clip space has depths within -1..1, reversed as with --mapping flipped"}}},
     .presets =
         {
             {"cycle", "Each bar lies over one neighbour and under the other, in whatever order they are drawn."},

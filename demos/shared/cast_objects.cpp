@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "mv/geometry/quadric_ray.h"
 #include "mv/geometry/shapes.h"
 #include "mv/math/transform.h"
 #include "shared/ray_structures.h"
@@ -137,6 +138,56 @@ std::optional<CastHit> castSurface(T scale, const RayOf<T>& ray, const CastWay& 
     return hitAt(hit->t, glm::cross(at.alongU, at.alongV));
 }
 
+// The normals of bodies of revolution, at a point on them.
+template <typename T>
+Vec<T> cylinderNormal(const Vec<T>& point, T radius, T height) {
+    const T side = std::abs(std::hypot(point.x, point.z) - radius);
+    const T lid = std::min(std::abs(point.y), std::abs(point.y - height));
+    return side <= lid ? Vec<T>(point.x, 0, point.z) / radius : Vec<T>(0, 1, 0);
+}
+template <typename T>
+Vec<T> coneNormal(const Vec<T>& point, T radius, T height) {
+    const T out = std::hypot(point.x, point.z), slope = radius / height;
+    if (point.y < std::abs(slope * (height - point.y) - out)) return {0, -1, 0};
+    return {point.x, slope * out, point.z};
+}
+template <typename T>
+Vec<T> torusNormal(const Vec<T>& point, T major) {
+    const T out = std::hypot(point.x, point.z), inwards = major / out;
+    return {point.x - inwards * point.x, point.y, point.z - inwards * point.z};
+}
+
+template <typename T>
+std::optional<T> entryOf(const std::optional<RayInterval<T>>& inside) {
+    if (!inside) return {};
+    return inside->near > 0 ? inside->near : inside->far;
+}
+
+template <typename T>
+std::optional<CastHit> castRound(CastKind kind, T scale, const RayOf<T>& ray) {
+    const auto size = [scale](double length) { return scale * static_cast<T>(length); };
+    const Vec<T> above = scale * Vec<T>(cast::aboveOrigin);
+    const RayOf<T> fromAbove{ray.origin - above, ray.direction};
+    std::optional<T> t;
+    if (kind == CastKind::cylinder) {
+        const T radius = size(cast::cylinderRadius), height = size(cast::cylinderHeight);
+        t = entryOf(intersectCylinder(ray, radius, T(0), height));
+        if (t) return hitAt(*t, cylinderNormal(ray.at(*t), radius, height));
+    } else if (kind == CastKind::cone) {
+        const T radius = size(cast::coneRadius), height = size(cast::coneHeight);
+        t = entryOf(intersectCone(ray, radius, height));
+        if (t) return hitAt(*t, coneNormal(ray.at(*t), radius, height) / scale);
+    } else if (kind == CastKind::disk) {
+        const Vec<T> normal(cast::diskNormal);
+        t = intersectDisk(ray, above, normal, size(cast::diskRadius));
+        if (t) return hitAt(*t, normal);
+    } else {
+        t = intersectTorus(fromAbove, size(cast::torusMajor), size(cast::torusMinor));
+        if (t) return hitAt(*t, torusNormal(fromAbove.at(*t), size(cast::torusMajor)) / scale);
+    }
+    return {};
+}
+
 }  // namespace
 
 template <typename T>
@@ -169,6 +220,12 @@ std::optional<CastHit> castAt(CastKind kind, double scale, const RayOf<T>& ray, 
             hit = castSurface(size, ray, way);
             break;
         case CastKind::teapot:
+            break;
+        case CastKind::cylinder:
+        case CastKind::cone:
+        case CastKind::disk:
+        case CastKind::torus:
+            hit = castRound(kind, size, ray);
             break;
     }
     if (!hit || !(hit->t > 0) || !std::isfinite(hit->t)) return {};
@@ -203,6 +260,27 @@ MeshData flagMesh() {
         const auto low = static_cast<std::uint32_t>(2 * i);
         for (const std::uint32_t corner : {0U, 2U, 3U, 0U, 3U, 1U}) mesh.indices.push_back(low + corner);
     }
+    return mesh;
+}
+
+// Edges where the profile turns: 256 sides, so that no chord is off by more than 1e-4.
+MeshData roundMesh(const std::vector<vec2>& profile) { return withoutTexCoords(lathe(profile, 256, 10)); }
+
+MeshData diskMesh() {
+    const vec3 normal = glm::normalize(cast::diskNormal), u = glm::normalize(glm::cross(normal, vec3(0, 1, 0))),
+               v = glm::cross(normal, u);
+    MeshData mesh;
+    const auto rim = [&](int i) {
+        const double angle = i * pi / 128;
+        return cast::aboveOrigin + cast::diskRadius * (std::cos(angle) * u + std::sin(angle) * v);
+    };
+    for (int i = 0; i < 256; ++i) addTriangle(mesh, cast::aboveOrigin, rim(i), rim(i + 1));
+    return mesh;
+}
+
+MeshData placedTorus() {
+    MeshData mesh = withoutTexCoords(torus(cast::torusMajor, cast::torusMinor, 256, 128));
+    for (auto& position : mesh.positions) position += fvec3(cast::aboveOrigin);
     return mesh;
 }
 
@@ -246,6 +324,21 @@ MeshData castMeshOf(CastKind kind) {
             break;
         case CastKind::transformed:
             mesh = placedSphere(cast::worldFromEllipsoid());
+            break;
+        case CastKind::cylinder:
+            mesh = roundMesh({{0, 0},
+                              {cast::cylinderRadius, 0},
+                              {cast::cylinderRadius, cast::cylinderHeight},
+                              {0, cast::cylinderHeight}});
+            break;
+        case CastKind::cone:
+            mesh = roundMesh({{0, 0}, {cast::coneRadius, 0}, {0, cast::coneHeight}});
+            break;
+        case CastKind::disk:
+            mesh = diskMesh();
+            break;
+        case CastKind::torus:
+            mesh = placedTorus();
             break;
     }
     return mesh;

@@ -11,15 +11,32 @@
 
 namespace mv {
 
-enum class CastKind { plane, sphere, box, triangle, polygon, transformed, surface, teapot };
-inline constexpr std::array<const char*, 8> castKindNames{"plane",   "sphere",      "box",     "triangle",
-                                                          "polygon", "transformed", "surface", "teapot"};
-// The teapot, of triangles, stands alone; the others together.
+enum class CastKind {
+    plane,
+    sphere,
+    box,
+    triangle,
+    polygon,
+    transformed,
+    surface,
+    teapot,
+    cylinder,
+    cone,
+    disk,
+    torus
+};
+inline constexpr std::array<const char*, 12> castKindNames{"plane",    "sphere",      "box",     "triangle",
+                                                           "polygon",  "transformed", "surface", "teapot",
+                                                           "cylinder", "cone",        "disk",    "torus"};
+// The teapot, of triangles, and what follows it stand alone; the others together.
 inline constexpr std::size_t castTogether = 7;
+// Whether it has the textbook's form beside the stable one.
+inline bool hasTextbookForm(CastKind kind) { return kind < CastKind::teapot; }
 
-inline const std::array<vec3, 8> castColors{vec3(0.78, 0.76, 0.70), vec3(0.82, 0.30, 0.25), vec3(0.25, 0.50, 0.78),
-                                            vec3(0.35, 0.65, 0.35), vec3(0.95, 0.75, 0.20), vec3(0.60, 0.40, 0.75),
-                                            vec3(0.30, 0.70, 0.70), vec3(0.80, 0.50, 0.25)};
+inline const std::array<vec3, 12> castColors{vec3(0.78, 0.76, 0.70), vec3(0.82, 0.30, 0.25), vec3(0.25, 0.50, 0.78),
+                                             vec3(0.35, 0.65, 0.35), vec3(0.95, 0.75, 0.20), vec3(0.60, 0.40, 0.75),
+                                             vec3(0.30, 0.70, 0.70), vec3(0.80, 0.50, 0.25), vec3(0.25, 0.50, 0.78),
+                                             vec3(0.95, 0.75, 0.20), vec3(0.35, 0.65, 0.35), vec3(0.82, 0.30, 0.25)};
 
 // Which form of an intersection is computed, and in which of the plane's three descriptions.
 enum class CastForm { textbook, stable };
@@ -60,6 +77,10 @@ std::array<vec3, 10> star();
 // The unit sphere becomes an ellipsoid, turned.
 mat4 worldFromEllipsoid();
 inline constexpr double flagWave = 0.75, flagTurn = 6 * pi;
+// Bodies round the y axis, at the world's origin but for the disk and the torus, which are 1 above it.
+inline constexpr double cylinderRadius = 1, cylinderHeight = 2, coneRadius = 1.25, coneHeight = 2.25;
+inline constexpr double diskRadius = 1.25, torusMajor = 1.5, torusMinor = 0.5;
+inline const vec3 aboveOrigin(0, 1, 0), diskNormal(3, 4, 12);
 // A flag with three waves: u along it, v up.
 template <typename T>
 SurfaceAt<T> flag(T u, T v, T scale);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 
 #include "mv/error.h"
 
@@ -37,13 +36,6 @@ Split fresnel(double cosine, double index) {
     };
     const Split across = split(cosine), along = split(dense);
     return {(across.reflected + along.reflected) / 2, (across.transmitted + along.transmitted) / 2};
-}
-
-std::optional<vec3> refracted(const vec3& way, const vec3& normal, double index) {
-    requireIndex(index);
-    const double cosine = -glm::dot(way, normal), square = squareBehind(cosine, index);
-    if (square < 0) return {};
-    return way / index + normal * ((cosine - std::sqrt(square)) / index);
 }
 
 double fresnelOfMetal(double cosine, double n, double k) {

@@ -1,10 +1,9 @@
 // Which part of the light a smooth surface reflects, by Fresnel's equations: what shaders/include/fresnel.glsl computes in
-// float, here in double. Light is unpolarized: the mean of both polarizations.
+// float, here in double. Light is unpolarized: the mean of both polarizations. Where it goes is mv/math/reflect.h's to say.
 //
 // `cosine` is that of the angle between the light and the normal, 0..1; what is outside is refused, and NaN.
 #pragma once
-#include <optional>
-
+#include "mv/math/reflect.h"
 #include "mv/math/types.h"
 
 namespace mv {
@@ -19,10 +18,6 @@ struct Split {
 // a negative number there, and with index 1 a grazing angle is 0/0; no surface reflects nothing.
 // Refused: an index that is not above 0 and at most 1e150.
 Split fresnel(double cosine, double index);
-
-// The direction behind that surface, of unit length, for light that travels along `way`; none where it is totally
-// reflected. `normal` points to where the light comes from. Both have unit length. Refused: an index as above.
-std::optional<vec3> refracted(const vec3& way, const vec3& normal, double index);
 
 // A metal: its index n and its absorption k, which comes from the conductivity, at one wavelength; the complex index
 // n + i k. Refused: n not above 0, k below 0.

@@ -82,15 +82,26 @@ KeyCurve::KeyCurve(Demo* owner)
            {{"root", "at once, then slower"},
             {"quadratic", "from rest, faster and faster"},
             {"logistic", "from rest to rest"},
-            {"bezier", "by its handles"}},
+            {"bezier", "by its handles"},
+            {"cubic", "t^3"},
+            {"sine", "a quarter of a wave"},
+            {"back", "beyond its end and back"},
+            {"elastic", "as what hangs on a spring"},
+            {"bounce", "as a ball that falls"},
+            {"steps", "in jumps"}},
            "how a part of the time becomes a part of the way"),
       steepness(owner, "steepness", 10, {1, 30}, "of the logistic ease"),
       handles(owner, "handles", {{0.4, 0}, {0.6, 1}},
               {.low = vec2(0.05, -0.5), .high = vec2(0.95, 1.5), .least = 2, .most = 2, .grid = 0.05},
-              "the two of the Bezier ease, dragged in its graph") {
+              "the two of the Bezier ease, dragged in its graph"),
+      side(owner, "ease-side", EaseSide::inOut, {{"in"}, {"out"}, {"in-out", "half of either"}},
+           "which end of the way between two keys the curve from cubic to bounce eases"),
+      steps(owner, "steps", 5, {1, 60}, "jumps between two keys") {
     ease.onlyWhen([this] { return isEased(); }, "only --curve ease does not go evenly");
     steepness.onlyWhen([this] { return isEased() && ease == Ease::logistic; }, "no logistic ease is used");
     handles.onlyWhen([this] { return isBezierEase(); }, "no Bezier ease is used");
+    side.onlyWhen([this] { return hasSides(); }, "no ease that has an end to choose is used");
+    steps.onlyWhen([this] { return isEased() && ease == Ease::steps; }, "no steps are used");
 }
 
 template <class P>
@@ -126,17 +137,55 @@ template Motion<vec3> KeyCurve::through(const std::vector<Keyframe<vec3>>&, cons
 
 double KeyCurve::eased(double part) const {
     if (!isEased()) return linearEase(part);
-    if (ease == Ease::root) return rootEase(part);
-    if (ease == Ease::quadratic) return quadraticEase(part);
-    if (ease == Ease::logistic) return logisticEase(part, steepness);
+    switch (ease) {
+        case Ease::root:
+            return rootEase(part);
+        case Ease::quadratic:
+            return quadraticEase(part);
+        case Ease::logistic:
+            return logisticEase(part, steepness);
+        case Ease::bezier:
+            break;
+        case Ease::cubic:
+            return cubicEase(part, side);
+        case Ease::sine:
+            return sineEase(part, side);
+        case Ease::back:
+            return backEase(part, side);
+        case Ease::elastic:
+            return elasticEase(part, side);
+        case Ease::bounce:
+            return bounceEase(part, side);
+        case Ease::steps:
+            return stepsEase(part, steps);
+    }
     return BezierEase(handles[0], handles[1]).value(part);
 }
 
 double KeyCurve::slope(double part) const {
     if (!isEased()) return linearEaseSlope(part);
-    if (ease == Ease::root) return part > 0 ? rootEaseSlope(part) : HUGE_VAL;
-    if (ease == Ease::quadratic) return quadraticEaseSlope(part);
-    if (ease == Ease::logistic) return logisticEaseSlope(part, steepness);
+    switch (ease) {
+        case Ease::root:
+            return part > 0 ? rootEaseSlope(part) : HUGE_VAL;
+        case Ease::quadratic:
+            return quadraticEaseSlope(part);
+        case Ease::logistic:
+            return logisticEaseSlope(part, steepness);
+        case Ease::bezier:
+            break;
+        case Ease::cubic:
+            return cubicEaseSlope(part, side);
+        case Ease::sine:
+            return sineEaseSlope(part, side);
+        case Ease::back:
+            return backEaseSlope(part, side);
+        case Ease::elastic:
+            return elasticEaseSlope(part, side);
+        case Ease::bounce:
+            return bounceEaseSlope(part, side);
+        case Ease::steps:
+            return 0;  // between its jumps
+    }
     return BezierEase(handles[0], handles[1]).slope(part);
 }
 

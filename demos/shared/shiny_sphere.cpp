@@ -5,6 +5,7 @@
 #include <glm/matrix.hpp>
 
 #include "mv/math/color.h"
+#include "mv/math/reflect.h"
 
 namespace mv {
 
@@ -33,7 +34,7 @@ vec3 ShinySphere::through(const vec3& into, const vec3& normal, double reflected
         if (!out) break;  // rounding, at the very edge of total reflection
         light += part * (1 - reflected) * room.seenAlong({end, *out});
         part *= reflected;
-        way = glm::reflect(way, end);
+        way = mv::reflected(way, end);
         from = end;
     }
     return light;

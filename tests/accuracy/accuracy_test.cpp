@@ -110,6 +110,8 @@ TEST(Accuracy, every_function_of_the_headers_is_measured) {
                                                "jitteredSquare",  // random points: none is right
                                                "colorMatching",   // a table
                                                "spectralLocus",   // its chromaticities
+                                               "srgbFromHex",     // a quotient of whole numbers
+                                               "hexFromSrgb",     // a text
                                                "textbookShadow",  // the lecture's forms, to compare with
                                                "textbookShadowAcrossAxis"};
     std::set<std::string> measured;

@@ -120,8 +120,9 @@ const std::vector<Function>& functions() {
     static const std::vector<Function> all = [] {
         std::vector<Function> list;
         for (const auto& part :
-             {typesFunctions(), transformFunctions(), projectionFunctions(), shadowFunctions(), otherFunctions(),
-              robustFunctions(), colorFunctions(), orientationFunctions(), easeFunctions(), curveFunctions()}) {
+             {typesFunctions(), transformFunctions(), projectionFunctions(), viewFormFunctions(), shadowFunctions(),
+              otherFunctions(), robustFunctions(), colorFunctions(), colorDifferenceFunctions(), orientationFunctions(),
+              turnFunctions(), easeFunctions(), usualEaseFunctions(), curveFunctions()}) {
             list.insert(list.end(), part.begin(), part.end());
         }
         return list;

@@ -142,6 +142,10 @@ std::vector<Function> colorFunctions();
 std::vector<Function> orientationFunctions();
 std::vector<Function> easeFunctions();
 std::vector<Function> curveFunctions();
+std::vector<Function> viewFormFunctions();
+std::vector<Function> colorDifferenceFunctions();
+std::vector<Function> turnFunctions();
+std::vector<Function> usualEaseFunctions();
 std::vector<Function> intersectionFunctions();
 std::vector<Function> twoLinkFunctions();
 

@@ -1,4 +1,4 @@
-// projection.h.
+// projection.h and unproject.h.
 #include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/trigonometric.hpp>
@@ -6,6 +6,7 @@
 #include "accuracy/function.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
+#include "mv/math/unproject.h"
 
 namespace mv::accuracy {
 namespace {
@@ -156,6 +157,68 @@ Truth cornersTruth(const Arguments& a) {
         truth.sizes.push_back(size);
     }
     return truth;
+}
+
+// ---- unproject.h: matrix, pixel, depth, width and height
+
+Arguments pixelsOfCameras(Random& random, Domain domain) {
+    Arguments a = cameraMatrices(random, domain, 1e6);
+    for (std::size_t i = 0; i < 2; ++i) {
+        a[19 + i] = std::floor(random.logarithmic(1, 16385));
+        a[16 + i] = a[19 + i] * random.number(0, 1);
+    }
+    const double depth = domain == Domain::whole ? random.logarithmic(1e-9, 1) : random.number(0, 1);
+    a[18] = random.sign() < 0 ? depth : 1 - depth;
+    return a;
+}
+const std::string pixelLimits =
+    "entries of the matrix, and coordinates, 0 or from 1e-10 to 1e10 in size; pictures 1 to 16384 pixels wide and high";
+bool arePixels(const Arguments& a) {
+    static const auto areEntries = sizesBetween(1e-10, 1e10);
+    return areEntries(a) && isPictureSize(a[19]) && isPictureSize(a[20]);
+}
+Wide ndcOf(const Arguments& a, std::size_t axis) { return 2 * Wide(a[16 + axis]) / a[19 + axis] - 1; }
+
+Truth unProjectTruth(const Arguments& a) {
+    const WideMatrix clipFromWorld = wide(matrixAt(a, 0)), worldFromClip = inverse(clipFromWorld);
+    const Wide4 clip{{ndcOf(a, 0), ndcOf(a, 1), 2 * Wide(a[18]) - 1, Wide(1)}}, world = worldFromClip * clip;
+    const Wide3 point = divided(world);
+    Wide4 terms = timesWithoutSigns(clipFromWorld, world);
+    for (std::size_t i = 0; i < 4; ++i) terms[i] += abs(clip[i]);
+    const Wide4 moved = timesWithoutSigns(worldFromClip, terms);
+    Wide size = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        size = std::max<Wide>(size, (moved[k] + abs(point[k]) * moved[3]) / abs(world[3]));
+    }
+    if (moved[3] > ldexp(abs(world[3]), 53 - 6)) size = anySize;
+    return {{point[0], point[1], point[2]}, {3}, {}, false, {size}};
+}
+
+Truth directionTruth(const Arguments& a) {
+    const WideMatrix m = wide(matrixAt(a, 0));
+    const auto entry = [&](std::size_t row, std::size_t column) { return m.column[column][row]; };
+    std::array<Wide3, 2> planes, terms;
+    for (std::size_t i = 0; i < 2; ++i) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Wide times = ndcOf(a, i) * entry(3, k);
+            planes[i][k] = entry(i, k) - times;
+            terms[i][k] = abs(entry(i, k)) + abs(times);
+        }
+    }
+    const Wide3 along = cross(planes[0], planes[1]);
+    const Wide long2 = length(along);
+    Wide forward = 0, size = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t l = (k + 1) % 3, n = (k + 2) % 3;
+        forward += along[k] * entry(3, k);
+        size = std::max<Wide>(size, terms[0][l] * abs(planes[1][n]) + abs(planes[0][l]) * terms[1][n] +
+                                        terms[0][n] * abs(planes[1][l]) + abs(planes[0][n]) * terms[1][l]);
+    }
+    const Wide3 unit = (forward < 0 ? Wide(-1) : Wide(1)) / long2 * along;
+    // Turned over by a rounding: a matrix that is nearly none of a camera
+    const Wide depthwards = length(Wide3{{entry(3, 0), entry(3, 1), entry(3, 2)}});
+    const bool isOpen = abs(forward) < Wide(1e-9) * long2 * depthwards || size > ldexp(long2, 40);
+    return {{unit[0], unit[1], unit[2]}, {3}, {}, false, {isOpen ? anySize : Wide(1 + size / long2)}};
 }
 
 }  // namespace
@@ -367,6 +430,38 @@ std::vector<Function> projectionFunctions() {
                              [](const Arguments& a) {
                                  return pixelFromNdc(vec2(a[0], a[1]), static_cast<int>(a[2]), static_cast<int>(a[3]));
                              }));
+    const auto pixelOf = [](const Arguments& a) { return vec2(a[16], a[17]); };
+    const auto sizeOfPicture = [](const Arguments& a, std::size_t i) { return static_cast<int>(a[19 + i]); };
+    const std::string camerasDomain = "cameras with near 1e-3 to 1e3 and far/near 10 to 1e6, depths 1e-9 from 0 and 1";
+    list.push_back(
+        withForms({.name = "unProject",
+                   .header = "unproject.h",
+                   .returns = "the point that is drawn at a pixel with a depth",
+                   .measured = "ulp of what one rounding of each entry of the matrix, and of pixel and depth, "
+                               "moves the point by",
+                   .domain = camerasDomain,
+                   .reason = "",
+                   .sample = pixelsOfCameras,
+                   .truth = unProjectTruth,
+                   .limits = pixelLimits,
+                   .within = arePixels},
+                  [=](const Arguments& a) {
+                      return unProject(pixelOf(a), a[18], matrixAt(a, 0), sizeOfPicture(a, 0), sizeOfPicture(a, 1));
+                  }));
+    list.push_back(withForms(
+        {.name = "directionThroughPixel",
+         .header = "unproject.h",
+         .returns = "the direction of a pixel's ray",
+         .measured = "ulp of what one rounding of each entry and of the pixel turns it by, and of 1",
+         .domain = camerasDomain,
+         .reason = "",
+         .sample = pixelsOfCameras,
+         .truth = directionTruth,
+         .limits = pixelLimits,
+         .within = arePixels},
+        [=](const Arguments& a) {
+            return directionThroughPixel(pixelOf(a), matrixAt(a, 0), sizeOfPicture(a, 0), sizeOfPicture(a, 1));
+        }));
     return list;
 }
 

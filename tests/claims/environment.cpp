@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mv/gl/functions.h"
+#include "mv/math/reflect.h"
 #include "mv/run/audit.h"
 #include "shared/shiny_sphere.h"
 #include "support/demo_run.h"
@@ -70,7 +71,7 @@ std::vector<vec3> reflections(DemoRun& run) {
             const vec4 far = worldFromClip * vec4((2 * x + 1.0) / side - 1, 1 - (2 * y + 1.0) / side, 1, 1);
             const vec3 way = glm::normalize(vec3(far) / far.w - eye);
             const auto hit = intersectSphere(Ray{eye, way}, vec3(0), 1.0);
-            ways.push_back(hit ? glm::reflect(way, glm::normalize(eye + hit->near * way)) : vec3(0));
+            ways.push_back(hit ? reflected(way, glm::normalize(eye + hit->near * way)) : vec3(0));
         }
     }
     return ways;

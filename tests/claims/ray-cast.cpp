@@ -34,7 +34,8 @@ int apart(const Pixel& a, const Pixel& b) {
 TEST(RayCast, like_the_raster) {
     DemoRun run("ray-cast");
     run.set("rows", side).set("threads", 4).set("pixel-x", 0).set("pixel-y", 0);
-    for (const char* objects : {"all", "plane", "sphere", "box", "triangle", "polygon", "transformed", "surface"}) {
+    for (const char* objects : {"all", "plane", "sphere", "box", "triangle", "polygon", "transformed", "surface",
+                                "cylinder", "cone", "disk", "torus"}) {
         if (sanitized && objects != std::string_view("all")) break;  // each of them is in that one
         run.set("objects", objects);
         const Picture raster = run.set("picture-by", "gl").picture();

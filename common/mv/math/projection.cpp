@@ -11,6 +11,7 @@
 #include "mv/error.h"
 #include "mv/math/require.h"
 #include "mv/math/robust.h"
+#include "mv/math/unproject.h"
 
 namespace mv {
 namespace {
@@ -365,5 +366,51 @@ vec2 pixelFromNdc(const vec2& ndc, int width, int height) {
 }
 
 vec2 pixelFromNdc(const vec3& ndc, int width, int height) { return pixelFromNdc(vec2(ndc), width, height); }
+
+namespace {
+
+// The differences are exact where they are small, as those of 1 and a quotient are not.
+vec2 ndcFromPixel(std::string_view subject, const vec2& pixel, int width, int height) {
+    requireFinite(subject, "the pixel", pixel);
+    requirePositive(subject, "width", width);
+    requirePositive(subject, "height", height);
+    return {(2 * pixel.x - width) / width, (2 * pixel.y - height) / height};
+}
+
+}  // namespace
+
+vec3 unProject(const vec2& pixel, double depth, const mat4& clipFromWorld, int width, int height) {
+    requireFinite("unProject", "the matrix", clipFromWorld);
+    requireFinite("unProject", "the depth", depth);
+    const vec2 ndc = ndcFromPixel("unProject", pixel, width, height);
+    const std::optional<vec4> world = Elimination(clipFromWorld).solve(vec4(ndc, 2 * depth - 1, 1));
+    const vec3 point = world ? vec3(*world) / world->w : vec3(HUGE_VAL);
+    if (!isFinite(point)) {
+        throw Error("unProject", "the matrix must have an inverse, and the depth must not be at infinity",
+                    world ? vectorText(*world) : "depth " + numberText(depth));
+    }
+    return point;
+}
+
+vec3 directionThroughPixel(const vec2& pixel, const mat4& clipFromWorld, int width, int height) {
+    requireFinite("directionThroughPixel", "the matrix", clipFromWorld);
+    const vec2 ndc = ndcFromPixel("directionThroughPixel", pixel, width, height);
+    // Points drawn in the pixel's column have x - ndc.x w = 0, those in its row y - ndc.y w = 0; by rows of a size of 1
+    const mat4 rows = glm::transpose(clipFromWorld);
+    const vec3 column = scaledForSquares(vec3(rows[0] - ndc.x * rows[3]));
+    const vec3 row = scaledForSquares(vec3(rows[1] - ndc.y * rows[3]));
+    const vec3 along = accurateCross(column, row), z(rows[2]), w(rows[3]);
+    if (along == vec3(0)) {
+        throw Error("directionThroughPixel", "the matrix must keep rows and columns of pixels apart",
+                    vectorText(column) + " and " + vectorText(row));
+    }
+    // Away from the eye w grows; of a parallel projection, whose w stays, the depth does
+    const double grows = glm::dot(w, along) / (glm::length(w) * glm::length(along));
+    const double deeper = std::abs(grows) > 1e-12 ? grows : glm::dot(z, along);
+    if (deeper == 0 || !isFinite(deeper) || !isFinite(along)) {
+        throw Error("directionThroughPixel", "the matrix must tell near from far", vectorText(along));
+    }
+    return deeper < 0 ? -unit(along) : unit(along);
+}
 
 }  // namespace mv
