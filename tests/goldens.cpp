@@ -27,7 +27,7 @@ void expectMatch(const GoldenCase& golden) {
     const auto reason = mismatch(golden, drawn);
     if (reason && updating()) {
         writePng(goldenFile(golden.name), drawn);
-        writeFileAtomically(MVGL_SOURCE_DIR "/tests/goldens/recorded.txt", std::string_view(presentDriver() + "\n"));
+        writeFileAtomically(tree() + "/tests/goldens/recorded.txt", std::string_view(presentDriver() + "\n"));
         std::cout << "updated " << golden.name << ": " << *reason << "\n";
         return;
     }
@@ -58,7 +58,7 @@ TEST(GoldenFiles, every_demo_has_one_and_no_file_is_left_over) {
     }
     if (updating()) return;
     std::set<std::string> present;
-    for (const auto& entry : std::filesystem::directory_iterator(MVGL_SOURCE_DIR "/tests/goldens")) {
+    for (const auto& entry : std::filesystem::directory_iterator(tree() + "/tests/goldens")) {
         present.insert(entry.path().filename().string());
     }
     EXPECT_EQ(present, wanted);

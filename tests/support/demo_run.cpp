@@ -135,8 +135,13 @@ int countColors(const Picture& picture, int most) {
     return static_cast<int>(colors.size());
 }
 
+std::string tree() {
+    const char* other = std::getenv("MVGL_TREE");
+    return other ? other : MVGL_SOURCE_DIR;
+}
+
 std::string saveFailure(const std::string& name, const Picture& picture) {
-    const std::filesystem::path folder = MVGL_FAILURES;
+    const std::filesystem::path folder = std::getenv("MVGL_TREE") ? tree() + "/failures" : MVGL_FAILURES;
     std::filesystem::create_directories(folder);
     const auto file = folder / (name + ".png");
     writePng(file, picture);

@@ -63,7 +63,9 @@ long differentPixels(const Picture& a, const Picture& b);
 // How many colours the picture has, counted up to `most`.
 int countColors(const Picture& picture, int most = 1000);
 
-// Saves a picture for a person to look at after a failure, in build/failures, and returns its path.
+// The folder of the sources, or the one that MVGL_TREE names: with tests/goldens and assets, and with the failures (scripts/gpu.sh).
+std::string tree();
+// Saves a picture for a person to look at after a failure, in build/failures, or in MVGL_TREE, and returns its path.
 std::string saveFailure(const std::string& name, const Picture& picture);
 
 }  // namespace mv::test

@@ -10,7 +10,7 @@
 namespace mv::test {
 namespace {
 
-const std::string folder = MVGL_SOURCE_DIR "/tests/goldens/";
+std::string folder() { return tree() + "/tests/goldens/"; }
 
 std::string processor() {
     std::ifstream info("/proc/cpuinfo");
@@ -25,7 +25,7 @@ std::string processor() {
 const std::vector<GoldenCase>& goldenCases() {
     static const std::vector<GoldenCase> cases = [] {
         std::vector<GoldenCase> read;
-        std::ifstream file(folder + "cases.txt");
+        std::ifstream file(folder() + "cases.txt");
         for (std::string line; std::getline(file, line);) {
             if (line.empty() || line.front() == '#') continue;
             std::istringstream words(line);
@@ -52,7 +52,7 @@ const std::vector<GoldenCase>& goldenCases() {
     return cases;
 }
 
-std::string goldenFile(const std::string& name) { return folder + name + ".png"; }
+std::string goldenFile(const std::string& name) { return folder() + name + ".png"; }
 
 Picture drawCase(const GoldenCase& golden) {
     const DemoInfo& info = *golden.command.demo;
@@ -64,7 +64,7 @@ Picture drawCase(const GoldenCase& golden) {
 }
 
 std::string recordedDriver() {
-    std::ifstream file(folder + "recorded.txt");
+    std::ifstream file(folder() + "recorded.txt");
     std::string line;
     std::getline(file, line);
     return line;

@@ -5,9 +5,11 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "support/demo_run.h"
+
 int main(int count, char** arguments) {
     testing::InitGoogleTest(&count, arguments);
-    std::filesystem::current_path(MVGL_SOURCE_DIR);  // where a lesson's commands are typed: assets/ is there
+    std::filesystem::current_path(mv::test::tree());  // where a lesson's commands are typed: assets/ is there
     const int result = RUN_ALL_TESTS();
     const auto& tests = *testing::UnitTest::GetInstance();
     if (testing::GTEST_FLAG(list_tests)) return result;
