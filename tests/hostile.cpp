@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "mv/image/file.h"
 #include "mv/image/load.h"
 #include "mv/run/command_line.h"
 #include "support/hostile_lines.h"
@@ -89,7 +90,7 @@ TEST(Hostile, two_hundred_command_lines) {
         if (!refusal.empty()) {
             ++misunderstood;
             EXPECT_EQ(result.status, 2);
-            EXPECT_EQ(result.err, "error: " + refusal + "\n");
+            EXPECT_EQ(result.err, "error: " + printable(refusal) + "\n");
             EXPECT_EQ(result.out, "");
         } else if (result.status == 0) {
             ++done;

@@ -356,6 +356,7 @@ TEST(WriteFile, AFolderOfFiveThousandLetters) {
 
 TEST(Printable, ShowsWhatATerminalObeys) {
     EXPECT_EQ(printable("two\nlines\t\x1b[2J\x7f \xc3\xa4"), "two\\nlines\\t\\x1b[2J\\x7f \xc3\xa4");
+    EXPECT_EQ(printable("\xc2\x9b\x31m \xc2\xa0 \xc2"), "\\xc2\\x9b\x31m \xc2\xa0 \xc2");
     EXPECT_EQ(printable(""), "");
 }
 

@@ -267,17 +267,24 @@ void writeFileAtomically(const fs::path& path, std::string_view text) {
 
 std::string printable(std::string_view text) {
     std::string shown;
-    for (const char c : text) {
-        const auto code = static_cast<unsigned char>(c);
-        if (c == '\n') {
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto code = static_cast<unsigned char>(text[i]);
+        // Unicode has a second set of control characters, U+0080 to U+009F.
+        const bool second =
+            code == 0xC2 && i + 1 < text.size() && (static_cast<unsigned char>(text[i + 1]) & 0xE0U) == 0x80;
+        if (text[i] == '\n') {
             shown += "\\n";
-        } else if (c == '\t') {
+        } else if (text[i] == '\t') {
             shown += "\\t";
-        } else if (code < 0x20 || code == 0x7F) {
+        } else if (code < 0x20 || code == 0x7F || second) {
             constexpr std::string_view digits = "0123456789abcdef";
             shown.append("\\x").append(1, digits[code >> 4U]).append(1, digits[code & 15U]);
+            if (second) {
+                const auto other = static_cast<unsigned char>(text[++i]);
+                shown.append("\\x").append(1, digits[other >> 4U]).append(1, digits[other & 15U]);
+            }
         } else {
-            shown += c;
+            shown += text[i];
         }
     }
     return shown;
