@@ -173,8 +173,7 @@ struct Keyframes final : Demo {
         }
         drawing.point(ball, 24 * unit, orange);
         words(frame, 0,
-              by.kind.text() + (by.isEased() ? ", " + by.ease.text() : "") +
-                  (by.hasSides() ? " " + by.side.text() : "") + ": a dot every tenth of a second");
+              by.kind.text() + (by.isEased() ? ", " + by.ease.text() : "") + ": a dot every tenth of a second");
 
         // Its speed over time, and its acceleration, or how it is eased
         drawGraph(frame, motion, now, Part::upper, "speed, m/s; red: a jump", &CurvePoint<vec3>::velocity);

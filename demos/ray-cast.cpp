@@ -123,7 +123,7 @@ struct RayCast final : Demo {
             return vec2(pane.x, pane.y) + vec2(pixelX, pixelY) * double(pane.width);
         });
         triangles.onlyWhen([this] { return isThere(CastKind::teapot); }, "there is no teapot");
-        form.onlyWhen([this] { return std::ranges::any_of(shown(), hasTextbookForm); },
+        form.onlyWhen([this] { return hasForms(); },
                       "triangles in a tree, and bodies round an axis, are met by the stable form");
         precision.onlyWhen([this] { return !isThere(CastKind::teapot); }, "triangles are met in double");
         plane.onlyWhen([this] { return isThere(CastKind::plane); }, "there is no plane");
@@ -290,6 +290,7 @@ struct RayCast final : Demo {
         }
         return kinds;
     }
+    bool hasForms() const { return std::ranges::any_of(shown(), hasTextbookForm); }
     static vec3 colorOf(CastKind kind) { return castColors.at(static_cast<std::size_t>(kind)); }
     // 1 for a plane, and so on; 0 is the sky.
     static double numberOf(const std::string& name) {
@@ -406,7 +407,8 @@ struct RayCast final : Demo {
         const std::string cells = rows.text() + " x " + rows.text();
         if (by == Maker::raster) return "triangles filled into " + cells + " pixels";
         return cells + " rays, " +
-               (isThere(CastKind::teapot) ? triangles.text() + " triangles" : form.text() + ", in " + precision.text());
+               (isThere(CastKind::teapot) ? triangles.text() + " triangles"
+                                          : (hasForms() ? form.text() : "stable") + ", in " + precision.text());
     }
 };
 

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "mv/motion/ease.h"
+#include "mv/motion/usual_eases.h"
 
 namespace mv {
 
@@ -65,6 +66,12 @@ Jumps jumpsOf(const Motion<vec3>& motion, const std::vector<double>& times) {
     return jumps;
 }
 
+namespace {
+
+constexpr int jumps = 5;  // of the ease by steps
+
+}  // namespace
+
 KeyCurve::KeyCurve(Demo* owner)
     : kind(owner, "curve", Kind::linear,
            {{"linear", "straight from key to key"},
@@ -83,25 +90,20 @@ KeyCurve::KeyCurve(Demo* owner)
             {"quadratic", "from rest, faster and faster"},
             {"logistic", "from rest to rest"},
             {"bezier", "by its handles"},
-            {"cubic", "t^3"},
-            {"sine", "a quarter of a wave"},
-            {"back", "beyond its end and back"},
-            {"elastic", "as what hangs on a spring"},
+            {"cubic", "a third power to the middle, and the same back"},
+            {"sine", "half a wave"},
+            {"back", "first back, and in the end beyond"},
+            {"elastic", "comes to rest as on a spring"},
             {"bounce", "as a ball that falls"},
-            {"steps", "in jumps"}},
+            {"steps", "five jumps"}},
            "how a part of the time becomes a part of the way"),
       steepness(owner, "steepness", 10, {1, 30}, "of the logistic ease"),
       handles(owner, "handles", {{0.4, 0}, {0.6, 1}},
               {.low = vec2(0.05, -0.5), .high = vec2(0.95, 1.5), .least = 2, .most = 2, .grid = 0.05},
-              "the two of the Bezier ease, dragged in its graph"),
-      side(owner, "ease-side", EaseSide::inOut, {{"in"}, {"out"}, {"in-out", "half of either"}},
-           "which end of the way between two keys the curve from cubic to bounce eases"),
-      steps(owner, "steps", 5, {1, 60}, "jumps between two keys") {
+              "the two of the Bezier ease, dragged in its graph") {
     ease.onlyWhen([this] { return isEased(); }, "only --curve ease does not go evenly");
     steepness.onlyWhen([this] { return isEased() && ease == Ease::logistic; }, "no logistic ease is used");
     handles.onlyWhen([this] { return isBezierEase(); }, "no Bezier ease is used");
-    side.onlyWhen([this] { return hasSides(); }, "no ease that has an end to choose is used");
-    steps.onlyWhen([this] { return isEased() && ease == Ease::steps; }, "no steps are used");
 }
 
 template <class P>
@@ -147,17 +149,17 @@ double KeyCurve::eased(double part) const {
         case Ease::bezier:
             break;
         case Ease::cubic:
-            return cubicEase(part, side);
+            return cubicEase(part, EaseSide::inOut);
         case Ease::sine:
-            return sineEase(part, side);
+            return sineEase(part, EaseSide::inOut);
         case Ease::back:
-            return backEase(part, side);
+            return backEase(part, EaseSide::inOut);
         case Ease::elastic:
-            return elasticEase(part, side);
+            return elasticEase(part, EaseSide::out);
         case Ease::bounce:
-            return bounceEase(part, side);
+            return bounceEase(part, EaseSide::out);
         case Ease::steps:
-            return stepsEase(part, steps);
+            return stepsEase(part, jumps);
     }
     return BezierEase(handles[0], handles[1]).value(part);
 }
@@ -174,15 +176,15 @@ double KeyCurve::slope(double part) const {
         case Ease::bezier:
             break;
         case Ease::cubic:
-            return cubicEaseSlope(part, side);
+            return cubicEaseSlope(part, EaseSide::inOut);
         case Ease::sine:
-            return sineEaseSlope(part, side);
+            return sineEaseSlope(part, EaseSide::inOut);
         case Ease::back:
-            return backEaseSlope(part, side);
+            return backEaseSlope(part, EaseSide::inOut);
         case Ease::elastic:
-            return elasticEaseSlope(part, side);
+            return elasticEaseSlope(part, EaseSide::out);
         case Ease::bounce:
-            return bounceEaseSlope(part, side);
+            return bounceEaseSlope(part, EaseSide::out);
         case Ease::steps:
             return 0;  // between its jumps
     }

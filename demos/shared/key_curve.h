@@ -6,7 +6,6 @@
 
 #include "mv/demo/demo.h"
 #include "mv/motion/curve.h"
-#include "mv/motion/usual_eases.h"
 
 namespace mv {
 
@@ -55,7 +54,7 @@ struct Jumps {
 };
 Jumps jumpsOf(const Motion<vec3>& motion, const std::vector<double>& times);
 
-// A member of a demo. Adds the knobs curve, ease, steepness, handles, ease-side and steps to it.
+// A member of a demo. Adds the knobs curve, ease, steepness and handles to it.
 struct KeyCurve {
     enum class Kind { linear, ease, lagrange, natural, clamped, periodic, catmullRom, centripetal, bSpline, bezier };
     enum class Ease { root, quadratic, logistic, bezier, cubic, sine, back, elastic, bounce, steps };
@@ -73,8 +72,6 @@ struct KeyCurve {
 
     bool isEased() const { return kind == Kind::ease; }
     bool isBezierEase() const { return isEased() && ease == Ease::bezier; }
-    // Whether it is one that eases in, out, or at both ends.
-    bool hasSides() const { return isEased() && ease > Ease::bezier && ease < Ease::steps; }
     // Whether it leaves each key at infinite speed.
     bool startsAtOnce() const { return isEased() && ease == Ease::root; }
     // Whether it is straight from key to key.
@@ -84,8 +81,6 @@ struct KeyCurve {
     Choice<Ease> ease;
     Real steepness;
     Points handles;
-    Choice<EaseSide> side;
-    Whole steps;
 };
 
 }  // namespace mv
