@@ -477,7 +477,8 @@ TEST(StudyData, names_who_draws) {
     run.renderer = "NVIDIA H100 80GB HBM3/PCIe/SSE2";
     EXPECT_EQ(machineName(run), "this GPU (NVIDIA H100 80GB HBM3)");
     run.width = 0;
-    EXPECT_EQ(machineName(run), "AMD EPYC") << "no renderer computes values";
+    run.threads = 2;
+    EXPECT_EQ(machineName(run), "AMD EPYC, 2 threads") << "no renderer computes values";
 }
 
 // Both machines have the rows that the study declares.

@@ -1026,7 +1026,7 @@ measure() {
     reported study | grep -q "^Measured here: .* threads\.$" || fail "the plot is not the one measured here: $(reported study)"
     equal "row of the present settings, as measured" "trapezia 16" "$(reported here)"
     # The committed run can be had again.
-    clickOn machine && clickOn "machine a machine of long ago"
+    clickOn machine && clickOn "machine a machine of long ago, 1 thread"
     awaitReport study "Committed, measured on: no driver, a machine of long ago, 1 thread."
     quit
     equal "standard error" "" "$(cat "$state/err")"

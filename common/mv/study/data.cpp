@@ -392,7 +392,9 @@ Drawer drawerOf(const std::string& renderer) {
 const char* nameOf(Drawer drawer) { return drawer == Drawer::gpu ? "gpu" : "processor"; }
 
 std::string machineName(const StudyRun& run) {
-    if (run.width == 0) return run.processor;
+    if (run.width == 0) {
+        return run.processor + ", " + std::to_string(run.threads) + (run.threads == 1 ? " thread" : " threads");
+    }
     const std::string name = run.renderer.substr(0, run.renderer.find_first_of("(/"));
     const std::string whose = drawerOf(run.renderer) == Drawer::gpu ? "this GPU (" : "a processor (";
     return whose + name.substr(0, name.find_last_not_of(' ') + 1) + ")";

@@ -104,7 +104,7 @@ Drawer drawerOf(const std::string& renderer);
 const char* nameOf(Drawer drawer);
 
 // Whose times the run has, for people: "a processor (llvmpipe)", "this GPU (NVIDIA H100 80GB HBM3)"; of values, which no
-// renderer computes, the processor's name.
+// renderer computes, the processor's name and its threads.
 std::string machineName(const StudyRun& run);
 
 // For the code that builds the committed studies in; see cmake/EmbedShaders.cmake.
