@@ -276,7 +276,7 @@ TEST_P(Sweep, nothing_needless) {
         EXPECT_TRUE(report.clean()) << auditText(report);
         EXPECT_GT(report.first.samplesPassed, 0);
         const std::set<std::string> here(report.idleExcuses.begin(), report.idleExcuses.end());
-        if (&preset == info.presets.begin()) idle = here;
+        if (&preset == &info.presets.front()) idle = here;
         std::erase_if(idle, [&](const std::string& excuse) { return !here.contains(excuse); });
     }
     for (const std::string& excuse : idle) ADD_FAILURE() << "declared, and in no preset: " << excuse;
