@@ -4,7 +4,7 @@
 //                       {slope(Of::error, rows("maps"), -1.1, -0.9)}),
 //                 note("Texels finer than pixels are not seen.")};
 //
-// mv/run/claims.h evaluates them. The bounds of a predicate are those of its sentence, rounded as the sentence rounds. Where
+// mv/study/claims.h evaluates them. The bounds of a predicate are those of its sentence, rounded as the sentence rounds. Where
 // noise is to be expected, in times above all, the sentence is as wide as the noise.
 #pragma once
 #include <cmath>

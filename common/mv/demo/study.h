@@ -1,7 +1,7 @@
 // What measures a demo, and stands beside it in NAME.study.cpp: its study, error against run time, and its probes.
 //
 // A demo that shows an approximation has a study: the settings to try, the quantity that is compared, and a reference made
-// by a different and far more exact method. mv/run/study.h runs it. A study file speaks to the demo through its knobs
+// by a different and far more exact method. mv/study/study.h runs it. A study file speaks to the demo through its knobs
 // (Demo::number, Demo::word), its scene (Demo::scene) and its values (Demo::values).
 #pragma once
 #include <functional>
