@@ -322,7 +322,7 @@ TEST_F(Gl, includes_of_includes_have_a_sum) {
     EXPECT_EQ(errorOf([] { Program("sums"); }), "no error");
     writeFileAtomically(folder / "sums.frag", including("more.glsl", 30) + plainFragment);
     EXPECT_EQ(errorOf([] { Program("sums"); }),
-              "shaders/include/much.glsl: must hold, with all that it is included with, at most 4194304 bytes");
+              "shaders/sums.frag: must have less than 4 MiB with all that it includes");
 }
 
 // Whatever is in a shader's file, or in its place: an Error that names it, and never another program than the file's.
