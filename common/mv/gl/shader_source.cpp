@@ -78,7 +78,7 @@ class Reading {
         const bool isContinued = std::exchange(continued_, endsInBackslash(line));
         const std::string bare = withoutComments(line);
         if (isContinued) return {};  // part of what the line before began with
-        const Line told = directiveOf(bare);
+        Line told = directiveOf(bare);
         follow(told);
         return told;
     }
