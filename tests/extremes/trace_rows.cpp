@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "extremes/row.h"
-#include "shared/fresnel.h"
 #include "ray-trace/whitted.h"
+#include "shared/fresnel.h"
 #include "support/random.h"
 #include "support/ray_trials.h"
 #include "support/textbook_rays.h"

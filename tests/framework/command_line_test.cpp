@@ -179,8 +179,7 @@ TEST(CommandLine, every_pair_of_flags_means_something_or_is_refused) {
         return found != together.end() && std::count(found->second.begin(), found->second.end(), b) > 0;
     };
     // Alone it does nothing; and what is of no demo.
-    const std::set<std::string> idle{"--vary", "--frames", "--all"},
-        ofNoDemo{"--gallery", "--docs", "--all"};
+    const std::set<std::string> idle{"--vary", "--frames", "--all"}, ofNoDemo{"--gallery", "--docs", "--all"};
     // All flags of the program are here.
     const auto demo = findDemo("cube-cull").make();
     std::istringstream help(parseCommandLine({"--help"}).text + parseCommandLine({"cube-cull", "--help"}).text);

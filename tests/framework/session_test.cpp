@@ -175,6 +175,22 @@ TEST(Session, an_error_leaves_the_last_picture) {
     EXPECT_EQ(stage().picture().width, width / 2);
 }
 
+// So does a fault that the driver reports, and the demo goes on.
+TEST(Session, a_drivers_fault_leaves_the_last_picture) {
+    Session session(stage(), findDemo("cube-cull"), {.width = width, .height = height});
+    session.draw(width, height, false);
+    const Picture last = stage().picture();
+    session.set("spin-y", "90");
+    reportFault("the device is unwell");
+    session.draw(width, height, false);
+    EXPECT_EQ(session.error(), "OpenGL in cube-cull: must report no error, the device is unwell");
+    EXPECT_EQ(stage().picture(), last);
+    session.set("spin-y", "100");
+    session.draw(width, height, false);
+    EXPECT_EQ(session.error(), "");
+    EXPECT_NE(stage().picture(), last);
+}
+
 TEST(Session, time_passes_in_frames) {
     const Picture later = drawn("viewpoints", {}, 31);
     Session session(stage(), findDemo("viewpoints"), {.width = width, .height = height});

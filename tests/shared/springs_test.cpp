@@ -9,8 +9,8 @@
 #include "mv/motion/ode_adaptive.h"
 #include "mv/motion/ode_stability.h"
 #include "springs/classic.h"
-#include "springs/game.h"
 #include "springs/figure.h"
+#include "springs/game.h"
 #include "springs/scenes.h"
 
 using namespace mv;
