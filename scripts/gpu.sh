@@ -61,7 +61,7 @@ suite() {
     say "FAILED  $name: $good of $((good + $(grep -c . <<<"$bad" || true)))"
   fi
   while read -r test; do
-    [ -z "$test" ] || say "        $test: $(awk -v begin="[ RUN      ] $test" '$0 == begin { on = 1; next } on && /differ by|error|Error|Which is|exception/ { print; exit }' "$log" | cut -c1-200)"
+    [ -z "$test" ] || say "        $test: $(awk -v begin="[ RUN      ] $test" '$0 == begin { on = 1; next } on && /differ|error|Error|Which is|exception/ { print; exit }' "$log" | cut -c1-200)"
   done <<<"$bad"
   [ "$status" = 0 ] || failed=true
 }
