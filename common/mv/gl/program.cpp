@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "mv/error.h"
@@ -13,6 +14,7 @@
 #include "mv/gl/object.h"
 #include "mv/gl/shader_source.h"
 #include "mv/gl/tangent_buffer.h"
+#include "mv/gl/unused_uniforms.h"
 #include "mv/math/require.h"
 
 namespace mv {
@@ -69,6 +71,7 @@ struct Linked {
     std::optional<GLenum> lastPrimitive;  // what the geometry stage gives, or else the tessellation
     std::map<std::string, Uniform, std::less<>> uniforms;
     bool measuring = false;  // as the program was told last
+    bool edited = false;
 };
 
 std::string shaderLog(GLuint shader) {
@@ -147,6 +150,7 @@ std::optional<GLenum> lastPrimitive(GLuint program, const Sources& sources) {
 
 Linked link(const std::string& name, const Sources& sources) {
     Linked linked;
+    for (const auto& [kind, source] : sources) linked.edited = linked.edited || source.edited;
     linked.program = ProgramObject(glCreateProgram());
     const GLuint program = linked.program.id();
     std::vector<ShaderObject> shaders;
@@ -251,7 +255,13 @@ struct ProgramList {
 namespace {
 GLuint programInUse = 0;
 bool isMeasuring = false;
+std::set<std::string> unusedUniforms;
 }  // namespace
+
+std::vector<std::string> takeUnusedUniforms() {
+    const std::set<std::string> taken = std::exchange(unusedUniforms, {});
+    return {taken.begin(), taken.end()};
+}
 
 bool setMeasuring(bool measuring) { return std::exchange(isMeasuring, measuring); }
 
@@ -345,6 +355,10 @@ GLint Program::location(const char* name, std::initializer_list<GLenum> types, i
         throw Error(std::string("uniform ") + name, "is set on the program in use; call use() first");
     }
     const auto found = state_->linked.uniforms.find(std::string_view(name));
+    if (found == state_->linked.uniforms.end() && state_->linked.edited) {
+        unusedUniforms.insert(std::string(name) + " of " + state_->name);
+        return -1;  // what OpenGL leaves out without a word
+    }
     if (found == state_->linked.uniforms.end()) {
         std::string list;
         for (const auto& [active, uniform] : state_->linked.uniforms) list += (list.empty() ? "" : ", ") + active;

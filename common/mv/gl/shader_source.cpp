@@ -54,6 +54,7 @@ std::string currentText(const ShaderFile& file, ShaderSource& source) {
     constexpr std::size_t largest = std::size_t{1} << 20U;
     std::string text = readTextFile(file.path, largest);
     source.readFrom[file.path] = written;
+    source.edited = source.edited || text != file.text;
     return text;
 }
 

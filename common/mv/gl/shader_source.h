@@ -32,6 +32,7 @@ struct ShaderSource {
     // Files on disk that it was read from, and when each had been written: no time where there was none, and what is built
     // in stood for it.
     std::map<std::filesystem::path, std::optional<std::filesystem::file_time_type>> readFrom;
+    bool edited = false;  // one of them is not as it was built in
 };
 
 // Whether there is a shader file of that name ("cube-cull.vert").

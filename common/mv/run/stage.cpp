@@ -11,6 +11,7 @@
 #include "mv/gl/program.h"
 #include "mv/gl/state.h"
 #include "mv/gl/text.h"
+#include "mv/gl/unused_uniforms.h"
 #include "mv/gl/version.h"
 #include "mv/run/command_line.h"
 
@@ -209,6 +210,10 @@ Stage::Drawn Stage::paint(Demo& demo, const Target& target, int index, FrameMode
     }
     setMeasuring(before);
     for (const std::string& feature : takeMissing()) drawn.notes.messages.push_back(sentenceWithout(feature, *info_));
+    std::string unused;
+    for (const std::string& uniform : takeUnusedUniforms()) unused += (unused.empty() ? "" : ", ") + uniform;
+    if (!unused.empty())
+        drawn.notes.messages.push_back("The shaders, as they are edited, do not use uniform " + unused + ".");
     drawn.counters = counters();
     if (auditing()) drawn.undone = changedState();
     restoreInitialState();
