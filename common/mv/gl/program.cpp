@@ -255,12 +255,17 @@ struct ProgramList {
 namespace {
 GLuint programInUse = 0;
 bool isMeasuring = false;
-std::set<std::string> unusedUniforms;
+std::map<std::string, std::set<std::string>> unusedUniforms;  // by program
 }  // namespace
 
 std::vector<std::string> takeUnusedUniforms() {
-    const std::set<std::string> taken = std::exchange(unusedUniforms, {});
-    return {taken.begin(), taken.end()};
+    std::vector<std::string> all;
+    for (const auto& [program, names] : std::exchange(unusedUniforms, {})) {
+        std::string list;
+        for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+        all.push_back(list + " of " + program);
+    }
+    return all;
 }
 
 bool setMeasuring(bool measuring) { return std::exchange(isMeasuring, measuring); }
@@ -356,7 +361,7 @@ GLint Program::location(const char* name, std::initializer_list<GLenum> types, i
     }
     const auto found = state_->linked.uniforms.find(std::string_view(name));
     if (found == state_->linked.uniforms.end() && state_->linked.edited) {
-        unusedUniforms.insert(std::string(name) + " of " + state_->name);
+        unusedUniforms[state_->name].insert(name);
         return -1;  // what OpenGL leaves out without a word
     }
     if (found == state_->linked.uniforms.end()) {

@@ -5,7 +5,7 @@
 
 namespace mv {
 
-// The uniforms that were set since the last call and that edited programs do not use, "eye of shading", each once: an edit that shows
+// The uniforms that were set since the last call and that edited programs do not use, "eye, lamp of shading" for each program: an edit that shows
 // one colour is a good program, and what it does not use is not set. (A program as it was built refuses to be set so.)
 std::vector<std::string> takeUnusedUniforms();
 

@@ -211,9 +211,8 @@ Stage::Drawn Stage::paint(Demo& demo, const Target& target, int index, FrameMode
     setMeasuring(before);
     for (const std::string& feature : takeMissing()) drawn.notes.messages.push_back(sentenceWithout(feature, *info_));
     std::string unused;
-    for (const std::string& uniform : takeUnusedUniforms()) unused += (unused.empty() ? "" : ", ") + uniform;
-    if (!unused.empty())
-        drawn.notes.messages.push_back("The shaders, as they are edited, do not use uniform " + unused + ".");
+    for (const std::string& uniform : takeUnusedUniforms()) unused += (unused.empty() ? "" : "; ") + uniform;
+    if (!unused.empty()) drawn.notes.messages.push_back("The shaders, as they are edited, do not use " + unused + ".");
     drawn.counters = counters();
     if (auditing()) drawn.undone = changedState();
     restoreInitialState();
