@@ -19,5 +19,6 @@ vec3 shade(vec3 color, vec3 point, vec3 normal, vec4 light, float lit) {
 // the smooth one that shades it.
 bool facesLight(vec3 point, vec4 light) {
     vec3 normal = cross(dFdx(point), dFdy(point));  // towards the eye
-    return (dot(normal, towardsLight(point, light)) > 0.0) == gl_FrontFacing;
+    bool seenSide = dot(normal, towardsLight(point, light)) > 0.0;
+    return gl_FrontFacing ? seenSide : !seenSide;  // asked, not compared: Mesa's softpipe has another number for its truth
 }
