@@ -150,7 +150,7 @@ auto whole(Literal name, Member member, Whole::Range range, Literal help, Litera
 
 // One of these numbers.
 template <class Member>
-auto oneOf(Literal name, Member member, std::vector<int> numbers, Literal help) {
+auto oneOf(Literal name, Member member, const std::vector<int>& numbers, Literal help) {
     const Place place = row_detail::placeOf(member);
     using In = decltype(place);
     static_assert(std::same_as<typename In::Type, int>);
@@ -158,7 +158,7 @@ auto oneOf(Literal name, Member member, std::vector<int> numbers, Literal help) 
                                     .name = name,
                                     .help = help,
                                     .offset = place.offset,
-                                    .numbers = std::move(numbers)}};
+                                    .numbers = numbers}};
 }
 
 // On or off.

@@ -93,7 +93,7 @@ class Reader {
     // Places in the lists, -1 for what a corner has not, and the face, where it is to have that one's normal.
     struct Corner {
         std::int64_t position = -1, texCoord = -1, normal = -1, face = -1;
-        auto operator<=>(const Corner&) const = default;
+        auto operator<=>(const Corner&) const = default;  // NOLINT(modernize-use-nullptr)
     };
     struct Face {
         std::size_t first, count, line;
