@@ -1,6 +1,6 @@
 // Pictures of the user's own, for knobs that take a file: the browser reads them, and the module gets them by their names. What an
 // address or a command names is one of the site's own, or was chosen before.
-const most = { bytes: 64 << 20, side: 8192 }; // as mv/image/load.h has it
+const most = { bytes: 64 << 20, side: 8192, pixels: 8192 * 4096 }; // as mv/image/load.h has it
 
 const read = new Map(); // by their names: { width, height, pixels }, of this page
 
@@ -10,7 +10,7 @@ const begins = (bytes, ...with_) => with_.every((byte, i) => bytes[i] === byte);
 // by alpha and divide them again.)
 async function pixelsOf(file, name) {
   const refuse = (why, value) => {
-    throw new Error(word(why, { name, value, most: why === 'pictureLarge' ? most.bytes : most.side }));
+    throw new Error(word(why, { name, value, most: { pictureLarge: most.bytes, pictureSides: most.side, picturePixels: most.pixels }[why] }));
   };
   if (file.size > most.bytes) refuse('pictureLarge', file.size);
   const first = new Uint8Array(await file.slice(0, 4).arrayBuffer());
@@ -18,6 +18,7 @@ async function pixelsOf(file, name) {
   const bitmap = await createImageBitmap(file, { premultiplyAlpha: 'none', colorSpaceConversion: 'none' }).catch(() => refuse('pictureDamaged', ''));
   const { width, height } = bitmap, gl = new OffscreenCanvas(1, 1).getContext('webgl2');
   if (Math.max(width, height) > Math.min(most.side, gl.getParameter(gl.MAX_TEXTURE_SIZE))) refuse('pictureSides', `${width} x ${height}`);
+  if (width * height > most.pixels) refuse('picturePixels', `${width} x ${height}`);
   const texture = gl.createTexture();
   gl.bindTexture(gl.TEXTURE_2D, texture);
   gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA8, gl.RGBA, gl.UNSIGNED_BYTE, bitmap);

@@ -292,11 +292,33 @@ TEST(LoadPng, HoldsTheSideLimitBeforeItTakesMemory) {
     EXPECT_EQ(messageOf([] {
                   (void)decodePicture(pngFile({8193, 1}, {}), "test");
               }),
-              "test: sides must lie in 1..8192 pixels, 8193 x 1");
+              "test: sides must lie in 1..8192 pixels; scale it down, 8193 x 1");
     for (const std::uint32_t side : {0U, 8193U, 0x7FFFFFFFU, 0x80000000U, 0xFFFFFFFFU}) {
         EXPECT_THROW((void)decodePicture(pngFile({side, 1}, {}), "test"), Error) << side;
         EXPECT_THROW((void)decodePicture(pngFile({1, side}, {}), "test"), Error) << side;
     }
+}
+
+// Its pixels are counted, not its bytes: a file of 8 kB has 67 million of one bit, one of 0.5 MB as many of 64 bits. No such file
+// need be made: one without pixels is refused by its header, or where that passes for the pixels that it has not.
+TEST(LoadPng, HoldsTheLimitOfPixelsAndOfUnpackedBytesBeforeItTakesMemory) {
+    const auto told = [](const PngHeader& header) {
+        return messageOf([&] { (void)decodePicture(pngFile(header, {}), "test"); });
+    };
+    const std::string tooMany = "test: must have at most 33554432 pixels, 8192 x 4096; scale it down, ";
+    EXPECT_EQ(told({8192, 8192, 16, 6}), tooMany + "8192 x 8192");
+    EXPECT_EQ(told({8192, 4097, 1, 0}), tooMany + "8192 x 4097");
+    for (const std::uint8_t interlaced : {std::uint8_t{0}, std::uint8_t{1}}) {
+        for (const std::uint32_t width : {4096U, 8192U}) {  // as wide as high, and the most rows
+            const PngHeader largest{width, maximumLoadedPixels / width, 8, 6, 0, 0, interlaced};
+            EXPECT_TRUE(contains(told(largest), "fewer pixels")) << text(largest);
+            const PngHeader deeper{width, maximumLoadedPixels / width, 16, 6, 0, 0, interlaced};
+            EXPECT_TRUE(contains(told(deeper), "save it with 8 bits a channel, or scale it down")) << text(deeper);
+            const PngHeader half{width, maximumLoadedPixels / width / 2, 16, 6, 0, 0, interlaced};
+            EXPECT_TRUE(contains(told(half), "fewer pixels")) << text(half);
+        }
+    }
+    EXPECT_TRUE(contains(told({5712, 4284, 8, 2}), "fewer pixels")) << "a telephone's photograph";
 }
 
 TEST(LoadPng, ASmallFileDoesNotUnpackToALargeOne) {
@@ -457,7 +479,17 @@ TEST(LoadJpeg, RefusesEveryTruncation) {
 TEST(LoadJpeg, HoldsTheSideLimit) {
     EXPECT_EQ(decodePicture(jpegFile(Picture(8192, 1)), "test").width, 8192);
     EXPECT_TRUE(contains(messageOf([] { (void)decodePicture(jpegFile(Picture(8193, 1)), "test"); }),
-                         "sides must be at most 8192 pixels; scale it down, 8193 x 1"));
+                         "sides must lie in 1..8192 pixels; scale it down, 8193 x 1"));
+}
+
+TEST(LoadJpeg, HoldsTheLimitOfPixelsBeforeItTakesMemory) {
+    Bytes file = jpegFile(Picture(8, 8));
+    const std::array frame{std::byte{0xFF}, std::byte{0xC0}};
+    const auto sides = std::search(file.begin(), file.end(), frame.begin(), frame.end()) + 5;
+    std::fill(sides, sides + 4, std::byte{0});
+    sides[0] = sides[2] = std::byte{0x20};  // 8192, the higher byte
+    EXPECT_EQ(messageOf([&] { (void)decodePicture(file, "test"); }),
+              "test: must have at most 33554432 pixels, 8192 x 4096; scale it down, 8192 x 8192");
 }
 
 TEST(LoadJpeg, TakesWhatItCanShow) {

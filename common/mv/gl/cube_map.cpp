@@ -21,7 +21,8 @@ void store(int face, int size, const void* texels) {
 void requireComplete(const std::string& label) {
     const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
     if (status != GL_FRAMEBUFFER_COMPLETE)
-        throw Error(label, "must be complete; the driver refuses these buffers", std::to_string(status));
+        throw Error(label, "must be complete; the driver refuses these buffers, or has no memory for them",
+                    std::to_string(status));
 }
 
 }  // namespace

@@ -54,7 +54,8 @@ TextureObject depthTexture(GLenum format, int width, int height, const std::stri
 void requireComplete(const std::string& label) {
     const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
     if (status != GL_FRAMEBUFFER_COMPLETE) {
-        throw Error("framebuffer " + label, "must be complete; the driver refuses these buffers",
+        throw Error("framebuffer " + label,
+                    "must be complete; the driver refuses these buffers, or has no memory for them",
                     std::to_string(status));
     }
 }

@@ -35,8 +35,10 @@ struct Egl {
 };
 
 std::string errorText(const Egl& egl) {
+    const EGLint code = egl.GetError();
+    if (code == EGL_BAD_ALLOC) return "EGL_BAD_ALLOC, out of memory";
     char text[16];
-    std::snprintf(text, sizeof text, "0x%04x", static_cast<unsigned>(egl.GetError()));
+    std::snprintf(text, sizeof text, "0x%04x", static_cast<unsigned>(code));
     return std::string("EGL error ") + text;
 }
 
@@ -101,7 +103,8 @@ class EglContext final : public Context {
     void open(const Candidate& candidate, ContextRequest request) {
         if (candidate.display == EGL_NO_DISPLAY) throw Error(candidate.name, "has no display here", errorText(egl_));
         if (!egl_.Initialize(candidate.display, nullptr, nullptr)) {
-            throw Error(candidate.name, "must initialize; its driver is missing or broken", errorText(egl_));
+            throw Error(candidate.name, "must initialize; its driver is missing, broken or short of memory",
+                        errorText(egl_));
         }
         display_ = candidate.display;
         name_ = candidate.name;

@@ -1,5 +1,6 @@
 #include "mv/error.h"
 #include "mv/host/context.h"
+#include "mv/host/library.h"
 #include "mv/host/trial.h"
 
 namespace mv {
@@ -21,8 +22,12 @@ std::unique_ptr<Context> openHeadless(HostKind kind, ContextRequest request, std
     if (kind == HostKind::eglDevice) return egl(false);
     if (kind == HostKind::egl || request.es) return egl(true);
     std::string reason;
+    std::optional<ScarceError> scarce;
     try {
         return osmesa();
+    } catch (const ScarceError& error) {
+        scarce = error;
+        reason = error.what();
     } catch (const Error& error) {
         reason = error.what();
     }
@@ -30,7 +35,10 @@ std::unique_ptr<Context> openHeadless(HostKind kind, ContextRequest request, std
         auto context = egl(true);
         notes.push_back("using " + context->name() + ", since " + reason);
         return context;
+    } catch (const ScarceError&) {
+        throw;
     } catch (const Error& error) {
+        if (scarce) throw *scarce;
         throw Error("headless", "must have OSMesa or EGL (packages libosmesa6, libegl1 and libgl1-mesa-dri)",
                     reason + "; " + error.what());
     }

@@ -3,16 +3,37 @@
 #include <dlfcn.h>
 
 #include <string>
+#include <string_view>
 
 #include "mv/error.h"
 
 namespace mv {
 
+// What the system does not give: memory or threads. Nothing that could be installed helps.
+class ScarceError final : public Error {
+  public:
+    using Error::Error;
+};
+
+// A library that is not there, however much memory there is.
+class MissingError final : public Error {
+  public:
+    using Error::Error;
+};
+
 class Library {
   public:
     // `remedy` says what to install.
     Library(const char* file, const char* remedy) : handle_(dlopen(file, RTLD_NOW | RTLD_LOCAL)) {
-        if (!handle_) throw Error(file, std::string("must be installed (") + remedy + ")", dlerror());
+        if (handle_) return;
+        // The loader tells its reasons in words alone: these are glibc's where mmap or malloc gives nothing.
+        const std::string_view reason = dlerror();
+        for (const char* words : {"annot allocate memory", "failed to map"}) {
+            if (reason.find(words) == reason.npos) continue;
+            throw ScarceError(file, "must have more memory to be loaded; close other programs, or raise ulimit -v",
+                              reason);
+        }
+        throw MissingError(file, std::string("must be installed (") + remedy + ")", reason);
     }
     // Never closed: Mesa's drivers leave threads and exit handlers behind that must not outlive their code.
     Library(const Library&) = delete;

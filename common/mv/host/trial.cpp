@@ -20,6 +20,7 @@
 #include "mv/error.h"
 #include "mv/gl/program.h"
 #include "mv/gl/target.h"
+#include "mv/host/library.h"
 
 namespace mv {
 namespace {
@@ -95,7 +96,7 @@ void requireThreads(const std::string& host) {
     lock.unlock();
     for (std::thread& thread : threads) thread.join();
     if (!reason.empty()) {
-        throw Error(host, "must be allowed to start threads; ulimit -u and -v limit them", reason);
+        throw ScarceError(host, "must be allowed to start threads; ulimit -u and -v limit them", reason);
     }
 }
 
@@ -105,8 +106,10 @@ std::unique_ptr<Context> openWithin(const std::string& host, const std::function
     if (limit.empty()) return open();
     try {
         return open();
+    } catch (const MissingError&) {
+        throw;
     } catch (const Error&) {
-        throw Error(host, "must have more memory to be opened, some 500 MB", limit);
+        throw ScarceError(host, "must have more memory to be opened, some 500 MB", limit);
     }
 }
 

@@ -10,6 +10,7 @@
 
 #include "mv/error.h"
 #include "mv/image/exif.h"
+#include "mv/image/load.h"
 // After <cstdio>, which they need
 #include <jerror.h>
 #include <jpeglib.h>
@@ -134,7 +135,7 @@ bool startsAsJpeg(std::span<const std::byte> bytes) {
            bytes[2] == std::byte{0xFF};
 }
 
-Picture decodeJpeg(std::span<const std::byte> bytes, std::string_view name, int maximumSide) {
+Picture decodeJpeg(std::span<const std::byte> bytes, std::string_view name) {
     Decoding decoding;
     const auto refusal = [&] {
         const char* rule =
@@ -150,11 +151,7 @@ Picture decodeJpeg(std::span<const std::byte> bytes, std::string_view name, int 
     if (read == Read::failed) throw refusal();
     if (read == Read::tables) throw Error(name, damaged, "it holds no picture");
     const jpeg_decompress_struct& decoder = decoding.decoder;
-    const auto limit = static_cast<unsigned>(maximumSide);
-    if (std::max(decoder.image_width, decoder.image_height) > limit) {
-        throw Error(name, "sides must be at most " + std::to_string(maximumSide) + " pixels; scale it down",
-                    std::to_string(decoder.image_width) + " x " + std::to_string(decoder.image_height));
-    }
+    checkLoadedSides(decoder.image_width, decoder.image_height, name);
     if (decoder.jpeg_color_space == JCS_CMYK || decoder.jpeg_color_space == JCS_YCCK)
         throw Error(name, "must be a picture in grey or RGB; save it again as RGB", "it is in CMYK");
 

@@ -45,7 +45,7 @@ struct FreePixels {
 };
 
 Picture decodePng(std::span<const std::byte> bytes, std::string_view name) {
-    const PngParts parts = checkPng(bytes, name, maximumLoadedSide);
+    const PngParts parts = checkPng(bytes, name);
     std::vector<std::byte> whole;
     if (!parts.palette.empty()) {
         whole = withWholePalette(bytes, parts.palette);
@@ -65,13 +65,24 @@ Picture decodePng(std::span<const std::byte> bytes, std::string_view name) {
 
 }  // namespace
 
+void checkLoadedSides(std::uint32_t width, std::uint32_t height, std::string_view name) {
+    const auto refuse = [&](const std::string& rule) {
+        throw Error(name, rule + "; scale it down", std::to_string(width) + " x " + std::to_string(height));
+    };
+    constexpr auto side = static_cast<std::uint32_t>(maximumLoadedSide);
+    if (width < 1 || height < 1 || width > side || height > side)
+        refuse("sides must lie in 1.." + std::to_string(side) + " pixels");
+    if (std::uint64_t{width} * height > maximumLoadedPixels)
+        refuse("must have at most " + std::to_string(maximumLoadedPixels) + " pixels, 8192 x 4096");
+}
+
 Picture decodePicture(std::span<const std::byte> bytes, std::string_view name) {
     if (bytes.size() > maximumPictureFileBytes) {
         throw Error(name, "must hold at most " + std::to_string(maximumPictureFileBytes) + " bytes",
                     std::to_string(bytes.size()));
     }
     if (startsAsPng(bytes)) return decodePng(bytes, name);
-    if (startsAsJpeg(bytes)) return decodeJpeg(bytes, name, maximumLoadedSide);
+    if (startsAsJpeg(bytes)) return decodeJpeg(bytes, name);
     throw Error(name, "must be a PNG or JPEG file; other formats have to be converted first",
                 bytes.empty() ? "it is empty" : "it begins as neither");
 }

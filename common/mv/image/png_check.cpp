@@ -10,6 +10,7 @@
 #include <string>
 
 #include "mv/error.h"
+#include "mv/image/load.h"
 
 namespace mv {
 namespace {
@@ -36,15 +37,11 @@ struct Header {
     bool hasPalette;  // the pixels are indices into it
 };
 
-Header readHeader(std::span<const std::byte> data, std::string_view name, int maximumSide) {
+Header readHeader(std::span<const std::byte> data, std::string_view name) {
     if (data.size() != 13) refuse(name, "header of the wrong length");
     const auto field = [&](std::size_t index) { return std::to_integer<unsigned>(data[index]); };
     const Header sides{bigEndian(data), bigEndian(data.subspan(4)), 0, false, false};
-    const auto limit = static_cast<std::uint32_t>(maximumSide);
-    if (sides.width < 1 || sides.height < 1 || sides.width > limit || sides.height > limit) {
-        throw Error(name, "sides must lie in 1.." + std::to_string(maximumSide) + " pixels",
-                    std::to_string(sides.width) + " x " + std::to_string(sides.height));
-    }
+    checkLoadedSides(sides.width, sides.height, name);
 
     // Which depths go with which kind of colour, table 11.1 of the specification.
     struct Kind {
@@ -63,6 +60,11 @@ Header readHeader(std::span<const std::byte> data, std::string_view name, int ma
     if (field(10) != 0 || field(11) != 0 || field(12) > 1) refuse(name, "compression, filter or interlacing unknown");
     return {sides.width, sides.height, kind->channels * depth, field(12) == 1, field(9) == 3};
 }
+
+// The bytes that the largest picture has in RGBA of 8 bits, with a filter's byte for each row, of which interlacing has up
+// to twice as many.
+constexpr std::uint64_t maximumUnpackedBytes =
+    std::uint64_t{4} * maximumLoadedPixels + std::uint64_t{2} * maximumLoadedSide;
 
 // The number of bytes before compression: for each row a byte that names its filter, and the pixels.
 std::uint64_t unpackedSize(const Header& header) {
@@ -148,7 +150,7 @@ bool startsAsPng(std::span<const std::byte> bytes) {
                       [](unsigned char expected, std::byte byte) { return std::byte{expected} == byte; });
 }
 
-PngParts checkPng(std::span<const std::byte> bytes, std::string_view name, int maximumSide) {
+PngParts checkPng(std::span<const std::byte> bytes, std::string_view name) {
     if (!startsAsPng(bytes)) refuse(name, "it does not begin as a PNG file does");
     // zlib counts in 32 bits; callers cap files far below.
     if (bytes.size() > std::numeric_limits<std::uint32_t>::max()) refuse(name, "larger than 4 GiB");
@@ -156,8 +158,15 @@ PngParts checkPng(std::span<const std::byte> bytes, std::string_view name, int m
     auto rest = bytes.subspan(signature.size());
     const Chunk first = takeChunk(rest, name);
     if (first.type != "IHDR") refuse(name, "its first chunk is not the header");
-    const Header header = readHeader(first.data, name, maximumSide);
-    Counter pixels(name, unpackedSize(header));
+    const Header header = readHeader(first.data, name);
+    const std::uint64_t unpacked = unpackedSize(header);
+    if (unpacked > maximumUnpackedBytes) {
+        throw Error(name,
+                    "must unpack to at most " + std::to_string(maximumUnpackedBytes) +
+                        " bytes; save it with 8 bits a channel, or scale it down",
+                    std::to_string(unpacked));
+    }
+    Counter pixels(name, unpacked);
     PngParts parts;
     std::string_view before = first.type;
     std::size_t colours = 0;
