@@ -227,20 +227,12 @@ TEST(Hostile, no_home_folder) {
             fs::remove(picture);
         }
     }
-    // A study plots by way of a temporary folder, and says so where there is none; its numbers are written before.
+    // Nor a folder for temporaries: a study draws its plot itself.
     const ProcessResult study =
         runShell("exec " + program("cube-shadows") + " --study out --vary plane-distance=1 --headless=osmesa",
                  folder.path().string(), {"TMPDIR=/nonexistent"});
-    expectRefusal(study, "plot: needs a temporary folder that can be written; TMPDIR names one");
-    // One with a name that a shell would take apart serves as well.
-    const std::string odd = folder.file("it's a \"$HOME\" folder");
-    fs::create_directory(odd);
-    const ProcessResult plotted =
-        runShell("exec " + program("cube-shadows") + " --study odd --vary plane-distance=1 --headless=osmesa",
-                 folder.path().string(), {"TMPDIR=" + odd});
-    EXPECT_EQ(plotted.status, 0) << plotted.err;
-    EXPECT_TRUE(fs::exists(folder / "odd/study.svg"));
-    EXPECT_TRUE(fs::is_empty(odd));
+    EXPECT_EQ(study.status, 0) << study.err;
+    EXPECT_TRUE(fs::exists(folder / "out/study.svg"));
 }
 
 // Names that a shell, a pattern or a build system would take apart are names like others.
@@ -346,6 +338,5 @@ TEST(Hostile, studies) {
     fs::remove_all(folder / "out");
     const ProcessResult still = runShell("exec timeout 200 " + program("pipeline") + " --study out --vary offset=1",
                                          folder.path().string(), {"LD_PRELOAD=" MVGL_STILL_CLOCK});
-    expectRefusal(still, "must have a setting that can be measured");
-    EXPECT_NE(still.out.find("must not stand still"), std::string::npos) << still.out;
+    expectRefusal(still, "clock: must not stand still while something is timed");
 }

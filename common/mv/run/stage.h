@@ -104,7 +104,8 @@ class Stage {
     void refine(const FrameInfo& frame, bool onlyNext);
     bool drawFront(int index, bool readouts, bool onlyNextPass);
     Drawn drawInto(const Target& target, int index, FrameMode mode, bool onlyNextPass = false);
-    Drawn paint(Demo& demo, const Target& target, int index, FrameMode mode, const std::function<void()>& begins) const;
+    Drawn paint(Demo& demo, const Target& target, int index, FrameMode mode, const std::function<void()>& begins,
+                bool isHalfMade = false) const;
     FrameSteps stepsOf(const Target& target, int index, std::optional<int> stopAfter);
     void keep(Drawn drawn);
     void fitForMeasuring(Target& target, int width, int height) const;
