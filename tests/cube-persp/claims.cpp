@@ -1,3 +1,11 @@
+// What cube-persp claims, and a test for each.
+//
+// - [same-as-frustum] perspective is frustum with the bounds shown, to the last bits.
+// - [fovx-follows] The angle across follows from fov and aspect: tan(fovx/2) = aspect tan(fov/2).
+// - [farther-is-smaller] A face is drawn in inverse proportion to its distance from the eye, at any field of view.
+// - [near-opens-the-cube] Near beyond the front face opens the cube: the inside of the others is seen.
+// - [near-costs-depth] The nearer near is, the coarser is depth at the cube; far hardly matters.
+// - [near-below-far] Near not below far is refused with both, and so is a pyramid that shows no face.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,3 +1,13 @@
+// What viewpoints claims, and a test for each.
+//
+// - [eight-views] Views 1 to 8 have the matrices of the WebGL page, to rounding, all the lap round.
+// - [car-faces-ahead] The car points where it drives; the slide's sign would turn it away by twice its direction.
+// - [what-stands-still] From outside the car the scenery stands still in the picture, from inside the car does.
+// - [lap-of-120] A lap is 120 pictures, each another one, and then begins again.
+// - [slide-misses-house] View 5 by the slide's formula misses the house and tilts the horizon, the more the higher.
+// - [exact-hits-house] View 5 with eye and target taken to world space has the house in the middle, horizon level.
+// - [down-needs-another-up] Straight down, up = z is refused; up = y puts +y at the top and +x to the right.
+// - [eye-under-the-roof] In views 4 and 5 a height that puts the eye under the car's roof is refused.
 #include <gtest/gtest.h>
 
 #include <algorithm>

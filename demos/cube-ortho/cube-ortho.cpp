@@ -1,0 +1,36 @@
+// cube-ortho: a cube in a parallel projection, whose box of view is set by its depth, width and height.
+#include "cube-ortho.h"
+
+#include "mv/gl/functions.h"
+#include "mv/math/projection.h"
+#include "mv/math/transform.h"
+
+namespace mv::cube_ortho {
+
+void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
+    // Let near faces hide far ones
+    glEnable(GL_DEPTH_TEST);
+
+    // Place the cube before the eye, and make the box of view the cube from -1 to 1
+    gpu.program.use();
+    gpu.program.set("viewFromModel", viewFromModel(s));
+    gpu.program.set("clipFromView", clipFromView(s));
+    frame.show("viewFromModel", viewFromModel(s));
+    frame.show("clipFromView", clipFromView(s));
+
+    // Draw
+    gpu.cube.draw();
+}
+
+// Turn the cube about its middle, then move it away from the eye.
+mat4 viewFromModel(const Settings& s) { return translate(0, 0, -s.distance) * rotateX(s.spinX) * rotateY(s.spinY); }
+
+mat4 clipFromView(const Settings& s) {
+    return ortho(-s.width / 2, s.width / 2, -s.height / 2, s.height / 2, nearDistance(s), farDistance(s));
+}
+
+// Near and far are distances in front of the eye. The cube is in the middle between them.
+double nearDistance(const Settings& s) { return s.mirrorDepth ? s.distance + s.depth / 2 : s.distance - s.depth / 2; }
+double farDistance(const Settings& s) { return s.mirrorDepth ? s.distance - s.depth / 2 : s.distance + s.depth / 2; }
+
+}  // namespace mv::cube_ortho

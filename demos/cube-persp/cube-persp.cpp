@@ -1,0 +1,33 @@
+// cube-persp: a cube in perspective, whose pyramid of view is set by near, far, the field of view and the aspect.
+#include "cube-persp.h"
+
+#include "mv/gl/functions.h"
+#include "mv/math/transform.h"
+
+namespace mv::cube_persp {
+
+void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
+    // Let near faces hide far ones
+    glEnable(GL_DEPTH_TEST);
+
+    // Place the cube before the eye, and make the pyramid of view the cube from -1 to 1
+    gpu.program.use();
+    gpu.program.set("viewFromModel", viewFromModel(s));
+    gpu.program.set("clipFromView", clipFromView(s));
+    frame.show("viewFromModel", viewFromModel(s));
+    frame.show("clipFromView", clipFromView(s));
+    frame.show("clipFromViewByFrustum", frustum(nearWindow(s)));
+
+    // Draw
+    gpu.cube.draw();
+}
+
+// Turn the cube about its middle, then move it away from the eye.
+mat4 viewFromModel(const Settings& s) { return translate(0, 0, -2) * rotateX(s.spinX) * rotateY(s.spinY); }
+
+mat4 clipFromView(const Settings& s) { return perspective(s.fov, s.aspect, s.near, s.far); }
+
+// The same pyramid, said by the window that the field of view opens on the plane z = -near.
+FrustumBounds nearWindow(const Settings& s) { return frustumBounds(s.fov, s.aspect, s.near, s.far); }
+
+}  // namespace mv::cube_persp

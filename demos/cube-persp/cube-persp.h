@@ -1,0 +1,30 @@
+#pragma once
+#include "mv/demo/frame.h"
+#include "mv/demo/numbers.h"
+#include "mv/geometry/shapes.h"
+#include "mv/gl/mesh.h"
+#include "mv/gl/program.h"
+#include "mv/math/projection.h"
+
+namespace mv::cube_persp {
+
+struct Settings {
+    double near = 0.3, far = 3;  // distances in front of the eye
+    double fov = 65;             // degrees, the whole angle upwards
+    double aspect = 1;
+    double spinX = 30, spinY = 40;  // degrees
+};
+
+struct Gpu {
+    Program program{"cube-persp"};
+    Mesh cube{colorCube(), "cube"};
+};
+
+void draw(Gpu& gpu, const Settings& s, const Frame& frame);
+mat4 viewFromModel(const Settings& s);
+mat4 clipFromView(const Settings& s);
+FrustumBounds nearWindow(const Settings& s);
+void check(const Settings& s);
+void readOut(Gpu& gpu, const Settings& s, const Frame& frame, Numbers& numbers);
+
+}  // namespace mv::cube_persp

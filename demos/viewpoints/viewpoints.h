@@ -1,0 +1,59 @@
+#pragma once
+#include "mv/demo/frame.h"
+#include "mv/demo/numbers.h"
+#include "mv/geometry/shapes.h"
+#include "mv/gl/mesh.h"
+#include "mv/gl/program.h"
+
+namespace mv::viewpoints {
+
+enum class View { distant, inside, outside, driver, house, behind, front, beside, above };
+enum class Space { world, car };
+
+struct Settings {
+    View view = View::distant;
+    double height = 0;   // added to that of the eye
+    bool exact = false;  // of view 5
+    double aim = 0;      // of view 5: how high on the house
+};
+
+struct Gpu {
+    Program program{"viewpoints"};
+    Mesh track{ringStrip(90, 110, 100), "track"};
+    MeshData plainCube = colorCube();
+    Mesh cube;
+    Gpu() {
+        plainCube.colors.clear();  // each thing here has one colour, a uniform
+        cube = Mesh(plainCube, "cube");
+    }
+};
+
+// The car on its lap.
+struct Car {
+    double direction;  // degrees, clockwise from +y
+    vec3 place;
+    mat4 worldFromCar, carFromWorld;
+};
+
+// What lookAt is told, and the space in which eye and at are given.
+struct Gaze {
+    vec3 eye, at;
+    Space space;
+    vec3 up{0, 0, 1};
+};
+
+struct Look {
+    mat4 viewFromWorld, viewFromCar;
+};
+
+void draw(Gpu& gpu, const Settings& s, const Frame& frame);
+Car carAt(int frame);
+Gaze gazeOf(const Settings& s, const Car& car);
+Look lookFrom(const Settings& s, const Car& car);
+void drawScenery(Gpu& gpu, const mat4& clipFromView, const mat4& viewFromWorld);
+void drawCar(Gpu& gpu, const mat4& viewFromCar);
+vec3 watchedPlace(const Settings& s);
+void check(const Settings& s);
+void readOut(Gpu& gpu, const Settings& s, const Frame& frame, Numbers& numbers);
+
+}  // namespace mv::viewpoints
