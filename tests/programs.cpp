@@ -6,8 +6,10 @@
 #include <fstream>
 #include <iterator>
 #include <regex>
+#include <tuple>
 
 #include "mv/image/load.h"
+#include "mv/image/png.h"
 #include "support/demo_run.h"
 #include "support/process.h"
 
@@ -338,6 +340,31 @@ TEST(Program, several_frames_and_comparisons_are_written) {
     EXPECT_FALSE(fs::exists(folder / "both%d.png"));
     EXPECT_EQ(loadPicture(folder.file("both9.png")), loadPicture(folder.file("ninth.png")));
     EXPECT_NE(loadPicture(folder.file("both2.png")), loadPicture(folder.file("ninth.png"))) << "the square turns";
+}
+
+// The page of environment says how six files become the one that its knob takes.
+TEST(Program, six_faces_become_one_picture) {
+    const std::string page = fileText(MVGL_SOURCE_DIR "/demos/environment.md");
+    const std::size_t begin = page.find("\nmontage ");
+    ASSERT_NE(begin, std::string::npos);
+    std::string command = page.substr(begin + 1, page.find('\n', begin + 1) - begin - 1);
+    const Picture cut = loadPicture(MVGL_SOURCE_DIR "/assets/evening-faces.png");
+    const int side = cut.width / 4;
+    const std::string said = "512x512", ours = std::to_string(side) + "x" + std::to_string(side);
+    ASSERT_TRUE(has(command, said));
+    command.replace(command.find(said), said.size(), ours);
+    TemporaryFolder folder;
+    const std::array<std::tuple<const char*, int, int>, 6> cells = {
+        {{"up", 1, 0}, {"left", 0, 1}, {"front", 1, 1}, {"right", 2, 1}, {"back", 3, 1}, {"down", 1, 2}}};
+    for (const auto& [name, column, row] : cells) {
+        Picture face(side, side);
+        for (int y = 0; y < side; ++y)
+            for (int x = 0; x < side; ++x) face.set(x, y, cut.at(column * side + x, row * side + y));
+        writePng(folder.file(std::string(name) + ".png"), face);
+    }
+    const ProcessResult made = runProcess({"/bin/sh", "-c", "cd " + folder.path().string() + " && " + command});
+    ASSERT_EQ(made.status, 0) << made.err;
+    EXPECT_EQ(loadPicture(folder.file("sky.png")), cut);
 }
 
 TEST(Program, the_gallery_has_every_demo) {
