@@ -3,7 +3,7 @@
 
 #include "extremes/row.h"
 #include "mv/math/projection.h"
-#include "shared/depth_order.h"
+#include "z-buffer/depth_order.h"
 
 using namespace mv;
 using namespace mv::test;

@@ -5,7 +5,7 @@
 #include "extremes/measure.h"
 #include "extremes/row.h"
 #include "mv/geometry/teapot.h"
-#include "shared/reflection.h"
+#include "shading/reflection.h"
 
 using namespace mv;
 using namespace mv::test;

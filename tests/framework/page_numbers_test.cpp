@@ -225,6 +225,6 @@ TEST(PageNumbers, studies_are_read_from_the_tree) {
     EXPECT_TRUE(studiesInTree(MVGL_SOURCE_DIR, "cube-cull").empty());
     const std::vector<std::string> pages = pagesWithNumbers(MVGL_SOURCE_DIR);
     EXPECT_NE(std::find(pages.begin(), pages.end(), "docs/shadows-compared.md"), pages.end());
-    EXPECT_NE(std::find(pages.begin(), pages.end(), "demos/z-buffer.md"), pages.end());
+    EXPECT_NE(std::find(pages.begin(), pages.end(), "demos/z-buffer/z-buffer.md"), pages.end());
     EXPECT_EQ(std::find(pages.begin(), pages.end(), "CONTRIBUTING.md"), pages.end());
 }

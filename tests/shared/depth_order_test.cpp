@@ -1,4 +1,4 @@
-#include "shared/depth_order.h"
+#include "z-buffer/depth_order.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "shared/plates.h"
+#include "z-buffer/plates.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "shared/reflection.h"
+#include "shading/reflection.h"
 
 #include <gtest/gtest.h>
 

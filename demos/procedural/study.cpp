@@ -1,4 +1,5 @@
-// What measures procedural: its numbers against the true mean of each pixel.
+// What procedural tells in numbers, and what measures it: its numbers against the true mean of each pixel.
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -6,44 +7,66 @@
 #include <string>
 #include <vector>
 
-#include "mv/demo/demo.h"
+#include "mv/demo/lesson.h"
 #include "mv/image/picture.h"
 #include "mv/math/transform.h"
+#include "procedural.h"
 #include "shared/in_rows.h"
-#include "shared/procedural.h"
 
-using namespace mv;
-using namespace mv::claims;
+namespace mv::procedural {
+
+using namespace claims;
+
+// The depth of the sphere's nearest point, and of the floor in the middle and at the lower edge.
+static constexpr double frontOfSphere = 4.2 - sphereRadius, middleOfFloor = 5.1, frontOfFloor = 1.81;
+
+// How far apart the points of neighbouring pixels are across a surface at this depth; the wall is seen without perspective.
+static double pixelAt(const Settings& s, const FrameInfo& frame, double depth) {
+    if (s.view == View::wall) return 3 / (s.zoom * frame.height());
+    return 2 * depth * std::tan(radians(20)) / frame.height();
+}
+
+void readOut(Gpu&, const Settings& s, const Frame& frame, Numbers& numbers) {
+    numbers.set("pixel", pixelAt(s, frame, s.view == View::floor ? middleOfFloor : frontOfSphere));
+    const auto far = static_cast<float>(std::max(std::abs(placeOf(s).centre.x), 1e-30));
+    numbers.set("float-step", double(std::nextafter(far, HUGE_VALF)) - double(far));
+}
+
+// An octave of which no pixel keeps anything costs as much as another; only leave-out does not compute it.
+void nameFinerOctaves(const Settings& s, const Frame& frame) {
+    if (s.filter == Filter::leaveOut || s.pattern == Pattern::brick) return;
+    const double finest = pixelAt(s, frame, s.view == View::floor ? frontOfFloor : frontOfSphere) /
+                          (s.filter == Filter::samples ? s.samples : 1);
+    for (const auto& octave : placeOf(s).octaveList()) {
+        // A wave is two cells long, as in shaders/include/procedural.glsl
+        if (octave.weight == 0 || 0.5 * octave.frequency * finest < 1) continue;
+        frame.needless("octave of frequency " + numberText(octave.frequency) + ", finer than every pixel");
+    }
+}
+
+Scene sceneOf(const Settings& s, const FrameInfo& frame) {
+    Scene scene;
+    scene.objects = {{.name = "body", .mesh = s.view == View::sphere ? sphere(sphereRadius, 128, 64) : square()}};
+    scene.viewFromWorld = clipFromBody(s, frame);
+    return scene;
+}
 
 namespace {
-
-Pattern patternOf(const std::string& word) {
-    return word == "brick"    ? Pattern::brick
-           : word == "wood"   ? Pattern::wood
-           : word == "marble" ? Pattern::marble
-                              : Pattern::noise;
-}
 
 // Which point of the pattern a place of the picture shows, as an offset from its centre.
 class Shown {
   public:
-    Shown(const Demo& demo, const FrameInfo& frame)
-        : view_(demo.word("view")),
-          zoom_(view_ == "wall" ? demo.number("zoom") : 1),
-          turn_(view_ == "sphere" ? rotateX(20) * rotateY(demo.number("turn")) : mat4(1)),
-          frame_(frame),
-          bodyFromClip_(glm::inverse(demo.scene(frame).clipFromWorld())) {}
-
-    double zoom() const { return zoom_; }
+    Shown(const Settings& s, const FrameInfo& frame)
+        : s_(s), turn_(viewFromBody(s)), frame_(frame), bodyFromClip_(glm::inverse(clipFromBody(s, frame))) {}
 
     // Columns and rows from the upper left corner. Nothing beside the body; of the floor nothing beyond 20 units, of the sphere
     // nothing that is turned away by more than 60 degrees.
     std::optional<vec3> at(double column, double row, bool isMiddle = false) const {
         const vec2 place(2 * column / frame_.width() - 1, 1 - 2 * row / frame_.height());
-        if (view_ == "wall") return vec3(1.5 * frame_.aspect() * place.x, 1.5 * place.y, 0) / zoom_;
+        if (s_.view == View::wall) return vec3(1.5 * frame_.aspect() * place.x, 1.5 * place.y, 0) / s_.zoom;
         const vec4 near = bodyFromClip_ * vec4(place, -1, 1), far = bodyFromClip_ * vec4(place, 0.5, 1);
         const vec3 from = vec3(near) / near.w, way = glm::normalize(vec3(far) / far.w - from);
-        if (view_ == "floor") {
+        if (s_.view == View::floor) {
             const double t = -from.y / way.y;
             const vec3 offset = 400.0 * vec3(from.x + t * way.x, 0.5 - (from.z + t * way.z), 0);
             return t > 0 && (!isMiddle || offset.y < 20) ? std::optional(offset) : std::nullopt;
@@ -55,8 +78,7 @@ class Shown {
     }
 
   private:
-    std::string view_;
-    double zoom_;
+    Settings s_;
     mat4 turn_;
     FrameInfo frame_;
     mat4 bodyFromClip_;
@@ -64,12 +86,11 @@ class Shown {
 
 // The mean of side x side points of each pixel in every row and column of that step, the upper row first; -1 where nothing is
 // asked.
-std::vector<double> trueMeans(const Demo& demo, const FrameInfo& frame, int side, int step = 1) {
-    const Shown shown(demo, frame);
-    const bool zooms = shown.zoom() != 1 && demo.word("endless") == "on";
-    const Pattern pattern = patternOf(demo.word("pattern"));
-    const PatternPlace place{pattern, pattern == Pattern::brick ? 1 : static_cast<int>(demo.number("octaves")),
-                             zooms ? std::log2(shown.zoom()) : 0.0, patternCentre(demo.number("distance"))};
+std::vector<double> trueMeans(const Settings& s, const FrameInfo& frame, int side, int step = 1) {
+    const Shown shown(s, frame);
+    const double zoom = s.view == View::wall && s.endless ? s.zoom : 1;
+    const PatternPlace place{s.pattern, s.pattern == Pattern::brick ? 1 : s.octaves, std::log2(zoom),
+                             patternCentre(s.distance)};
     std::vector<double> means(static_cast<std::size_t>(frame.width()) * static_cast<std::size_t>(frame.height()), -1.0);
     inRows((frame.height() + step - 1) / step, 0, [&](int line) {
         const int row = line * step;
@@ -91,12 +112,12 @@ std::vector<double> trueMeans(const Demo& demo, const FrameInfo& frame, int side
     return means;
 }
 
-Reference reference(const Demo& demo, const ReferenceFrame& frame) {
-    Reference right{.values = trueMeans(demo, frame, 20)};
+Reference reference(const Settings& s, const ReferenceFrame& frame) {
+    Reference right{.values = trueMeans(s, frame, 20)};
     for (const double value : right.values) right.regions.push_back(value < 0 ? -1 : 0);
     if (frame.ownError) {
         // One pixel of 16 is enough for a root mean square.
-        const auto finer = trueMeans(demo, frame, 40, 4);
+        const auto finer = trueMeans(s, frame, 40, 4);
         double squares = 0, n = 0;
         for (std::size_t i = 0; i < finer.size(); ++i) {
             if (finer[i] < 0) continue;
@@ -113,7 +134,7 @@ Study study() {
     study.quantity = "the pattern's number 0..1 in the pixels of a floor, up to 20 times the eye's height away";
     study.reference = "the mean of 400 points of each pixel, in double precision";
     study.makeReference = [](const Demo& demo, const ReferenceFrame& frame, const auto&) {
-        return reference(demo, frame);
+        return reference(settingsOf<Settings>(demo), frame);
     };
     study.width = 240;
     study.height = 180;
@@ -127,6 +148,7 @@ Study study() {
                     .knob = "samples",
                     .values = {"2", "3", "4", "6", "8"}},
                    {.method = "left out", .settings = {{"filter", "leave-out"}}}};
+    study.reads = {"pattern", "view", "octaves", "zoom", "endless", "distance", "turn"};
     study.wrongBeyond = 0.05;
     study.says = {claim("samples", "Four times the samples, twice a side, leave at most 0.7 of the error.",
                         {ratio(of::rms, rows("samples").at(4), rows("samples").at(2), 0, 0.7),
@@ -148,3 +170,4 @@ Study study() {
 const bool studied = addStudy("procedural", study());
 
 }  // namespace
+}  // namespace mv::procedural

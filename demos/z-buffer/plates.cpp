@@ -1,4 +1,4 @@
-#include "shared/plates.h"
+#include "plates.h"
 
 #include <algorithm>
 #include <cmath>

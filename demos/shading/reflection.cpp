@@ -1,4 +1,4 @@
-#include "shared/reflection.h"
+#include "reflection.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,12 @@
+// What shading claims, and a test for each; X46, X47 and X50 in docs/stability.md are its extremes.
+//
+// - [one-colour-a-face] Flat shading gives each face one colour; a body without shading has one in all.
+// - [misses-the-highlight] Gouraud shading shows nothing of a highlight that lies within a face, and Phong shading does.
+// - [finer-is-alike] The finer the mesh, the nearer are flat and Gouraud shading to Phong's.
+// - [no-light-from-behind] Where the lamp is behind the surface there is no light, and no highlight, in any model.
+// - [blinn-matches-phong] Blinn's highlight is as strong as Phong's with 4 cos(angle) times the exponent.
+// - [reciprocity] Lambert's model reflects light that goes the other way alike; Phong's and Blinn's highlight divided by
+//   the cosine do not, by the ratio of the two cosines.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -9,7 +18,7 @@
 #include <tuple>
 #include <vector>
 
-#include "shared/reflection.h"
+#include "shading/reflection.h"
 #include "support/demo_run.h"
 
 using namespace mv;

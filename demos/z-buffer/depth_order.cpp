@@ -1,4 +1,4 @@
-#include "shared/depth_order.h"
+#include "depth_order.h"
 
 #include <algorithm>
 #include <cmath>

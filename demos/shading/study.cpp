@@ -1,4 +1,4 @@
-// What measures shading: its highlights against those of the exact sphere.
+// What shading tells in numbers, and what measures it: its highlights against those of the exact sphere.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -7,43 +7,44 @@
 #include <string>
 #include <vector>
 
-#include "mv/demo/demo.h"
+#include "mv/demo/lesson.h"
 #include "mv/geometry/ray.h"
-#include "shared/reflection.h"
+#include "shading.h"
 
-using namespace mv;
-using namespace mv::claims;
+namespace mv::shading {
+
+using namespace claims;
+
+void readOut(Gpu& gpu, const Settings& s, const Frame&, Numbers& numbers) {
+    const vec3 light = direction(-s.angle), view = direction(s.viewAngle);
+    numbers.set("triangles", gpu.body.count() / 3);
+    numbers.set("matching", matchingAt(gpu, s));
+    numbers.set("forth", reflectance(s.lobe, direction(0), light, view, s.exponent));
+    numbers.set("back", reflectance(s.lobe, direction(0), view, light, s.exponent));
+}
 
 namespace {
-
-constexpr double radius = 1.5;
 
 // The highlight of the exact sphere where a ray meets it; nothing where it does not, or within a seventh of its radius of
 // the outline, where a coarse mesh has none of it.
 class ExactSphere {
   public:
-    ExactSphere(const Demo& demo, const FrameInfo& frame)
-        : scene_(demo.scene(frame)),
+    ExactSphere(const Settings& s, const FrameInfo& frame)
+        : scene_(sceneOf(s, frame)),
           worldFromClip_(glm::inverse(scene_.clipFromWorld())),
           eye_(glm::inverse(scene_.viewFromWorld)[3]),
           lamp_(scene_.lights.front().position),
-          lobe_(demo.word("material") == "brushed"  ? Lobe::brushed
-                : demo.word("highlight") == "blinn" ? Lobe::blinn
-                                                    : Lobe::phong),
-          part_(demo.word("material") == "diffuse"       ? 0.0
-                : demo.word("material") == "mirror-like" ? 0.9
-                : demo.word("material") == "brushed"     ? 0.75
-                : demo.word("material") == "emitting"    ? 0.2
-                                                         : 0.5),
-          exponent_(demo.number("exponent")) {}
+          lobe_(materialOf(s.material).isBrushed ? Lobe::brushed : s.lobe),
+          part_(materialOf(s.material).highlight),
+          exponent_(s.exponent) {}
 
     // x and y from -1 to 1 over the picture.
     std::optional<double> at(double x, double y) const {
         const vec4 far = worldFromClip_ * vec4(x, y, 1, 1);
         const vec3 way = glm::normalize(vec3(far) / far.w - eye_);
         const double along = -glm::dot(eye_, way), square = glm::dot(eye_, eye_) - along * along;
-        if (square > std::pow(radius * 6 / 7, 2)) return {};
-        const vec3 point = eye_ + (along - std::sqrt(radius * radius - square)) * way;
+        if (square > std::pow(sphereRadius * 6 / 7, 2)) return {};
+        const vec3 point = eye_ + (along - std::sqrt(sphereRadius * sphereRadius - square)) * way;
         return part_ * highlight(lobe_, glm::normalize(point), glm::normalize(lamp_ - point), -way, exponent_);
     }
 
@@ -77,7 +78,7 @@ class ExactSphere {
 };
 
 Reference exactHighlight(const Demo& demo, const ReferenceFrame& frame) {
-    const ExactSphere sphere(demo, frame);
+    const ExactSphere sphere(settingsOf<Settings>(demo), frame);
     Reference reference{.values = sphere.picture(frame.width(), frame.height(), 8)};
     for (const double value : reference.values) reference.regions.push_back(value < 0 ? -1 : 0);
     if (frame.ownError) {
@@ -118,14 +119,14 @@ struct Spots {
     Spot shown, exact;
 };
 std::optional<Spots> spots(Probing& probing) {
-    const Demo& demo = probing.demo();
-    if (demo.word("body") != "sphere" || demo.word("shading") == "own") return {};
+    const Settings s = settingsOf<Settings>(probing.demo());
+    if (s.body != Body::sphere || s.shading == Shading::own) return {};
     constexpr int width = 480, height = 280;
     const auto measured = probing.measured(width, height);
     if (measured.empty()) return {};
     const FrameInfo frame(probing.frame().index(), width, height);
     // A quarter of the study's rays: a window asks in each frame.
-    const auto exact = ExactSphere(demo, frame).picture(width, height, 4);
+    const auto exact = ExactSphere(s, frame).picture(width, height, 4);
     const Spots both{spotOf({measured.begin(), measured.end()}, exact, width), spotOf(exact, exact, width)};
     if (both.exact.energy == 0) return {};
     return both;
@@ -159,6 +160,7 @@ Study study() {
                                .knob = "edges",
                                .values = {"8", "16", "32", "64", "128", "256"}});
     }
+    study.reads = {"highlight", "material", "exponent", "lamp-turn", "lamp-height"};
     study.wrongBeyond = 1.0 / 255;
     const char* const wide = "exponent 10";
     const char* const narrow = "exponent 200";
@@ -193,3 +195,4 @@ const bool probed = addProbes(
       amountOfSpot}});
 
 }  // namespace
+}  // namespace mv::shading

@@ -1,0 +1,116 @@
+// procedural: patterns that are functions of the surface point, seen from nearer and nearer, and from far away.
+#include "procedural.h"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <glm/geometric.hpp>
+#include <vector>
+
+#include "mv/gl/functions.h"
+#include "mv/math/projection.h"
+#include "mv/math/transform.h"
+
+namespace mv::procedural {
+
+void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
+    // Place the body, and say which point of the pattern each of its points is
+    const Program& program = gpu.program;
+    program.use();
+    program.set("clipFromBody", clipFromBody(s, frame));
+    program.set("viewFromBody", viewFromBody(s));
+    program.set("offsetFromBody", offsetFromBody(s, frame));
+    program.set("isRound", s.view == View::sphere);
+    program.set("isFloor", s.view == View::floor);
+    setCentre(program, s);
+
+    // Choose the pattern, its colours, and how a pixel filters it
+    program.set("pattern", static_cast<int>(s.pattern));
+    program.set("dark", rampOf(s.pattern).dark);
+    program.set("light", rampOf(s.pattern).light);
+    program.set("samples", s.filter == Filter::samples ? s.samples : 1);
+    program.set("leavesOut", s.filter == Filter::leaveOut);
+
+    glEnable(GL_DEPTH_TEST);
+    (s.view == View::sphere ? *gpu.ball : *gpu.flat).draw();
+    nameFinerOctaves(s, frame);
+}
+
+// With the origin near, the shader gets what double precision knows of the centre: for each octave the cell, and the place
+// in it. With the origin far, it gets the centre as floats, adds, and knows of no cell but the first.
+void setCentre(const Program& program, const Settings& s) {
+    const bool isFar = s.origin == Origin::far;
+    const vec3 centre = placeOf(s).centre;
+    PatternPlace place = placeOf(s);
+    if (isFar) place.centre = vec3(0);
+    program.set("fromFar", isFar);
+    program.set("far", isFar ? centre : vec3(0));
+
+    // Split the cell of each octave into halves that floats hold
+    std::vector<PatternPlace::Octave> octaves = place.octaveList();
+    octaves.resize(PatternPlace::most, {1, 0, {}, vec3(0)});
+    std::vector<vec3> low, high, in, known;
+    for (const auto& octave : octaves) {
+        low.push_back(lowOf(octave));
+        high.push_back(highOf(octave));
+        in.push_back(octave.inCell);
+        known.emplace_back(octave.frequency, octave.weight, octave.weight > 0);
+    }
+    program.set("cellLow", low);
+    program.set("cellHigh", high);
+    program.set("inCell", in);
+    program.set("octaves", known);
+    const auto base = place.base();
+    program.set("baseLow", lowOf(base));
+    program.set("baseHigh", highOf(base));
+    program.set("inBase", base.inCell);
+
+    // Wood: measure how far from its axis the centre is, without the whole rings
+    const double away = glm::length(vec2(place.centre)), rings = 4 * away;
+    program.set("ringsAt", away > 4 ? vec3(vec2(place.centre) / away, 1 / away) : vec3(0));
+    program.set("ringBase", rings - std::floor(rings));
+    program.set("ringCentre", away > 4 ? vec3(0) : place.centre);
+}
+
+// Halves of 16 bits.
+vec3 lowOf(const PatternPlace::Octave& octave) {
+    const auto& c = octave.cell;
+    return {double(c[0] & 0xffff), double(c[1] & 0xffff), double(c[2] & 0xffff)};
+}
+vec3 highOf(const PatternPlace::Octave& octave) {
+    const auto half = [](std::int64_t cell) { return double(static_cast<std::int16_t>((cell >> 16) & 0xffff)); };
+    return {half(octave.cell[0]), half(octave.cell[1]), half(octave.cell[2])};
+}
+
+// The middle of what is seen. Octaves go on with the zoom.
+PatternPlace placeOf(const Settings& s) {
+    const bool zooms = s.view == View::wall && s.endless;
+    return {s.pattern, s.octaves, zooms ? std::log2(s.zoom) : 0.0, patternCentre(s.distance)};
+}
+
+// The bodies: a square for wall and floor, and a sphere.
+mat4 clipFromBody(const Settings& s, const FrameInfo& frame) {
+    if (s.view == View::wall) return scale(2) * rotateX(90);
+    const mat4 clipFromView = perspective(40, frame.aspect(), 0.1, 1000);
+    if (s.view == View::sphere)
+        return clipFromView * lookAt(vec3(0, 0, 4.2), vec3(0), vec3(0, 1, 0)) * rotateX(20) * rotateY(s.turn);
+    return clipFromView * lookAt(vec3(0, 1, 0), vec3(0, 0.6, -2), vec3(0, 1, 0)) * translate(0, 0, -200) * scale(400);
+}
+// How the sphere is turned.
+mat4 viewFromBody(const Settings& s) { return rotateX(20) * rotateY(s.turn); }
+// Points of the pattern, measured from the centre.
+mat4 offsetFromBody(const Settings& s, const FrameInfo& frame) {
+    if (s.view == View::sphere) return mat4(1);
+    if (s.view == View::floor) return rotateX(90) * scale(400) * translate(0, 0, -0.5);
+    return scale(3 * frame.aspect() / s.zoom, 3 / s.zoom, 1) * rotateX(90);
+}
+
+const Ramp& rampOf(Pattern pattern) {
+    static const std::array<Ramp, 4> ramps{{{{0.45, 0.42, 0.38}, {0.52, 0.10, 0.05}},
+                                            {{0.10, 0.035, 0.012}, {0.50, 0.24, 0.09}},
+                                            {{0.06, 0.07, 0.10}, {0.85, 0.84, 0.80}},
+                                            {{0.01, 0.03, 0.12}, {0.95, 0.93, 0.85}}}};
+    return ramps.at(static_cast<std::size_t>(pattern));
+}
+
+}  // namespace mv::procedural

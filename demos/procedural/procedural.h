@@ -1,0 +1,59 @@
+#pragma once
+#include "mv/demo/frame.h"
+#include "mv/demo/numbers.h"
+#include "mv/geometry/scene.h"
+#include "mv/geometry/shapes.h"
+#include "mv/gl/mesh.h"
+#include "mv/gl/on_demand.h"
+#include "mv/gl/program.h"
+#include "shared/procedural.h"
+
+namespace mv::procedural {
+
+enum class View { wall, floor, sphere };
+enum class Filter { none, samples, leaveOut };
+enum class Origin { near, far };
+
+struct Settings {
+    Pattern pattern = Pattern::marble;
+    View view = View::sphere;
+    int octaves = 5;
+    double zoom = 1;
+    bool endless = true;
+    double distance = 0;  // along x
+    Origin origin = Origin::near;
+    Filter filter = Filter::none;
+    int samples = 4;   // along a side of a pixel
+    double turn = 25;  // degrees
+};
+
+// The colours of 0 and 1, in linear light.
+struct Ramp {
+    vec3 dark, light;
+};
+
+constexpr double sphereRadius = 1.3;
+
+struct Gpu {
+    Program program{"procedural"};
+    OnDemand<Mesh> flat{withoutTexCoords(square()), "square"};
+    OnDemand<Mesh> ball{withoutTexCoords(sphere(sphereRadius, 128, 64)), "sphere"};
+};
+
+// The technique: procedural.cpp.
+void draw(Gpu& gpu, const Settings& s, const Frame& frame);
+void setCentre(const Program& program, const Settings& s);
+vec3 lowOf(const PatternPlace::Octave& octave);
+vec3 highOf(const PatternPlace::Octave& octave);
+PatternPlace placeOf(const Settings& s);
+mat4 clipFromBody(const Settings& s, const FrameInfo& frame);
+mat4 viewFromBody(const Settings& s);
+mat4 offsetFromBody(const Settings& s, const FrameInfo& frame);
+const Ramp& rampOf(Pattern pattern);
+
+// What stands for it where it is measured: study.cpp.
+Scene sceneOf(const Settings& s, const FrameInfo& frame);
+void nameFinerOctaves(const Settings& s, const Frame& frame);
+void readOut(Gpu& gpu, const Settings& s, const Frame& frame, Numbers& numbers);
+
+}  // namespace mv::procedural

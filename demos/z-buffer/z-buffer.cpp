@@ -1,0 +1,139 @@
+// z-buffer: what hides what, by the order of drawing, by a sort, or by a depth for each pixel, in several formats.
+#include "z-buffer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "mv/gl/beyond_es.h"
+#include "mv/gl/functions.h"
+#include "mv/math/depth_range.h"
+#include "mv/math/projection.h"
+#include "mv/math/transform.h"
+
+namespace mv::z_buffer {
+
+void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
+    if (!s.depthTest) frame.say("Without depth test nothing is written into the depth buffer, either.");
+    const mat4 clip = clipFromView(s, frame.aspect(), hasZeroToOne(s));
+    frame.show("clipFromView", clip);
+
+    // Draw into colours with a depth buffer of the format under test. The picture's own target needs no depth
+    constexpr GLenum formats[] = {GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT32F};
+    const Target::Buffers buffers{.depth = true,
+                                  .texture = true,
+                                  .depthFormat = formats[static_cast<std::size_t>(s.format)],
+                                  .depthTexture = s.shown == Shown::depth};
+    if (!gpu.drawn.fit(frame.width(), frame.height(), buffers, "scene")) gpu.drawn.bind();
+    drawPlates(gpu, s, clip);
+
+    // Show one of the two
+    frame.bindTarget();
+    gpu.show.use();
+    gpu.show.set("drawn", 0);
+    gpu.show.set("grey", s.shown == Shown::depth);
+    if (s.shown == Shown::depth)
+        gpu.drawn.bindDepth(0);
+    else
+        gpu.drawn.bindColor(0);
+    gpu.cover.draw();
+}
+
+void drawPlates(Gpu& gpu, const Settings& s, const mat4& clipFromView) {
+    // Clear the depths to the farthest one. Either near is 0 and the smaller depth wins, or near is 1 and the larger one
+    const float farthest = nearIsOne(s) ? 0 : 1;
+    glClearColor(float(background.r), float(background.g), float(background.b), 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    glClearBufferfv(GL_DEPTH, 0, &farthest);
+
+    // Let each pixel keep what is nearest, and blend what is translucent
+    if (s.depthTest) glEnable(GL_DEPTH_TEST);
+    if (nearIsOne(s)) glDepthFunc(GL_GREATER);
+    if (hasZeroToOne(s)) glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    if (s.opacity < 1) glEnable(GL_BLEND);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+
+    // Draw the parts in their order
+    const Program& program = s.mapping == Mapping::logarithmic ? *gpu.byLogarithm : gpu.byMatrix;
+    program.use();
+    program.set("clipFromView", clipFromView);
+    if (s.mapping == Mapping::logarithmic) program.set("far", s.far);
+    const std::array<Plate, 3> plates = platesOf(s);
+    const std::vector<double> cuts = cutsOf(s);
+    if (gpu.plateFor.changed(cuts)) gpu.plate = Mesh(plateMesh(cuts), "plate");
+    std::optional<std::size_t> current;
+    for (const Part& part : partsInOrder(s.order, plates, cuts)) {
+        if (part.plate != current) {
+            program.set("viewFromPlate", plates[part.plate].viewFromPlate);
+            program.set("color", vec4(plates[part.plate].color, s.opacity));
+        }
+        current = part.plate;
+        gpu.plate.draw(6 * part.first, 6 * part.count);
+    }
+
+    // Leave the state as it was: the picture that follows is not of this scene
+    if (s.depthTest) glDisable(GL_DEPTH_TEST);
+    if (s.opacity < 1) glDisable(GL_BLEND);
+    if (hasZeroToOne(s)) glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+}
+
+// The painter's algorithm sorts: first what is far, then over it what is near.
+std::vector<Part> partsInOrder(Order order, const std::array<Plate, 3>& plates, std::span<const double> cuts) {
+    const std::size_t cells = cuts.size() - 1;
+    std::vector<Part> parts;
+    if (order != Order::sorted) {
+        // Red is plate 0, green 1 and blue 2
+        constexpr std::size_t orders[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
+        for (const std::size_t plate : orders[static_cast<std::size_t>(order)]) parts.push_back({plate, 0, cells});
+        return parts;
+    }
+    for (std::size_t plate = 0; plate < 3; ++plate)
+        for (std::size_t cell = 0; cell < cells; ++cell) parts.push_back({plate, cell, 1});
+    const auto distance = [&](const Part& part) {
+        const double middle = (cuts[part.first] + cuts[part.first + 1]) / 2;
+        return -(plates[part.plate].viewFromPlate * vec4(middle, 0, 0, 1)).z;
+    };
+    std::ranges::stable_sort(parts, [&](const Part& a, const Part& b) { return distance(a) > distance(b); });
+    return parts;
+}
+
+// The mappings differ in the third row of the matrix alone.
+mat4 clipFromView(const Settings& s, double aspect, bool zeroToOne) {
+    if (s.mapping == Mapping::infinite) return infinitePerspective(50, aspect, s.near);
+    if (nearIsOne(s))
+        return perspective(50, aspect, s.near, s.far, zeroToOne ? DepthRange::oneToZero : DepthRange::oneToMinusOne);
+    if (zeroToOne) return perspective(50, aspect, s.near, s.far, DepthRange::zeroToOne);
+    return perspective(50, aspect, s.near, s.far);
+}
+
+// The depth that the buffer is given for a distance.
+float depthOf(const Settings& s, const mat4& clipFromView, float distance, bool zeroToOne) {
+    if (s.mapping == Mapping::logarithmic) return std::log2(1 + distance) / std::log2(1 + float(s.far));
+    return windowDepth(fmat4(clipFromView), distance, zeroToOne);
+}
+
+bool asksForZeroToOne(const Settings& s) { return s.mapping == Mapping::reversed || s.mapping == Mapping::zeroToOne; }
+bool hasZeroToOne(const Settings& s) { return asksForZeroToOne(s) && has(beyond_es::clipControl); }
+bool nearIsOne(const Settings& s) { return s.mapping == Mapping::reversed || s.mapping == Mapping::flipped; }
+
+std::array<Plate, 3> platesOf(const Settings& s) {
+    const mat4 viewFromThings = translate(0, 0, -5) * rotateX(s.spinX) * rotateY(s.spinY);
+    if (s.scene == Which::cycle) return barsInACycle(viewFromThings * translate(-0.1, -0.35, 0));
+    if (s.scene == Which::panes) return panes(viewFromThings, 5 * s.separation);
+    return roadOnGround(s.far, s.separation);
+}
+
+// Where a plate is cut. The road has cells a quarter as long as they are far away: over a cell the GPU interpolates depth in
+// float, with an error that is a part of the largest depth there, the near end's.
+std::vector<double> cutsOf(const Settings& s) {
+    std::vector<double> ends{0};
+    if (s.scene == Which::road) {
+        for (double along = 1 / s.far; along < 1; along *= 1.25) ends.push_back(along);
+    } else {
+        for (int i = 1; i < s.pieces; ++i) ends.push_back(double(i) / s.pieces);
+    }
+    ends.push_back(1);
+    return ends;
+}
+
+}  // namespace mv::z_buffer
