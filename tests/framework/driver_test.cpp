@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <initializer_list>
 #include <utility>
 
 #include "mv/error.h"
@@ -40,7 +41,8 @@ class Driver : public testing::Test {
 }  // namespace
 
 TEST_F(Driver, errors_and_undefined_behavior_are_faults_at_any_severity) {
-    for (const GLenum severity : {GL_DEBUG_SEVERITY_HIGH, GL_DEBUG_SEVERITY_MEDIUM, GL_DEBUG_SEVERITY_LOW}) {
+    for (const GLenum severity :
+         std::initializer_list<GLenum>{GL_DEBUG_SEVERITY_HIGH, GL_DEBUG_SEVERITY_MEDIUM, GL_DEBUG_SEVERITY_LOW}) {
         say(GL_DEBUG_TYPE_ERROR, severity, "an error");
         EXPECT_EQ(takeErrors(), std::vector<std::string>{"an error"});
         say(GL_DEBUG_TYPE_UNDEFINED_BEHAVIOR, severity, "undefined");
