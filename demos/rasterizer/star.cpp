@@ -49,7 +49,7 @@ std::vector<PixelStep> polygonPixels(const std::vector<vec2>& corners, int width
             while (orientation(low, high, {column + 0.5, y}) > 0) ++column;
             crossings.push_back({column, a.y < b.y ? 1 : -1});
         }
-        std::ranges::sort(crossings, {}, &Crossing::column);
+        std::ranges::sort(crossings, [](const Crossing& a, const Crossing& b) { return a.column < b.column; });
         int turns = 0;
         for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
             turns += winding == Winding::evenOdd ? 1 : crossings[i].turn;
