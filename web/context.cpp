@@ -18,8 +18,9 @@ namespace {
 // What OpenGL has and ES 3.0 lacks; a demo asks before it calls it.
 namespace lacking {
 constexpr std::nullptr_t glBindImageTexture = nullptr, glClearDepth = nullptr, glClipControl = nullptr,
-                         glDepthRange = nullptr, glDispatchCompute = nullptr, glMemoryBarrier = nullptr,
-                         glPatchParameteri = nullptr, glPolygonMode = nullptr;
+                         glDepthRange = nullptr, glDispatchCompute = nullptr, glGetBufferSubData = nullptr,
+                         glGetTexLevelParameteriv = nullptr, glMemoryBarrier = nullptr, glPatchParameteri = nullptr,
+                         glPolygonMode = nullptr;
 }
 using namespace lacking;
 

@@ -33,7 +33,6 @@ struct Gpu {};
 bool hasWater(const Settings& s) { return s.water > 0; }
 bool burns(const Fire& fire) { return fire.logs > 0; }
 
-constexpr Declaration about{.name = "kettle"};
 constexpr Points::Limits few{{0, 0}, {10, 10}, 1, 3, 1};
 
 std::vector<std::string> calls;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <iterator>
 
 #include "mv/error.h"
 #include "mv/math/require.h"
@@ -54,7 +55,9 @@ vec3 closestOnTriangle(const vec3& point, const vec3& a, const vec3& b, const ve
         if (isFinite(foot)) return foot;
     }
     const vec3 edges[] = {closestOnSegment(point, a, b), closestOnSegment(point, b, c), closestOnSegment(point, c, a)};
-    return *std::ranges::min_element(edges, {}, [&](const vec3& near) { return glm::distance(point, near); });
+    return *std::min_element(std::begin(edges), std::end(edges), [&](const vec3& one, const vec3& other) {
+        return glm::distance(point, one) < glm::distance(point, other);
+    });
 }
 
 }  // namespace mv
