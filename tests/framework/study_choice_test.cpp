@@ -98,7 +98,8 @@ TEST(StudyBound, only_rows_of_the_present_problem_are_chosen) {
 
 TEST(StudyBound, what_was_measured_otherwise_is_said) {
     const auto demo = findDemo("shadow-map").make();
-    const StudyRow& row = committedStudy("shadow-map")->rows.at(0);
+    const StudyRun run = committedStudy("shadow-map").value();
+    const StudyRow& row = run.rows.at(0);
     EXPECT_EQ(measuredOtherwise(row, *demo), "");
     demo->knob("resolution").parse("2048");
     EXPECT_EQ(measuredOtherwise(row, *demo), "") << "the row sets it";

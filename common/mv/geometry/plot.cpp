@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include "mv/error.h"
 #include "mv/math/require.h"
@@ -77,7 +78,8 @@ std::vector<double> ticks(const Axis& axis, int most) {
     // From steps too small upwards, until there are few enough; steps finer than the ends themselves would name one number
     // again and again. An end that is a multiple but for its rounding is one.
     const double largest = std::max(std::abs(axis.low), std::abs(axis.high));
-    const double finest = std::max(axis.high / most - axis.low / most, largest - std::nextafter(largest, 0.0));
+    const double widest = std::min(axis.high / most - axis.low / most, std::numeric_limits<double>::max());
+    const double finest = std::max(widest, largest - std::nextafter(largest, 0.0));
     for (int exponent = int(std::floor(std::log10(finest))) - 1;; ++exponent) {
         for (const double digit : {1.0, 2.0, 5.0}) {
             const double step = timesPowerOfTen(digit, exponent);
