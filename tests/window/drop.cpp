@@ -96,5 +96,7 @@ int main(int count, char** arguments) {
     if (!display) return 1;
     std::string uris;
     for (int i = 2; i < count; ++i) uris += uriOf(arguments[i]);
-    return Source(display, std::strtoul(arguments[1], nullptr, 0), uris).drop() ? 0 : 1;
+    const bool taken = Source(display, std::strtoul(arguments[1], nullptr, 0), uris).drop();
+    XCloseDisplay(display);
+    return taken ? 0 : 1;
 }
