@@ -154,11 +154,8 @@ auto oneOf(Literal name, Member member, const std::vector<int>& numbers, Literal
     const Place place = row_detail::placeOf(member);
     using In = decltype(place);
     static_assert(std::same_as<typename In::Type, int>);
-    return Row<typename In::Owner>{{.kind = AnyRow::Kind::oneOf,
-                                    .name = name,
-                                    .help = help,
-                                    .offset = place.offset,
-                                    .numbers = numbers}};
+    return Row<typename In::Owner>{
+        {.kind = AnyRow::Kind::oneOf, .name = name, .help = help, .offset = place.offset, .numbers = numbers}};
 }
 
 // On or off.
