@@ -215,8 +215,8 @@ TEST(ShadowVolume, light_anywhere) {
             for (const double turn : {0.0, 75.0, -60.0}) {
                 for (const double height : {0.3, 1.0}) {
                     run.set("at-infinity", atInfinity).set("light-turn", turn).set("light-height", height);
-                    // A volume's side meets a surface at a flat angle where the light is low, and there a last bit of its depth
-                    // is more than the band about the edges: other drivers than llvmpipe have their own last bits.
+                    // Another driver may round depths otherwise, and where the light is low a volume's side meets a surface at a
+                    // flat angle: as many pixels may differ there as in pictures.
                     EXPECT_LE(compareWithRays().awayFromEdges.fraction, onLlvmpipe() ? 0 : 0.001)
                         << scene << ", " << atInfinity << ", " << turn << ", " << height;
                 }

@@ -7,7 +7,7 @@
 // - [blending-needs-order] Translucent panes are right from far to near alone; the depth test makes other orders worse.
 // - [fights-by-format] The road fights with the ground in 16 bits, and in 24 from some distance on; in reversed float
 //   nowhere where it is 1e-4 of the distance above the ground, and in a few pixels at the vanishing point at 1e-5 (llvmpipe;
-//   a GPU that rounds while it interpolates has the errors of 24 bits on triangles this long).
+//   a GPU that rounds while it interpolates may have the errors of 24 bits on triangles this long).
 // - [depth-as-grey] The grey shown is the depth that each mapping's formula gives for the distance.
 // - [misordered-as-known] The study's numbers are the known ones: none for reversed float with glClipControl.
 #include <gtest/gtest.h>
