@@ -1,5 +1,5 @@
 // What pages say: each command line does what a reader who types it expects, or the page says what else, and each measured
-// number is what its marker (mv/run/page_numbers.h) makes.
+// number is what its marker (mv/paper/page_numbers.h) makes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,9 +16,9 @@
 #include <vector>
 
 #include "mv/image/load.h"
+#include "mv/paper/docs.h"
+#include "mv/paper/page_numbers.h"
 #include "mv/run/command_line.h"
-#include "mv/run/docs.h"
-#include "mv/run/page_numbers.h"
 #include "mv/study/study.h"
 #include "support/demo_run.h"
 #include "support/process.h"

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "mv/gl/gl.h"
+#include "mv/paper/report.h"
 #include "mv/run/command_line.h"
-#include "mv/run/report.h"
 #include "support/demo_run.h"
 #include "support/sanitized.h"
 
@@ -97,8 +97,8 @@ TEST(StepRules, what_is_out_of_range_is_refused_with_the_number_of_draws) {
         try {
             stage().stopAfter(1, draws);
             FAIL() << draws;
-        } catch (const UsageError& error) {
-            EXPECT_EQ(std::string(error.what()).find("--until: must be 0 .. " + std::to_string(all) + ","), 0U)
+        } catch (const Error& error) {
+            EXPECT_EQ(std::string(error.what()).find("draws: must be 0 .. " + std::to_string(all) + ","), 0U)
                 << error.what();
         }
     }

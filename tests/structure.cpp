@@ -17,8 +17,8 @@
 #include "mv/gl/shader_source.h"
 #include "mv/image/compare.h"
 #include "mv/image/load.h"
-#include "mv/run/audit.h"
-#include "mv/run/docs.h"
+#include "mv/paper/audit.h"
+#include "mv/paper/docs.h"
 #include "mv/run/render.h"
 #include "support/demo_run.h"
 

@@ -10,7 +10,7 @@
 #include <map>
 #include <set>
 
-#include "mv/run/docs.h"
+#include "mv/paper/docs.h"
 #include "mv/study/claims.h"
 #include "mv/study/study.h"
 #include "support/demo_run.h"

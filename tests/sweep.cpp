@@ -7,7 +7,7 @@
 
 #include "mv/gl/beyond_es.h"
 #include "mv/gl/gl.h"
-#include "mv/run/audit.h"
+#include "mv/paper/audit.h"
 #include "support/demo_run.h"
 #include "support/sanitized.h"
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "mv/demo/demo.h"
-#include "mv/run/json_text.h"
+#include "mv/paper/json_text.h"
 
 namespace mv {
 

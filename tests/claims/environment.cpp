@@ -9,7 +9,7 @@
 
 #include "mv/gl/functions.h"
 #include "mv/math/reflect.h"
-#include "mv/run/audit.h"
+#include "mv/paper/audit.h"
 #include "shared/shiny_sphere.h"
 #include "support/demo_run.h"
 

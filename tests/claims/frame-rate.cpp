@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "mv/run/session.h"
+#include "mv/show/session.h"
 #include "support/demo_run.h"
 
 using namespace mv;

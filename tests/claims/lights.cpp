@@ -7,7 +7,7 @@
 
 #include "mv/geometry/ray_caster.h"
 #include "mv/math/transform.h"
-#include "mv/run/audit.h"
+#include "mv/paper/audit.h"
 #include "shared/lamp_light.h"
 #include "support/demo_run.h"
 

@@ -12,7 +12,7 @@
 #include "mv/geometry/ray_caster.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
-#include "mv/run/audit.h"
+#include "mv/paper/audit.h"
 #include "shared/scenes.h"
 #include "support/demo_run.h"
 #include "support/random.h"

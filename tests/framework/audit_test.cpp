@@ -1,4 +1,4 @@
-#include "mv/run/audit.h"
+#include "mv/paper/audit.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "mv/run/docs.h"
+#include "mv/paper/docs.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 #include "mv/gl/functions.h"
 #include "mv/gl/version.h"
 #include "mv/host/context.h"
-#include "mv/run/report.h"
+#include "mv/paper/report.h"
 #include "support/demo_run.h"
 
 using namespace mv;

@@ -8,8 +8,8 @@
 #include "mv/demo/demo.h"
 #include "mv/image/file.h"
 #include "mv/image/png.h"
+#include "mv/paper/report.h"
 #include "mv/run/copyable.h"
-#include "mv/run/report.h"
 #include "support/temporary_folder.h"
 
 using namespace mv;

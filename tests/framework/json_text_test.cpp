@@ -1,5 +1,5 @@
 // What is written as JSON reads back as the same, by a library's reader.
-#include "mv/run/json_text.h"
+#include "mv/paper/json_text.h"
 
 #include <gtest/gtest.h>
 

@@ -14,7 +14,7 @@
 #include "mv/gl/scene_meshes.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
-#include "mv/run/stage.h"
+#include "mv/show/stage.h"
 #include "shared/lit_difference.h"
 #include "shared/scenes.h"
 #include "support/demo_run.h"

@@ -1,4 +1,4 @@
-#include "mv/run/page_numbers.h"
+#include "mv/paper/page_numbers.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "mv/run/docs.h"
+#include "mv/paper/docs.h"
 #include "support/demo_run.h"
 
 using namespace mv;

@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "mv/demo/demo.h"
+#include "mv/paper/report.h"
 #include "mv/run/command_line.h"
-#include "mv/run/report.h"
 
 using namespace mv;
 

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "mv/error.h"
+#include "mv/paper/report.h"
 #include "mv/run/command_line.h"
-#include "mv/run/report.h"
-#include "mv/run/sentence.h"
+#include "mv/show/caught.h"
 
 using namespace mv;
 

@@ -1,4 +1,4 @@
-#include "mv/run/session.h"
+#include "mv/show/session.h"
 
 #include <gtest/gtest.h>
 

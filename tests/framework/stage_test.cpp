@@ -1,4 +1,4 @@
-#include "mv/run/stage.h"
+#include "mv/show/stage.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 
 #include "mv/gl/gl.h"
 #include "mv/gl/state.h"
-#include "mv/run/report.h"
+#include "mv/paper/report.h"
 #include "support/demo_run.h"
 
 using namespace mv;

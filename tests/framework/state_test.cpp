@@ -10,7 +10,7 @@
 
 #include "mv/gl/gl.h"
 #include "mv/gl/object.h"
-#include "mv/run/stage.h"
+#include "mv/show/stage.h"
 
 using namespace mv;
 using namespace mv::test;

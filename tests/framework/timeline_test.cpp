@@ -1,5 +1,5 @@
 // A demo that remembers is the same at a frame whatever was drawn before.
-#include "mv/run/timeline.h"
+#include "mv/show/timeline.h"
 
 #include <gtest/gtest.h>
 

@@ -91,7 +91,7 @@ TEST(Floors, DemosIncludeNothingAboveGl) {
 }
 
 TEST(Floors, TheSearchFindsWhatItLooksFor) {
-    EXPECT_NE(wrongInclude("host", "#include \"mv/run/stage.h\""), "");
+    EXPECT_NE(wrongInclude("host", "#include \"mv/show/stage.h\""), "");
     EXPECT_NE(wrongInclude("geometry", "#include \"mv/image/picture.h\""), "");  // beside, not below
     EXPECT_NE(wrongInclude("run", " # include \"mv/window/gui.h\""), "");
     EXPECT_NE(wrongInclude("run", "#include <GLFW/glfw3.h>"), "");
@@ -102,7 +102,7 @@ TEST(Floors, TheSearchFindsWhatItLooksFor) {
     EXPECT_EQ(wrongInclude("demos", "#include \"shared/plates.h\""), "");
     EXPECT_EQ(wrongInclude("gl", "#include \"mv/gl/gl.h\""), "");
     EXPECT_EQ(wrongInclude("gl", "#include \"mv/error.h\""), "");
-    EXPECT_EQ(wrongInclude("window", "#include \"mv/run/stage.h\""), "");
+    EXPECT_EQ(wrongInclude("window", "#include \"mv/show/stage.h\""), "");
     EXPECT_EQ(wrongInclude("demos", "#include \"mv/gl/gl.h\""), "");
     EXPECT_EQ(wrongInclude("math", "// #include \"mv/gl/gl.h\""), "");
 }

@@ -27,9 +27,10 @@ foreach(header IN LISTS headers)
 endforeach()
 # What shows and measures demos is no user's to include: of run/ what the main function needs, of hosts and windows nothing.
 file(GLOB_RECURSE inner RELATIVE "${work}/installed/include/mv" "${work}/installed/include/mv/run/*" "${work}/installed/include/mv/host/*"
-  "${work}/installed/include/mv/window/*" "${work}/installed/include/mv/gl/layer.h")
+  "${work}/installed/include/mv/show/*"
+  "${work}/installed/include/mv/paper/*" "${work}/installed/include/mv/study/*" "${work}/installed/include/mv/window/*" "${work}/installed/include/mv/gl/layer.h")
 if(NOT inner STREQUAL "run/run.h")
-  message(FATAL_ERROR "installed headers of run/, host/, window/: must be run/run.h alone, ${inner}")
+  message(FATAL_ERROR "installed headers of run/, show/, paper/, study/, host/, window/: must be run/run.h alone, ${inner}")
 endif()
 file(GLOB sources "${CMAKE_CURRENT_LIST_DIR}/*")
 file(COPY ${sources} DESTINATION "${work}/consumer")

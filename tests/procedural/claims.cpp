@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "mv/math/transform.h"
-#include "mv/run/audit.h"
+#include "mv/paper/audit.h"
 #include "shared/procedural.h"
 #include "support/demo_run.h"
 

@@ -12,9 +12,9 @@
 
 #include "mv/demo/demo.h"
 #include "mv/host/context.h"
-#include "mv/run/report.h"
-#include "mv/run/sentence.h"
-#include "mv/run/session.h"
+#include "mv/paper/report.h"
+#include "mv/show/caught.h"
+#include "mv/show/session.h"
 
 using namespace mv;
 

@@ -28,8 +28,8 @@
 
 #include "mv/math/types.h"
 #include "mv/motion/ode_stability.h"
-#include "mv/run/audit.h"
-#include "mv/run/session.h"
+#include "mv/paper/audit.h"
+#include "mv/show/session.h"
 #include "support/demo_run.h"
 
 using namespace mv;

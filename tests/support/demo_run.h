@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "mv/image/picture.h"
-#include "mv/run/stage.h"
+#include "mv/show/stage.h"
 #include "support/sanitized.h"
 
 namespace mv::test {

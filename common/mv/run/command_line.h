@@ -7,7 +7,7 @@
 
 #include "mv/demo/demo.h"
 #include "mv/host/context.h"
-#include "mv/run/stage.h"
+#include "mv/show/stage.h"
 
 namespace mv {
 

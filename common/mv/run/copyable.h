@@ -4,7 +4,7 @@
 #include <string>
 
 #include "mv/demo/demo.h"
-#include "mv/run/timeline.h"
+#include "mv/show/timeline.h"
 
 namespace mv {
 

@@ -7,9 +7,9 @@
 
 #include "mv/image/file.h"
 #include "mv/image/png.h"
-#include "mv/run/compare.h"
+#include "mv/paper/report.h"
 #include "mv/run/copyable.h"
-#include "mv/run/report.h"
+#include "mv/show/compare.h"
 
 namespace mv {
 namespace {
@@ -21,10 +21,21 @@ std::unique_ptr<Context> openNoted(HostKind host) {
     return context;
 }
 
+// Stops the picture after as many draws as the command says.
+void stopAfterDraws(Stage& stage, int index, const Command& command) {
+    if (!command.until) return;
+    try {
+        stage.stopAfter(index, *command.until);
+    } catch (const Error& error) {
+        if (!stage.steps()) throw;
+        throw UsageError("--until", error.what());
+    }
+}
+
 void printReport(const Command& command, Stage& stage, int index, double firstMs) {
     listenToDriver(false);  // which would be in the times
     const FrameTimes times = timeFrames(stage, index, 9, firstMs);
-    if (command.until) stage.stopAfter(index, *command.until);
+    stopAfterDraws(stage, index, command);
     const std::string text = command.report == ReportForm::json
                                  ? reportJson(stage, index, times)
                                  : reportText(stage, index, times) + (command.until ? stepsText(*stage.steps()) : "");
@@ -82,7 +93,7 @@ void render(const Command& command) {
             firstMs = std::chrono::duration<double, std::milli>(now - before).count();
             for (const std::string& message : stage.notes().messages) std::cerr << "note: " << message << "\n";
         }
-        if (command.until) stage.stopAfter(index, *command.until);
+        stopAfterDraws(stage, index, command);
         if (!command.shot.empty()) {
             writePng(command.shot == "-" ? "/dev/stdout" : frameFile(command.shot, index),
                      command.compareKnob.empty() ? stage.picture() : sheet);

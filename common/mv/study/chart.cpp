@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "mv/run/words.h"
+#include "mv/paper/tables.h"
 #include "mv/study/study.h"
 
 namespace mv {

@@ -4,7 +4,7 @@
 #include <tuple>
 
 #include "mv/error.h"
-#include "mv/run/words.h"
+#include "mv/paper/tables.h"
 
 namespace mv {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "mv/demo/number.h"
 #include "mv/error.h"
-#include "mv/run/words.h"
+#include "mv/paper/tables.h"
 
 namespace mv {
 namespace {

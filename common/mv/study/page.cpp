@@ -3,7 +3,7 @@
 #include <cstdio>
 
 #include "mv/error.h"
-#include "mv/run/words.h"
+#include "mv/paper/tables.h"
 #include "mv/study/claims.h"
 #include "mv/study/study.h"
 

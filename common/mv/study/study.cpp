@@ -13,8 +13,8 @@
 
 #include "mv/image/file.h"
 #include "mv/image/picture.h"
+#include "mv/paper/tables.h"
 #include "mv/run/render.h"
-#include "mv/run/words.h"
 
 namespace mv {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "mv/error.h"
 #include "mv/gl/word_sheet.h"
-#include "mv/run/words.h"
+#include "mv/paper/tables.h"
 #include "mv/study/chart.h"
 #include "mv/study/study.h"
 

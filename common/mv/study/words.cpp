@@ -1,7 +1,7 @@
 // What a study says in words: its names, its table.
 #include <algorithm>
 
-#include "mv/run/words.h"
+#include "mv/paper/tables.h"
 #include "mv/study/study.h"
 
 namespace mv {

@@ -4,8 +4,8 @@
 #include <memory>
 #include <thread>
 
-#include "mv/run/sentence.h"
 #include "mv/run/window_module.h"
+#include "mv/show/caught.h"
 #include "mv/window/demo_screen.h"
 #include "mv/window/menu_screen.h"
 

@@ -6,8 +6,8 @@
 
 #include "mv/gl/text.h"
 #include "mv/image/compare.h"
-#include "mv/run/compare.h"
-#include "mv/run/sentence.h"
+#include "mv/show/caught.h"
+#include "mv/show/compare.h"
 
 namespace mv {
 namespace {

@@ -8,7 +8,7 @@
 #include "mv/gl/target.h"
 #include "mv/run/command_line.h"
 #include "mv/run/copyable.h"
-#include "mv/run/session.h"
+#include "mv/show/session.h"
 
 namespace mv {
 

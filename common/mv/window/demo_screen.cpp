@@ -12,7 +12,7 @@
 #include "mv/gl/program.h"
 #include "mv/image/png.h"
 #include "mv/run/copyable.h"
-#include "mv/run/sentence.h"
+#include "mv/show/caught.h"
 #include "mv/window/keys.h"
 #include "mv/window/save.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "mv/run/command_line.h"
-#include "mv/run/session.h"
+#include "mv/show/session.h"
 #include "mv/window/comparison.h"
 #include "mv/window/gui.h"
 #include "mv/window/hand_rings.h"

@@ -1,7 +1,7 @@
 // What a demo's window reports: the settings, the picture, the panel.
 #include <nlohmann/json.hpp>
 
-#include "mv/run/report.h"
+#include "mv/paper/report.h"
 #include "mv/window/demo_screen.h"
 #include "mv/window/window_report.h"
 

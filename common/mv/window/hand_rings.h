@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "mv/run/hand.h"
+#include "mv/show/hand.h"
 #include "mv/window/gui.h"
 
 namespace mv {

@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "mv/demo/file_knob.h"
-#include "mv/run/words.h"
+#include "mv/paper/tables.h"
 
 namespace mv {
 namespace {

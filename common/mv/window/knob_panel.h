@@ -4,7 +4,7 @@
 #include <string>
 
 #include "mv/demo/demo.h"
-#include "mv/run/session.h"
+#include "mv/show/session.h"
 #include "mv/window/comparison.h"
 #include "mv/window/gui.h"
 

@@ -9,7 +9,7 @@
 
 #include "mv/demo/chapters.h"
 #include "mv/gl/functions.h"
-#include "mv/run/sentence.h"
+#include "mv/show/caught.h"
 #include "mv/window/panel_parts.h"
 #include "mv/window/window_report.h"
 

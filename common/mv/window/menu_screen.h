@@ -4,7 +4,7 @@
 #include <string>
 
 #include "mv/run/command_line.h"
-#include "mv/run/stage.h"
+#include "mv/show/stage.h"
 #include "mv/window/gui.h"
 #include "mv/window/screen.h"
 #include "mv/window/thumbnail.h"

@@ -1,6 +1,6 @@
 #include "mv/window/panel_parts.h"
 #include "mv/demo/controls.h"
-#include "mv/run/words.h"
+#include "mv/paper/tables.h"
 
 #include <algorithm>
 #include <array>

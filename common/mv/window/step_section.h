@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "mv/host/context.h"
-#include "mv/run/session.h"
+#include "mv/show/session.h"
 #include "mv/window/thumbnail.h"
 
 namespace mv {

@@ -4,8 +4,8 @@
 #include <charconv>
 #include <iostream>
 
-#include "mv/run/sentence.h"
-#include "mv/run/stage.h"
+#include "mv/show/caught.h"
+#include "mv/show/stage.h"
 #include "mv/study/study.h"
 #include "mv/window/study_view.h"
 

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <vector>
 
-#include "mv/run/words.h"
+#include "mv/paper/tables.h"
 #include "mv/study/chart.h"
 #include "mv/study/study.h"
 

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "mv/error.h"
-#include "mv/run/words.h"
+#include "mv/paper/tables.h"
 
 namespace mv {
 namespace {

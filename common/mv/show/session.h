@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "mv/run/playback.h"
-#include "mv/run/report.h"
-#include "mv/run/stage.h"
+#include "mv/paper/report.h"
+#include "mv/show/playback.h"
+#include "mv/show/stage.h"
 
 namespace mv {
 

@@ -25,7 +25,7 @@ std::string readmePage(const std::string& page);
 // cannot be read.
 std::vector<StudyRun> studiesInTree(const std::string& root, const std::string& demo);
 
-// The pages of a source tree that tell marked numbers (mv/run/page_numbers.h), as paths below `root`: README.md, the lessons
+// The pages of a source tree that tell marked numbers (mv/paper/page_numbers.h), as paths below `root`: README.md, the lessons
 // and what stands in docs, in this order.
 std::vector<std::string> pagesWithNumbers(const std::string& root);
 

@@ -1,4 +1,4 @@
-#include "mv/run/page_numbers.h"
+#include "mv/paper/page_numbers.h"
 
 #include <algorithm>
 #include <charconv>
@@ -7,8 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include "mv/paper/tables.h"
 #include "mv/run/command_line.h"
-#include "mv/run/words.h"
 #include "mv/study/study.h"
 
 namespace mv {

@@ -1,4 +1,4 @@
-#include "mv/run/stage.h"
+#include "mv/show/stage.h"
 
 #include <algorithm>
 #include <chrono>
@@ -13,7 +13,6 @@
 #include "mv/gl/text.h"
 #include "mv/gl/unused_uniforms.h"
 #include "mv/gl/version.h"
-#include "mv/run/command_line.h"
 
 namespace mv {
 namespace {
@@ -296,9 +295,8 @@ void Stage::stopAfter(int index, int draws) {
     const int all = static_cast<int>(whole.draws.size());
     if (draws < 0 || draws > all) {
         steps_ = std::move(whole);
-        throw UsageError("--until",
-                         "must be 0 .. " + std::to_string(all) + ", the draws of this frame in these settings",
-                         std::to_string(draws));
+        throw Error("draws", "must be 0 .. " + std::to_string(all) + ", those of this frame in these settings",
+                    std::to_string(draws));
     }
     FrameSteps stopped = stepsOf(front(), index, draws);
     stopped.draws = std::move(whole.draws);

@@ -1,4 +1,4 @@
-#include "mv/run/report.h"
+#include "mv/paper/report.h"
 
 #include <algorithm>
 #include <chrono>
@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <vector>
 
-#include "mv/run/json_text.h"
-#include "mv/run/words.h"
+#include "mv/paper/json_text.h"
+#include "mv/paper/tables.h"
 
 namespace mv {
 namespace {

@@ -1,4 +1,4 @@
-#include "mv/run/audit.h"
+#include "mv/paper/audit.h"
 
 #include <algorithm>
 #include <charconv>
@@ -8,8 +8,8 @@
 
 #include "mv/gl/beyond_es.h"
 #include "mv/gl/undefined.h"
+#include "mv/paper/report.h"
 #include "mv/run/render.h"
-#include "mv/run/report.h"
 
 namespace mv {
 namespace {

@@ -11,7 +11,7 @@
 #include "mv/gl/steps.h"
 #include "mv/gl/target.h"
 #include "mv/host/context.h"
-#include "mv/run/timeline.h"
+#include "mv/show/timeline.h"
 
 namespace mv {
 
@@ -62,8 +62,8 @@ class Stage {
     // its own with the settings and the memory that this one has for frame `index`: the frame is one that has nothing kept
     // from frames before, so a shadow map that is made once is among its draws, and what a stopped frame leaves half made is
     // kept by nobody. The picture is cleared before it also where the demo declares no background: to transparent black.
-    // Counters, notes and readouts stay those of the last draw(). Error: UsageError for more draws than it has, or fewer than
-    // 0, with how many it has, and the whole frame is then shown; else as draw().
+    // Counters, notes and readouts stay those of the last draw(). Error: more draws than it has, or fewer than 0, with how
+    // many it has, and the whole frame is then shown, by steps(), too; else as draw().
     void stopAfter(int index, int draws);
     // What stopAfter() found out, and nothing after another draw().
     const std::optional<FrameSteps>& steps() const { return steps_; }

@@ -1,4 +1,4 @@
-#include "mv/run/docs.h"
+#include "mv/paper/docs.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -11,10 +11,10 @@
 #include "mv/demo/chapters.h"
 #include "mv/image/file.h"
 #include "mv/image/png.h"
-#include "mv/run/audit.h"
-#include "mv/run/page_numbers.h"
+#include "mv/paper/audit.h"
+#include "mv/paper/page_numbers.h"
+#include "mv/paper/tables.h"
 #include "mv/run/render.h"
-#include "mv/run/words.h"
 #include "mv/study/study.h"
 
 namespace mv {

@@ -1,4 +1,4 @@
-#include "mv/run/json_text.h"
+#include "mv/paper/json_text.h"
 
 #include <cmath>
 

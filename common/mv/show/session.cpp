@@ -1,10 +1,10 @@
-#include "mv/run/session.h"
+#include "mv/show/session.h"
 
 #include <algorithm>
 #include <chrono>
 
 #include "mv/gl/gl.h"
-#include "mv/run/sentence.h"
+#include "mv/show/caught.h"
 
 namespace mv {
 

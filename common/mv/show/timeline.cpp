@@ -1,4 +1,4 @@
-#include "mv/run/timeline.h"
+#include "mv/show/timeline.h"
 
 #include <algorithm>
 #include <chrono>

@@ -1,4 +1,4 @@
-#include "mv/run/compare.h"
+#include "mv/show/compare.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -1,4 +1,4 @@
-#include "mv/run/playback.h"
+#include "mv/show/playback.h"
 
 #include <cmath>
 #include <limits>

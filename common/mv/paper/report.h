@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "mv/run/stage.h"
+#include "mv/show/stage.h"
 
 namespace mv {
 

@@ -1,4 +1,4 @@
-#include "mv/run/hand.h"
+#include "mv/show/hand.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>

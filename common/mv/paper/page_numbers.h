@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-#include "mv/run/stage.h"
+#include "mv/show/stage.h"
 #include "mv/study/data.h"
 
 namespace mv {

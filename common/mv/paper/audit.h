@@ -5,7 +5,7 @@
 
 #include "mv/gl/audit.h"
 #include "mv/run/command_line.h"
-#include "mv/run/stage.h"
+#include "mv/show/stage.h"
 
 namespace mv {
 

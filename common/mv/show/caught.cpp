@@ -1,4 +1,4 @@
-#include "mv/run/sentence.h"
+#include "mv/show/caught.h"
 
 #include <filesystem>
 #include <new>

@@ -6,7 +6,7 @@
 #include "mv/gl/text.h"
 #include "mv/image/compare.h"
 #include "mv/image/picture.h"
-#include "mv/run/stage.h"
+#include "mv/show/stage.h"
 
 namespace mv {
 
