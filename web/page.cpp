@@ -284,7 +284,9 @@ EMSCRIPTEN_KEEPALIVE const char* mvState() {
 }
 
 // As --report=json.
-EMSCRIPTEN_KEEPALIVE const char* mvReport() { return say(session().report(session().times())); }
+EMSCRIPTEN_KEEPALIVE const char* mvReport() {
+    return say(reportJson(page()->stage, session().drawnFrame(), session().times()));
+}
 
 // The line that makes this picture by the native program; `knob` is compared with its value `other`, or "" for none.
 EMSCRIPTEN_KEEPALIVE const char* mvCommand(const char* knob, const char* other) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mv/gl/gl.h"
+#include "mv/paper/report.h"
 #include "support/demo_run.h"
 
 using namespace mv;
@@ -118,7 +119,7 @@ TEST(Session, knobs_are_data_and_set_by_name) {
     EXPECT_FALSE(session.stale());
     EXPECT_EQ((Knobs{session}["cull"]), "none");
 
-    const std::string report = session.report(session.times());
+    const std::string report = reportJson(stage(), session.drawnFrame(), session.times());
     for (const char* part : {"\"facing\"", "\"clipFromView\"", "\"cull\"", "\"demo\": \"cube-cull\""}) {
         EXPECT_NE(report.find(part), std::string::npos) << part << " in " << report;
     }

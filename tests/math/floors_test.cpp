@@ -18,13 +18,13 @@ namespace {
 
 // From the ground up. A row's floors stand beside each other: neither includes the other.
 const std::vector<std::vector<std::string>> storeys = {
-    {"math"}, {"geometry", "image", "motion"}, {"demo"}, {"gl"}, {"host"}, {"run"}, {"window"}};
+    {"math"}, {"geometry", "image", "motion"}, {"demo"}, {"gl"}, {"host"}, {"show"}, {"run"}, {"window"}};
 
 // The highest floor that a demo includes: it draws, and asks for neither a host nor a command line.
 const std::string highestForDemos = "gl";
 
 // A room of a floor has a folder of its own, and its files and the floor's include each other.
-const std::map<std::string, std::string> rooms = {{"study", "run"}};
+const std::map<std::string, std::string> rooms = {{"paper", "run"}, {"study", "run"}};
 std::string floorOfRoom(const std::string& folder) { return rooms.contains(folder) ? rooms.at(folder) : folder; }
 
 // The number of the storey that `folder` is on, from 0; -1 for no floor.

@@ -55,7 +55,7 @@ nlohmann::ordered_json shown(Stage& stage, const DemoInfo& info, const Case& one
     session.finish(width, height, true);
     json["error"] = session.error();
     if (!session.error().empty()) return json;
-    const auto report = nlohmann::ordered_json::parse(session.report({}));
+    const auto report = nlohmann::ordered_json::parse(reportJson(stage, session.drawnFrame(), {}));
     for (const char* part : {"knobs", "idle", "readouts", "matrices", "messages"}) json[part] = report[part];
     const Picture picture = stage.picture();
     std::ofstream out(file, std::ios::binary);

@@ -26,20 +26,6 @@ std::string readoutLines(const Demo& demo) {
 
 }  // namespace
 
-FrameTimes timeFrames(Stage& stage, int index, int runs, double firstMs) {
-    std::vector<double> times;
-    for (int i = 0; i < runs; ++i) {
-        const auto start = std::chrono::steady_clock::now();
-        stage.draw(index);
-        glFinish();
-        times.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
-    }
-    FrameTimes result{firstMs, median(times), 0, runs};
-    for (double& time : times) time = std::abs(time - result.medianMs);
-    result.madMs = median(times);
-    return result;
-}
-
 std::string matrixText(const mat4& matrix) {
     std::string text;
     for (int row = 0; row < 4; ++row) {

@@ -3,19 +3,10 @@
 #include <string>
 #include <vector>
 
+#include "mv/show/frame_times.h"
 #include "mv/show/stage.h"
 
 namespace mv {
-
-struct FrameTimes {
-    double firstMs = 0;   // the first draw, with what it compiles and uploads
-    double medianMs = 0;  // of the later ones, each finished with glFinish
-    double madMs = 0;     // median absolute deviation from that median
-    int runs = 0;
-};
-
-// Draws frame `index` `runs` times more and times each. The picture stays the same.
-FrameTimes timeFrames(Stage& stage, int index, int runs, double firstMs);
 
 // The draws of a frame that was stopped, what each is made of, and its buffers, a line each.
 std::string stepsText(const FrameSteps& steps);

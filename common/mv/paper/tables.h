@@ -1,4 +1,4 @@
-// Small things that reports, pages and plots say with: numbers as text, cells of tables, the median.
+// Small things that reports, pages and plots say with: numbers as text, and cells of tables.
 #pragma once
 #include <algorithm>
 #include <cstdio>
@@ -40,13 +40,6 @@ inline std::string tableCell(const std::string& text) {
     std::string escaped;
     for (const char c : text) escaped += c == '|' ? std::string("\\|") : std::string(1, c);
     return escaped;
-}
-
-// Of at least one value; of an even number the mean of the two in the middle.
-inline double median(std::vector<double> values) {
-    std::ranges::sort(values);
-    const std::size_t half = values.size() / 2;
-    return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
 }
 
 }  // namespace mv

@@ -1,13 +1,13 @@
 // A demo as a host shows it, whatever the host is: the window is one, a page in a browser another. The host brings a stage
 // on its context, a size, the time that has passed and what the user does, and shows the picture that comes of them.
 //
-// As data it has knobsJson(session.info(), session.demo()) and, after a picture, session.report().
+// As data mv/paper/report.h has its knobs and, after a picture, its report.
 #pragma once
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "mv/paper/report.h"
+#include "mv/show/frame_times.h"
 #include "mv/show/playback.h"
 #include "mv/show/stage.h"
 
@@ -106,8 +106,6 @@ class Session {
     const FrameNotes& notes() const { return stage_.notes(); }
     // The first and the last picture's time; with `runs`, that of so many more, which it draws.
     FrameTimes times(int runs = 0);
-    // Settings, readouts, matrices and times as JSON.
-    std::string report(const FrameTimes& times) { return reportJson(stage_, drawnFrame_, times); }
     long picturesDrawn() const { return pictures_; }
     double lastMilliseconds() const { return lastMs_; }
 

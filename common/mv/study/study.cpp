@@ -15,6 +15,7 @@
 #include "mv/image/picture.h"
 #include "mv/paper/tables.h"
 #include "mv/run/render.h"
+#include "mv/show/median.h"
 
 namespace mv {
 namespace {

@@ -21,7 +21,7 @@ void DemoScreen::report(const WindowState& state) {
         return printReport(text + windowText(state) + "demo      " + std::to_string(session_.picturesDrawn()) +
                            " frames drawn" + (session_.playback().playing() ? ", playing\n" : "\n"));
     }
-    auto json = nlohmann::ordered_json::parse(session_.report(times));
+    auto json = nlohmann::ordered_json::parse(reportJson(stage_, session_.drawnFrame(), times));
     json["command"] = commandLine();
     if (!problem.empty()) json["error"] = problem;
     auto& window = json["window"] = windowJson(state);
