@@ -1,5 +1,5 @@
 // Controls made of HTML, as the knobs of a demo describe them.
-import { fromSlider, toSlider } from './settings.js';
+import { fromSlider, toSlider, typedNumber } from './settings.js';
 
 export function tag(name, attributes = {}, ...children) {
   const made = document.createElement(name);
@@ -11,55 +11,125 @@ export function tag(name, attributes = {}, ...children) {
   return made;
 }
 
-// The widget of one knob: `element`, and `show(value)`, which sets it; `set(text)` is called for what is chosen.
-function widget(knob, kind, id, set, choose) {
+// A slider that moves by itself, there and back in eight seconds, while its button is pressed.
+function player(slider, knob) {
+  let from = 0, at = 0;
+  const low = Number(slider.min), high = Number(slider.max), period = 8000;
+  const button = tag('button', { type: 'button', class: 'play', 'aria-label': word('playKnob', { knob: knob.name }), 'aria-pressed': 'false', onclick: () => (from ? stop() : start()) }, '\u25b6');
+  const say = () => {
+    button.setAttribute('aria-pressed', from !== 0);
+    button.textContent = from ? '\u2016' : '\u25b6';
+  };
+  function stop() {
+    from = 0;
+    say();
+  }
+  function start() {
+    const now = performance.now();
+    from = now - (period / 2) * ((Number(slider.value) - low) / (high - low));
+    at = now;
+    say();
+    requestAnimationFrame(move);
+  }
+  function move(now) {
+    if (!from) return;
+    if (now - at > 250) from += now - at; // it was out of sight
+    at = now;
+    const part = ((now - from) / (period / 2)) % 2;
+    slider.value = low + (high - low) * (part < 1 ? part : 2 - part);
+    slider.dispatchEvent(new Event('input'));
+    requestAnimationFrame(move);
+  }
+  slider.addEventListener('pointerdown', stop);
+  return button;
+}
+
+// The widget of one knob: `element`, and `show(value)`, which sets it; `set(text)` is called for what is chosen. `help` is the id of what
+// is said about it.
+function widget(knob, kind, id, help, set, choose) {
+  const described = { id, 'aria-describedby': help };
   if (kind.kind === 'switch') {
-    const box = tag('input', { type: 'checkbox', id, onchange: () => set(box.checked ? 'on' : 'off') });
+    const box = tag('input', { type: 'checkbox', ...described, onchange: () => set(box.checked ? 'on' : 'off') });
     return { element: box, show: (value) => (box.checked = value === 'on') };
   }
   if (kind.kind === 'choice') {
-    const select = tag('select', { id, onchange: () => set(select.value) });
+    const select = tag('select', { ...described, onchange: () => set(select.value) });
     for (const { word, meaning } of kind.options) select.append(tag('option', { value: word, title: meaning }, word));
     return { element: select, show: (value) => (select.value = value) };
   }
-  const typed = tag('input', { type: 'text', id, inputmode: kind.kind === 'number' ? 'decimal' : undefined, autocomplete: 'off', spellcheck: 'false', size: kind.kind === 'number' ? 7 : 24, onchange: () => set(typed.value) });
+  // What is refused stays in the field, with its reason below it, until the field is left.
+  let shown = '';
+  const isNumber = kind.kind === 'number', keypad = isNumber && kind.low >= 0 ? 'decimal' : undefined; // a phone's has no minus
+  const typed = tag('input', { type: 'text', ...described, inputmode: keypad, autocomplete: 'off', spellcheck: 'false', size: isNumber ? 7 : 24,
+    onchange: () => set(isNumber ? typedNumber(typed.value) : typed.value), onblur: () => (typed.value = shown) });
+  const showTyped = (value) => {
+    shown = value;
+    if (document.activeElement !== typed) typed.value = value;
+  };
   if (kind.kind === 'file') {
     const chosen = tag('input', { type: 'file', accept: 'image/png,image/jpeg', 'aria-label': word('chooseFile', { knob: knob.name }), onchange: () => chosen.files.length && choose(chosen.files[0]) });
-    return { element: tag('span', { class: 'file' }, typed, chosen), show: (value) => document.activeElement !== typed && (typed.value = value) };
+    return { element: tag('span', { class: 'file' }, typed, chosen), show: showTyped };
   }
-  if (kind.kind !== 'number') return { element: typed, show: (value) => document.activeElement !== typed && (typed.value = value) };
-  const slider = tag('input', { type: 'range', min: 0, max: kind.whole ? kind.high - kind.low : 1000, 'aria-label': word('slider', { knob: knob.name }), oninput: () => set(kind.whole ? String(kind.low + Number(slider.value)) : fromSlider(Number(slider.value), kind)) });
+  if (!isNumber) return { element: typed, show: showTyped };
+  // By whole numbers, where a knob has no others, and by whole degrees, where it turns far.
+  const byOne = kind.whole || (knob.unit === 'deg' && !kind.logarithmic && Number.isInteger(kind.low) && kind.high - kind.low >= 60);
+  const slider = tag('input', { type: 'range', min: byOne ? kind.low : 0, max: byOne ? kind.high : 1000, 'aria-label': knob.name, 'aria-describedby': help,
+    oninput: () => set(byOne ? slider.value : fromSlider(Number(slider.value), kind)) });
   const show = (value) => {
-    if (document.activeElement !== typed) typed.value = value;
+    showTyped(value);
+    slider.setAttribute('aria-valuetext', `${value} ${knob.unit}`.trim());
     // The slider that is held says itself where it is
-    if (!slider.matches(':active')) slider.value = kind.whole ? Number(value) - kind.low : toSlider(value, kind);
+    if (!slider.matches(':active')) slider.value = byOne ? Number(value) : toSlider(value, kind);
   };
-  return { element: tag('span', { class: 'slider' }, slider, typed, tag('span', { class: 'unit' }, knob.unit)), show };
+  return { element: tag('span', { class: 'slider' }, slider, typed, knob.unit ? tag('span', { class: 'unit' }, knob.unit) : '', player(slider, knob)), show, typed };
 }
 
-// All knobs: rows of label, widget, unit and buttons; `update(knobs)` shows their values and why one does nothing.
-export function knobRows(description, { set, press, choose }) {
-  const rows = description.knobs.map((knob) => {
+const foldedFrom = 3; // so many knobs that do nothing now are folded away
+
+// All knobs, or those of the names in `only`: rows of label, widget, unit and buttons. `update(knobs)` shows their values and why one does
+// nothing; those that do nothing stand folded below the others. `set` returns why a value is refused, or "", or a promise of that.
+export function knobRows(description, { set, press, choose, only }) {
+  const used = tag('div', { class: 'knobs' }), unused = tag('div', { class: 'knobs' }), count = tag('summary');
+  const folded = tag('details', { class: 'unused', hidden: true }, count, unused);
+  const rows = description.knobs.filter(({ name }) => !only || only.includes(name)).map((knob) => {
     const kind = description.widgets[knob.name], id = `knob-${knob.name}`;
-    const { element, show } = widget(knob, kind, id, (text) => set(knob.name, text), (file) => choose(knob.name, file));
-    const idle = tag('small', { class: 'idle' });
+    const wrong = tag('small', { class: 'wrong', role: 'alert' }), idle = tag('small', { class: 'idle' });
+    const range = kind.kind === 'number' ? ` (${kind.low} .. ${kind.high}${knob.unit && ` ${knob.unit}`})` : '';
+    const help = tag('span', { class: 'help', id: `help-${knob.name}` }, `${knob.help}${range}`);
+    const tried = async (text) => {
+      const why = await set(knob.name, text);
+      wrong.textContent = why ?? '';
+      typed?.setAttribute('aria-invalid', Boolean(why));
+    };
+    const { element, show, typed } = widget(knob, kind, id, help.id, tried, (file) => choose(knob.name, file));
     const buttons = (kind.buttons ?? []).map(({ label }) => tag('button', { type: 'button', 'aria-label': `${knob.name} ${label}`, onclick: () => press(knob.name, label) }, label));
-    const row = tag('div', { class: 'knob', title: knob.help }, tag('label', { for: id }, knob.name), element, ...buttons, idle);
+    const row = tag('div', { class: 'knob', title: help.textContent }, tag('label', { for: id }, knob.name), element, ...buttons, idle, wrong, help);
+    used.append(row);
     return { name: knob.name, row, show, idle, buttons };
   });
+  // A row goes to where it belongs, in the order of all, but not while it is used.
+  function put(index, box) {
+    const { row } = rows[index];
+    if (row.parentElement === box || row.contains(document.activeElement)) return;
+    box.insertBefore(row, rows.slice(index + 1).find((later) => later.row.parentElement === box)?.row ?? null);
+  }
   return {
-    element: tag('div', { class: 'knobs' }, ...rows.map(({ row }) => row)),
+    element: tag('div', {}, used, folded),
     haveButtons: rows.some(({ buttons }) => buttons.length),
     enable(widgets) {
       for (const { name, buttons } of rows) buttons.forEach((button, i) => (button.disabled = !widgets[name].buttons[i].enabled));
     },
     update(values, idleReasons) {
-      for (const { name, row, show, idle } of rows) {
+      const folds = rows.filter(({ name }) => idleReasons[name]).length >= foldedFrom;
+      rows.forEach(({ name, row, show, idle }, i) => {
         show(values[name]);
         const reason = idleReasons[name] ?? '';
         row.classList.toggle('is-idle', reason !== '');
         if (idle.textContent !== reason) idle.textContent = reason;
-      }
+        put(i, folds && reason ? unused : used);
+      });
+      folded.hidden = !unused.childElementCount;
+      count.textContent = word('unused', { count: unused.childElementCount });
     },
   };
 }

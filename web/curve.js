@@ -16,6 +16,7 @@ figures.forEach((figure, machine) => {
     const set = () => {
       box.querySelector('.command code').textContent = ['./run', study.demo, ...Object.entries(settings).flatMap(([knob, value]) => [`--${knob}`, /^[\w.,:/+-]+$/.test(value) ? value : `'${value}'`])].join(' ');
       document.dispatchEvent(new CustomEvent('mvgl-settings', { detail: settings }));
+      document.querySelector('.live .view')?.scrollIntoView({ block: 'nearest' });
     };
     point.addEventListener('mouseenter', tell);
     point.addEventListener('focus', tell);

@@ -4,18 +4,27 @@ import { tag } from './controls.js';
 
 const quiet = 300; // milliseconds without a key before what is typed is compiled
 
-// `files`: [{ name, text }], `write(name, text)` returns the mistakes, a line each: "shaders/x.frag:7: message".
-export function shaderEditor(files, write) {
-  if (!files.length) return '';
+// `files`: [{ name, text }], `write(name, text)` returns the mistakes, a line each: "shaders/x.frag:7: message"; `inUse()` are the names
+// of the files that the picture is drawn with. What comes back: `element`; `changed()`, the files that are edited, [name, text] each; and
+// `apply({ name: text })`, which edits them.
+export function shaderEditor(files, write, inUse) {
+  if (!files.length) return { element: '', changed: () => [], apply() {} };
   const now = new Map(files.map(({ name, text }) => [name, text]));
   const choice = tag('select', { 'aria-label': word('shaderFile'), onchange: choose });
   for (const { name } of files) choice.append(tag('option', {}, name));
   const numbers = tag('pre', { class: 'numbers', 'aria-hidden': 'true' });
   const text = tag('textarea', { 'aria-label': word('shaderText'), spellcheck: 'false', autocapitalize: 'off', wrap: 'off', rows: 8, oninput: typed, onscroll: () => (numbers.scrollTop = text.scrollTop) });
+  const unused = tag('p', { class: 'notes' });
   const mistakes = tag('ul', { class: 'mistakes', role: 'status' });
   const back = tag('button', { type: 'button', onclick: putBack }, word('putBack'));
   let waiting = 0, typedInto = '', told = '';
 
+  // The file that colours the picture is the first to be seen, and one that is not used says so.
+  function open() {
+    const used = inUse();
+    choice.value = files.map(({ name }) => name).filter((name) => used.includes(name)).find((name) => name.endsWith('.frag')) ?? files[0].name;
+    show();
+  }
   function show() {
     text.value = now.get(choice.value);
     text.rows = Math.min(24, text.value.split('\n').length + 1);
@@ -33,6 +42,7 @@ export function shaderEditor(files, write) {
     clearTimeout(waiting);
     waiting = setTimeout(compile, quiet);
   }
+  const changed = () => files.filter(({ name, text: first }) => now.get(name) !== first).map(({ name }) => [name, now.get(name)]);
   function rest() {
     clearTimeout(waiting);
     waiting = 0;
@@ -66,13 +76,26 @@ export function shaderEditor(files, write) {
       return tag('li', {}, tag('button', { type: 'button', onclick: () => goTo(Number(at)) }, line));
     }));
     number(wrong);
-    back.disabled = files.every(({ name, text: first }) => now.get(name) === first);
+    back.disabled = !changed().length;
+    unused.textContent = inUse().includes(choice.value) ? '' : word('shaderUnused');
   }
   function goTo(line) {
     const start = text.value.split('\n').slice(0, line - 1).join('\n').length + (line > 1 ? 1 : 0);
     text.focus();
     text.setSelectionRange(start, text.value.indexOf('\n', start) < 0 ? text.value.length : text.value.indexOf('\n', start));
   }
-  show();
-  return tag('details', { class: 'shaders' }, tag('summary', {}, word('shaders')), tag('div', { class: 'row' }, choice, back), tag('div', { class: 'editor' }, numbers, text), mistakes);
+  const element = tag('details', { class: 'shaders' }, tag('summary', {}, word('shaders')), tag('div', { class: 'row' }, choice, back), unused, tag('div', { class: 'editor' }, numbers, text), mistakes);
+  element.addEventListener('toggle', () => element.open && back.disabled && open());
+  return {
+    element,
+    changed,
+    apply(edits) {
+      for (const [name, edited] of Object.entries(edits)) {
+        if (!now.has(name)) continue;
+        now.set(name, edited);
+        told = write(name, edited);
+      }
+      show();
+    },
+  };
 }

@@ -2,6 +2,7 @@
 import { tag } from './controls.js';
 
 const reach = 12; // CSS pixels: so near to a handle the pointer takes it
+const notch = 100; // CSS pixels of a wheel that turns by one
 const notches = 4; // of the wheel, for two fingers that move twice as far apart
 
 // `after()` is called when something may have moved. What comes back: `show()` for the rings round the handles, and what its keys do.
@@ -58,10 +59,16 @@ export function handIn(view, canvas, demo, what, after) {
     show();
   });
   // The wheel scrolls the page until the picture has been clicked.
+  // A mouse gives a notch at once, a trackpad a hundred small ways that make one.
+  let turned = 0;
   canvas.addEventListener('wheel', (event) => {
     if (!what.wheels || document.activeElement !== canvas) return;
     event.preventDefault();
-    demo.does('Wheel', -Math.sign(event.deltaY));
+    turned -= event.deltaY / [notch, notch / 40, 1][event.deltaMode];
+    const whole = Math.trunc(turned);
+    if (!whole) return;
+    turned -= whole;
+    demo.does('Wheel', whole);
     after();
   }, { passive: false });
   if (what.drags || what.handles) canvas.style.touchAction = 'none';

@@ -5,10 +5,12 @@ import { knobRows, matrixTables, presetButtons, readoutTable, tag } from './cont
 import { shaderEditor } from './edit.js';
 import { handIn } from './hand.js';
 import { fetched, provide, take } from './pictures.js';
-import { fromAddress, fromCommand, toAddress } from './settings.js';
+import { fromAddress, fromCommand, toAddress, typedNumber } from './settings.js';
 import { drawSteps } from './steps.js';
 
 const pause = 100; // milliseconds between two looks at the readouts of what moves
+const quiet = 250; // milliseconds after which the address is written
+const near = 2000; // so many frames are computed at once
 
 // The demo may be asked for while the page is still being read; once it is read, all of it is there, its words too.
 const isRead = performance.getEntriesByType('navigation')[0].domContentLoadedEventStart > 0;
@@ -16,6 +18,9 @@ const read = isRead || new Promise((resolve) => document.addEventListener('DOMCo
 
 // Settings as the module takes them, a line for each. (A line's end within a value is refused as part of it.)
 const lines = (settings) => Object.entries(settings).map(([knob, value]) => `${knob} ${value.replaceAll('\n', '\u21b5')}\n`).join('');
+
+// A page has no flags: what is said of --near is said of near.
+const withoutFlags = (words) => words.replace(/(^|[\s('])--(?=[a-z])/g, '$1');
 
 // The module's functions, by their names in web/page.cpp. Texts come as texts, JSON as what it says.
 async function open(canvas) {
@@ -47,6 +52,7 @@ async function open(canvas) {
 }
 
 export async function live(box) {
+  const panel = box.querySelector('.panel'), isWide = box.classList.contains('is-wide');
   const name = box.dataset.demo, view = box.querySelector('.view'), shown = view.querySelector('.shown');
   const canvas = tag('canvas', { id: 'canvas', tabindex: 0, hidden: true });
   view.append(canvas);
@@ -59,6 +65,7 @@ export async function live(box) {
   const what = { ...demo.tells('KnobsAndPresets'), ...demo.tells('Describe') };
   let values = {}, state = demo.tells('State'), size = { width: what.width, height: what.height };
   let beside = '', comparing = false; // what is said of the picture that is compared; whether it is to be drawn anew
+  let shaders = { changed: () => [], apply() {} }, goal; // the editor of shaders, once there is one; a frame that is far
   let scheduled = false, told = 0, last = performance.now(), visible = true, wanted = false, lost = false, setBy = '';
 
   // ---- the first picture, as the address says, before what stands beside it is made
@@ -74,10 +81,20 @@ export async function live(box) {
     await fetched(what, given.settings);
     provide(demo, what, given.settings);
     const words = demo.says('SetAll', given.settings);
-    if (given.frame !== undefined) demo.does('GoTo', given.frame);
-    setBy = words;
+    if (given.frame !== undefined) goTo(given.frame);
+    setBy = words || unknown(given.unknown);
   }
-  if (matchMedia('(prefers-reduced-motion: reduce)').matches && state.playing) demo.does('Toggle');
+  // A frame at once, but where it is far.
+  function goTo(frame) {
+    goal = undefined;
+    if (what.remembers && frame > near) goal = frame;
+    else demo.does('GoTo', frame);
+  }
+  function unknown(names = []) {
+    return names.length ? word('unknownNames', { names: names.join(', ') }) : '';
+  }
+  const calm = matchMedia('(prefers-reduced-motion: reduce)').matches;
+  if (calm && state.playing) demo.does('Toggle');
   demo.does('Draw', size.width, size.height, true);
   state = demo.tells('State');
   performance.mark('first-picture');
@@ -101,14 +118,33 @@ export async function live(box) {
     demo.does('Advance', Math.min(0.1, (now - last) / 1000));
     last = now;
     const before = state.error;
-    const drawn = demo.does('IsDue', size.width, size.height) || comparing;
-    let more = demo.does('Draw', size.width, size.height, true);
+    let more = true;
+    try {
+      more = travel(); // on the way to a far frame
+      const drawn = demo.does('IsDue', size.width, size.height) || comparing;
+      more = demo.does('Draw', size.width, size.height, true) || more;
+      state = demo.tells('State');
+      comparing = false;
+      if (drawn) beside = compare.on() ? compare.draw(demo.tells('Knobs'), state.frame, size, demo) : '';
+      if (compare.on()) more = compare.more(size) || more;
+      if (drawn && (!state.playing || now - told > pause || state.error !== before)) tellAll(now);
+    } finally {
+      if (more || state.playing) schedule(); // the clock goes on, whatever failed
+    }
+  }
+  // A demo that remembers is at a far frame after all those before it: some of them at a time, so that the page answers.
+  function travel() {
+    if (goal === undefined) return false;
+    const from = performance.now();
+    do {
+      const { frame: at } = demo.tells('State'), next = what.remembers ? Math.min(goal, (at > goal ? 1 : at) + 50) : goal;
+      demo.does('GoTo', next);
+      demo.does('Draw', size.width, size.height, false);
+      if (next === goal) goal = undefined;
+    } while (goal !== undefined && performance.now() - from < 80);
     state = demo.tells('State');
-    comparing = false;
-    if (drawn) beside = compare.on() ? compare.draw(demo.tells('Knobs'), state.frame, size) : '';
-    if (compare.on()) more = compare.more(size) || more;
-    if (drawn && (!state.playing || now - told > pause || state.error !== before)) tellAll(now);
-    if (more || state.playing) schedule();
+    tellTime();
+    return goal !== undefined;
   }
   // What stands beside the picture.
   function tellAll(now = performance.now()) {
@@ -123,7 +159,7 @@ export async function live(box) {
     tellTime();
     const { knob, other } = compare.compared();
     command.textContent = demo.says('Command', knob, other);
-    say(refused, state.error || setBy || beside);
+    say(refused, withoutFlags(state.error || setBy || beside));
     say(notes, state.error ? '' : report.messages.join(' '));
     view.classList.toggle('is-refused', state.error !== '');
     progress.hidden = state.passes === 0 || state.passesDone === state.passes;
@@ -131,9 +167,33 @@ export async function live(box) {
     progress.value = state.passesDone;
     hand.show();
     steps.update(report, state.pictures);
-    const address = toAddress(what.knobs.map((knob) => ({ ...knob, value: values[knob.name] })), what.animated && !state.playing && state.frame !== 1 ? state.frame : undefined);
-    if (moved) history.replaceState(null, '', address === '#' ? location.pathname + location.search : address);
+    if (moved && !resting) resting = setTimeout(rest, quiet);
   }
+  // What is shown, as an address. (The shaders are in what is copied: an address that changes with each letter is none.)
+  const addressNow = (shaders = []) => toAddress(what.knobs.map((knob) => ({ ...knob, value: values[knob.name] })), {
+    frame: what.animated && !state.playing && state.frame !== 1 ? state.frame : undefined, compared: compare.compared(), until: steps.until(), shaders,
+  });
+  // Once nothing has changed for a while, the address says what there is: browsers allow a hundred changes in half a minute. And the
+  // settings can be come back to.
+  let resting = 0, undoing = false;
+  const past = [];
+  function rest() {
+    resting = 0;
+    const address = addressNow();
+    if (address !== past.at(-1) && !undoing) past.push(address);
+    undoing = false;
+    try {
+      history.replaceState(null, '', address === '#' ? location.pathname + location.search : address);
+    } catch {} // a browser that counts otherwise
+  }
+  addEventListener('pagehide', () => resting && rest());
+  addEventListener('keydown', (event) => {
+    if (event.key !== 'z' || !(event.ctrlKey || event.metaKey) || event.shiftKey || event.target.matches('textarea, input[type="text"], input[type="number"]') || past.length < 2) return;
+    event.preventDefault();
+    past.pop();
+    undoing = true;
+    settle(fromAddress(past.at(-1), what.knobs) ?? { settings: {}, frame: what.animated ? 1 : undefined });
+  });
   const say = (element, words) => element.textContent !== words && (element.textContent = words);
 
   // ---- what the user does
@@ -155,21 +215,28 @@ export async function live(box) {
     const waits = fetched(what, settings);
     return waits ? waits.then(ready) : ready();
   }
-  const settle = ({ settings, frame, compared, until }) => withPictures(settings, () => {
+  const settle = ({ settings, frame, compared, until, shaders: edited = {}, unknown: names }) => withPictures(settings, () => {
     steps.show(until);
     const words = demo.says('SetAll', settings);
-    if (frame !== undefined && !words) demo.says('GoTo', frame);
-    after(words);
+    if (frame !== undefined && !words) goTo(frame);
+    after(words || unknown(names));
+    shaders.apply(edited);
     return compared || compare.on() ? compare.compare(compared) : undefined;
   });
-  const set = (knob, text) => withPictures({ [knob]: text }, () => after(demo.says('Set', knob, text)));
+  // Why that is refused, beside the knob; or "".
+  const set = (knob, text) => withPictures({ [knob]: text }, () => {
+    const words = demo.says('Set', knob, text);
+    after();
+    return withoutFlags(words);
+  });
   // A picture of the user's own. What is none is told, and the knob stays as it was.
   const choose = (knob, file) => take(file).then(() => {
     set(knob, file.name);
     demo.does('Touch'); // the same name may be another picture
     after();
   }, (error) => after(`--${knob}: ${error.message}`));
-  const knobs = knobRows(what, { set, press: (knob, label) => after(demo.says('PressButton', knob, label)), choose });
+  const asks = new URLSearchParams(location.search), isEmbedded = asks.has('embed');
+  const knobs = knobRows(what, { only: asks.get('knobs')?.split(','), set, press: (knob, label) => after(demo.says('PressButton', knob, label)), choose });
   const takesFile = what.knobs.find((knob) => what.widgets[knob.name].kind === 'file');
   if (takesFile) {
     view.addEventListener('dragover', (event) => event.preventDefault()); // or the browser would open it in the place of the page
@@ -185,12 +252,17 @@ export async function live(box) {
   const compare = comparison(name, what, view, open, () => {
     comparing = true;
     after();
-  });
+  }, () => shaders.changed());
 
   const hand = handIn(view, canvas, demo, what, after);
 
   const play = tag('button', { type: 'button', onclick: () => after(void demo.does('Toggle')) });
-  const frame = tag('input', { type: 'number', min: 0, step: 1, 'aria-label': word('frame'), onchange: () => after(void demo.does('GoTo', Math.max(0, Math.round(Number(frame.value))))) });
+  const frame = tag('input', { type: 'number', step: 1, 'aria-label': word('frame'), min: 0, max: 999999999, onchange() {
+    const asked = Math.round(Number(typedNumber(frame.value)));
+    const good = asked >= 0 && asked <= Number(frame.max);
+    if (good) goTo(asked);
+    after(good ? '' : word('frameRefused', { most: frame.max, value: frame.value }));
+  } });
   const speed = tag('input', { type: 'range', min: -10, max: 6, step: 1, value: 0, 'aria-label': word('speed'), oninput: () => after(void demo.does('SetSpeed', Number((10 ** (speed.value / 10)).toFixed(1)))) });
   const speedWords = tag('span', { class: 'unit' });
   const time = what.animated
@@ -202,26 +274,79 @@ export async function live(box) {
     play.textContent = word(state.playing ? 'pause' : 'play');
     if (document.activeElement !== frame) frame.value = state.frame;
     speedWords.textContent = word('times', { number: state.speed });
+    travelling.hidden = goal === undefined;
+    if (goal !== undefined) travelWords.textContent = word('travelling', { frame: state.frame, goal });
   }
 
+  const travelWords = tag('span', { role: 'status' });
+  const travelling = tag('p', { class: 'notes', hidden: true }, travelWords, ' ', tag('button', { type: 'button', onclick() {
+    goal = undefined;
+    after();
+  } }, word('stop')));
   const progress = tag('progress', { 'aria-label': word('passes'), hidden: true });
   const command = box.closest('.stage').querySelector('.command code');
   const pictureRow = tag('div', { class: 'row' },
     tag('button', { type: 'button', onclick: () => settle({ settings: {}, frame: what.animated ? 1 : undefined }) }, word('reset')),
-    tag('button', { type: 'button', onclick: save }, word('save')),
-    tag('button', { type: 'button', onclick: () => view.requestFullscreen?.() }, word('fullScreen')));
+    tag('button', { type: 'button', onclick: () => save() }, word('save')),
+    document.fullscreenEnabled ? tag('button', { type: 'button', onclick: () => (document.fullscreenElement ? document.exitFullscreen() : box.requestFullscreen()) }, word('fullScreen')) : '',
+    tag('button', { type: 'button', onclick: (event) => copy(event.target, linkNow()) }, word('copyLink')),
+    isEmbedded ? '' : tag('button', { type: 'button', onclick: (event) => copy(event.target, frameNow()) }, word('copyFrame')),
+    canvas.captureStream && globalThis.MediaRecorder ? tag('button', { type: 'button', 'aria-pressed': 'false', onclick: (event) => film(event.target) }, word('record')) : '');
+  const linkNow = (search = location.search) => location.origin + location.pathname + search + addressNow(shaders.changed());
+  const frameNow = () => `<iframe src="${linkNow('?embed').replaceAll('&', '&amp;')}" width="${isWide ? 1000 : 700}" height="500" allow="fullscreen; clipboard-write" title="mvgl: ${name}"></iframe>`;
+  function copy(button, words) {
+    navigator.clipboard?.writeText(words).then(() => word('copied'), () => prompt(word('copyHere'), words)).then((done) => {
+      const before = button.dataset.says ??= button.textContent;
+      button.textContent = done ?? before;
+      setTimeout(() => (button.textContent = before), 2000);
+    });
+  }
+  // What the canvas shows from one press to the next, as a film.
+  let recorder;
+  function film(button) {
+    if (recorder) return recorder.stop();
+    const parts = [];
+    recorder = new MediaRecorder(canvas.captureStream());
+    recorder.ondataavailable = ({ data }) => parts.push(data);
+    recorder.onstop = () => {
+      handOver(new Blob(parts, { type: recorder.mimeType }), `${name}.${recorder.mimeType.includes('mp4') ? 'mp4' : 'webm'}`);
+      recorder = undefined;
+      button.setAttribute('aria-pressed', 'false');
+      button.textContent = word('record');
+    };
+    recorder.start();
+    button.setAttribute('aria-pressed', 'true');
+    button.textContent = word('recordEnd');
+  }
   function asCanvas(width, height, pixels) {
     const copy = tag('canvas', { width, height });
     copy.getContext('2d').putImageData(new ImageData(pixels, width, height), 0, 0);
     return copy;
   }
-  function save() {
-    asCanvas(canvas.width, canvas.height, demo.pixels(canvas.width * canvas.height)).toBlob((blob) => {
-      const link = tag('a', { href: URL.createObjectURL(blob), download: `${name}-${state.frame}.png` });
-      link.click();
-      setTimeout(() => URL.revokeObjectURL(link.href), 1000);
-    });
+  function handOver(blob, file) {
+    const link = tag('a', { href: URL.createObjectURL(blob), download: file });
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 1000);
   }
+  // A comparison as it is seen: both pictures, the line, and what each is.
+  function pictureNow() {
+    const { width, height } = canvas, picture = asCanvas(width, height, demo.pixels(width * height));
+    if (!compare.on()) return picture;
+    const pen = picture.getContext('2d'), at = Math.round(width * compare.at()), second = asCanvas(width, height, compare.second().pixels(width * height));
+    if (at < width) pen.drawImage(second, at, 0, width - at, height, at, 0, width - at, height);
+    pen.fillStyle = '#fff';
+    pen.fillRect(at - 1, 0, 2, height);
+    pen.font = '16px sans-serif';
+    compare.labels().forEach((label, i) => {
+      const wide = pen.measureText(label).width + 16, left = i ? width - wide : 0;
+      pen.fillStyle = '#000a';
+      pen.fillRect(left, height - 26, wide, 26);
+      pen.fillStyle = '#fff';
+      pen.fillText(label, left + 8, height - 8);
+    });
+    return picture;
+  }
+  const save = () => pictureNow().toBlob((blob) => handOver(blob, `${name}-${state.frame}.png`));
 
   const steps = drawSteps({
     stop: (draws) => after(void demo.does('StopAfter', draws ?? -1)),
@@ -248,12 +373,17 @@ export async function live(box) {
     }, { capture: true });
   }
   for (const block of document.querySelectorAll('article pre')) {
-    const lines = block.textContent.trim().split('\n').map((line) => fromCommand(line, name, what.knobs, what.presets)).filter(Boolean);
-    if (lines.length !== 1) continue;
-    block.append(tag('button', { type: 'button', class: 'above', onclick: () => {
-      settle({ frame: what.animated ? 1 : undefined, ...lines[0] });
-      box.scrollIntoView({ behavior: 'smooth' });
-    } }, word('showAbove')));
+    const code = block.querySelector('code'), lines = code.textContent.trim().split('\n');
+    const shows = lines.map((line) => fromCommand(line, name, what.knobs, what.presets));
+    if (!shows.some(Boolean)) continue;
+    // A button at the end of each line that makes a picture. (What is copied are the lines.)
+    code.replaceChildren(...lines.flatMap((line, i) => [
+      tag('span', { class: 'line' }, `${line}\n`),
+      shows[i] ? tag('button', { type: 'button', class: 'above', 'aria-label': `${word('showAbove')}: ${line}`, onclick: () => {
+        settle({ frame: what.animated ? 1 : undefined, ...shows[i] });
+        box.scrollIntoView({ behavior: calm ? 'instant' : 'smooth' });
+      } }, word('showAbove')) : '',
+    ]));
   }
   addEventListener('hashchange', async () => {
     const linked = await asked();
@@ -265,11 +395,13 @@ export async function live(box) {
     if (visible) schedule();
   }).observe(view);
   function fit() {
-    const full = document.fullscreenElement === view;
-    size = full ? { width: Math.round(innerWidth * devicePixelRatio), height: Math.round(innerHeight * devicePixelRatio) } : { width: what.width, height: what.height };
+    const full = document.fullscreenElement === box, room = view.getBoundingClientRect();
+    size = full ? { width: Math.round(room.width * devicePixelRatio), height: Math.round(innerHeight * devicePixelRatio) } : { width: what.width, height: what.height };
+    // Where the controls stand below the picture, it stays in sight above them, and small enough to leave them room.
+    box.classList.toggle('is-stacked', !full && panel.offsetTop > view.offsetTop);
     schedule();
   }
-  view.addEventListener('fullscreenchange', fit);
+  box.addEventListener('fullscreenchange', fit);
   addEventListener('resize', fit);
   canvas.addEventListener('webglcontextlost', (event) => {
     event.preventDefault();
@@ -280,14 +412,33 @@ export async function live(box) {
 
   document.addEventListener('mvgl-settings', ({ detail }) => settle({ settings: detail }));
   const sources = [...document.querySelectorAll('.sources details')].map((one) => ({ name: one.querySelector('summary').textContent, text: one.querySelector('pre').textContent }));
-  const shaders = shaderEditor(
+  shaders = shaderEditor(
     sources.filter((file) => file.name.startsWith('shaders/')).map(({ name: file, text }) => ({ name: file.slice('shaders/'.length), text })),
     (file, text) => {
       const mistakes = demo.says('WriteShader', file, text);
+      compare.writeShader(file, text);
+      compare.touch();
+      comparing = true;
       after();
+      keep();
       return mistakes;
     },
+    () => demo.tells('ShadersInUse'),
   );
+  // Edits outlive a reload of the page, until they are put back or the tab is closed.
+  const place = `mvgl ${name}`;
+  function keep() {
+    try {
+      sessionStorage.setItem(place, JSON.stringify(Object.fromEntries(shaders.changed())));
+    } catch {} // a browser that keeps nothing
+  }
+  function kept() {
+    try {
+      return JSON.parse(sessionStorage.getItem(place)) ?? {};
+    } catch {
+      return {};
+    }
+  }
 
   // ---- the page as it is from now on
 
@@ -296,22 +447,18 @@ export async function live(box) {
     ...hand.keys,
     ...(what.animated ? [[word('keySpace'), word('keySpaceDoes')]] : []),
   ].map(([does, to]) => tag('tr', {}, tag('th', { scope: 'row' }, does), tag('td', {}, to)))), tag('p', {}, word('keysWhen')));
-  const panel = box.querySelector('.panel');
-  panel.replaceChildren(presets.element, refused, notes, progress, knobs.element, time, readouts.element, pictureRow, compare.element, matrices.element, steps.element, shaders, controls);
+  panel.replaceChildren(presets.element, refused, notes, progress, knobs.element, time, travelling, readouts.element, pictureRow, compare.element, matrices.element, steps.element, shaders.element, controls);
+  shaders.apply({ ...kept(), ...given?.shaders });
+  if (given?.until !== undefined) steps.show(given.until);
+  if (given?.compared) compare.compare(given.compared);
   tellAll();
+  past.push(addressNow());
+  moved = false;
+  fit();
   schedule();
   box.classList.add('is-live');
   return { demo, settle, what, compare, withPictures, state: () => state };
 }
 
 const box = document.querySelector('.live');
-if (box) {
-  live(box).then(
-    (made) => (box.live = made),
-    async (error) => {
-      await read;
-      box.querySelector('.panel').replaceChildren(tag('p', { class: 'refused', role: 'alert' }, word('still', { sentence: error.message })));
-      box.classList.add('is-still');
-    },
-  );
-}
+if (box) live(box).then((made) => (box.live = made), (error) => box.dispatchEvent(new CustomEvent('mvgl-still', { detail: error.message })));

@@ -5,8 +5,9 @@ import { execFileSync, spawnSync } from 'node:child_process';
 import fs from 'node:fs';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { folded } from './fold.mjs';
 import { fold, imagesIn, linksIn, numbered, wide } from './lesson.mjs';
-import { demoPage, liveParts, page, startPage } from './pages.mjs';
+import { demoPage, liveParts, page, startPage, wordsOf } from './pages.mjs';
 import { script } from './words.mjs';
 
 const root = path.dirname(path.dirname(fileURLToPath(import.meta.url)));
@@ -51,7 +52,26 @@ function sizeOf(file) {
   return { width: bytes.readUInt32BE(16), height: bytes.readUInt32BE(20) };
 }
 
+// The files of shaders/include that these shaders include, and those that they include.
+function included(files) {
+  const found = new Set();
+  const read = (file) => {
+    for (const [, name] of text(file).matchAll(/^\s*#\s*include\s+"([^"]+)"/gm)) {
+      const path = `shaders/include/${name}`;
+      if (found.has(path)) continue;
+      found.add(path);
+      read(path);
+    }
+  };
+  files.forEach(read);
+  return [...found].sort();
+}
+
 function sourcesOf(name) {
+  const files = ownSources(name);
+  return [...files, ...included(files.filter((file) => file.startsWith('shaders/')))];
+}
+function ownSources(name) {
   const filesOf = (folder) => (fs.existsSync(path.join(root, folder)) ? fs.readdirSync(path.join(root, folder)).sort().map((file) => `${folder}/${file}`) : []);
   const shaders = filesOf('shaders').filter((file) => path.basename(file).startsWith(`${name}.`));
   if (!fs.existsSync(path.join(root, 'demos', name))) return [`demos/${name}.cpp`, ...shaders];
@@ -158,7 +178,7 @@ for (const [i, demo] of demos.entries()) {
     html: run('highlight', ['-O', 'html', '-f', '--syntax=c++', path.join(root, file)]),
   }));
 }
-demos.forEach((demo, i) => write(`demos/${demo.name}.html`, demoPage(demo, demos[i - 1], demos[i + 1], Boolean(module))));
+demos.forEach((demo, i) => write(`demos/${demo.name}.html`, demoPage(demo, demos[i - 1], demos[i + 1], Boolean(module), list)));
 const beside = [];
 for (const file of pagesBelow('docs').sort()) {
   const { title, html } = lesson(file), target = file.replace(/\.md$/, '.html'), depth = target.split('/').length - 1;
@@ -167,8 +187,11 @@ for (const file of pagesBelow('docs').sort()) {
 }
 write('index.html', startPage(list, beside, Boolean(module)));
 write('site.css', text('web/site.css'));
-const scripts = { 'words.js': script };
-for (const file of ['site.js', 'curve.js', ...(module ? ['live.js', ...liveParts] : [])]) scripts[file] = text(`web/${file}`);
+// What the start page's search looks into, loaded when it is used.
+const found = Object.fromEntries(list.flatMap(({ chapter, demos }) => demos.map((demo) => [demo.name, wordsOf(demo, chapter, folded)])));
+write('icon.svg', text('web/icon.svg'));
+const scripts = { 'words.js': script, 'search.js': `'use strict';\nglobalThis.lessons = ${JSON.stringify(found)};\nglobalThis.folded = ${folded};\n` };
+for (const file of ['site.js', 'curve.js', ...(module ? ['begin.js', 'live.js', ...liveParts] : [])]) scripts[file] = text(`web/${file}`);
 if (module) {
   scripts['mvgl.js'] = fs.readFileSync(path.join(module, 'mvgl.js'), 'utf8');
   // What knobs that take a file may name, in lessons' commands, say

@@ -12,6 +12,7 @@
 #include "context.h"
 #include "mv/demo/controls.h"
 #include "mv/error.h"
+#include "mv/gl/editing.h"
 #include "mv/gl/gl.h"
 #include "mv/paper/json_text.h"
 #include "mv/paper/report.h"
@@ -174,10 +175,21 @@ EMSCRIPTEN_KEEPALIVE const char* mvWriteShader(const char* name, const char* tex
         if (reloaded.programs > 0) session().touch();
         std::string errors;
         for (const std::string& error : reloaded.standing) errors += (errors.empty() ? "" : "\n") + error;
+        const std::string_view file(name);
+        const bool isWhole = !file.ends_with(".glsl");  // a file that others include compiles with them
+        if (errors.empty() && isWhole) errors = mistakesOf(name);
         return say(std::move(errors));
     } catch (const std::exception&) {
         return say(caughtSentence(name));
     }
+}
+
+// The names of the shader files that the programs there are now are made of.
+EMSCRIPTEN_KEEPALIVE const char* mvShadersInUse() {
+    JsonText json;
+    json.array();
+    for (const auto& file : filesOfPrograms()) json.add({}, file.string());
+    return say(json.end().text());
 }
 
 // ---- time

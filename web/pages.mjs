@@ -6,7 +6,7 @@ const escaped = (words) => words.replace(/&/g, '&amp;').replace(/</g, '&lt;').re
 const plain = (html) => html.replace(/<[^>]*>/g, '');
 
 // A whole page, `depth` folders below the start page. `main` is HTML, `title` may hold HTML.
-export function page({ title, depth, main, heading = title, nav = '', head = '' }) {
+export function page({ title, depth, main, heading = title, nav = '', head = '', side = '', foot = '' }) {
   const up = '../'.repeat(depth);
   return `<!doctype html>
 <html lang="${word('language')}">
@@ -16,7 +16,7 @@ export function page({ title, depth, main, heading = title, nav = '', head = '' 
 <meta name="color-scheme" content="light dark">
 <title>${plain(title)}</title>
 <link rel="stylesheet" href="${up}site.css">
-<link rel="icon" href="data:,">
+<link rel="icon" href="${up}icon.svg" type="image/svg+xml">
 <script src="${up}words.js" defer></script>
 <script src="${up}site.js" defer></script>
 ${head}</head>
@@ -26,7 +26,7 @@ ${head}</head>
 <main id="content">
 <h1>${heading}</h1>
 ${main}</main>
-</body>
+${foot}${side}</body>
 </html>
 `;
 }
@@ -35,19 +35,6 @@ ${main}</main>
 
 // What a live page loads beside live.js and the module.
 export const liveParts = ['compare.js', 'controls.js', 'edit.js', 'hand.js', 'pictures.js', 'settings.js', 'steps.js'];
-
-// The demo is asked for once the picture in its place is on the screen, which all these files would make later; and then all at once,
-// instead of each file by the one before. (From a disk browsers open no modules: there the picture stays.)
-const begin = `
-if (location.protocol !== 'file:') {
-  await document.querySelector('.shown').decode().catch(() => {});
-  await new Promise((shown) => requestAnimationFrame(() => setTimeout(shown)));
-  const early = (given) => document.head.append(Object.assign(document.createElement('link'), given));
-  for (const file of ${JSON.stringify(['mvgl.js', ...liveParts])}) early({ rel: 'modulepreload', href: '../' + file });
-  early({ rel: 'preload', href: '../mvgl.wasm', as: 'fetch', type: 'application/wasm', crossOrigin: '' });
-  import('../live.js');
-}
-`;
 
 // The first picture large, and below it all of them: a click shows one with the line that makes it. Where demos are alive, the
 // picture stands until the demo draws its own in its place.
@@ -69,9 +56,9 @@ function pictures(demo, alive) {
   const view = alive
     ? `<div class="live${first.width > 640 ? ' is-wide' : ''}" data-demo="${demo.name}">
 <div class="view">${shown}</div>
-<div class="panel">${look}<p class="loading">${word('coming')}</p><noscript><p>${word('needsScripts')}</p></noscript></div>
+<div class="panel">${look}<noscript><p>${word('needsScripts')}</p></noscript></div>
 </div>
-<script type="module" async>${begin}</script>`
+<script src="../begin.js" data-parts="${['mvgl.js', ...liveParts].join(' ')}" defer></script>`
     : `${shown}\n${look}`;
   return `<section class="stage" aria-label="${word('pictures')}">
 ${view}
@@ -110,7 +97,22 @@ ${demo.sources
 </section>
 `;
 
-export function demoPage(demo, before, after, alive) {
+// All lessons, beside the page where the window is wide enough.
+const sideList = (chapters, here) => `<nav class="side" aria-label="${word('allLessons')}">
+${chapters.map(({ chapter, demos }) => `<h2>${escaped(chapter)}</h2>
+<ul>
+${demos.map(({ name }) => `<li><a href="${name}.html"${name === here ? ' aria-current="page"' : ''}>${name}</a></li>`).join('\n')}
+</ul>`).join('\n')}
+</nav>
+`;
+
+// The lesson's sections.
+function contents(html) {
+  const headings = [...html.matchAll(/<h2 id="([^"]*)">(.*?)<\/h2>/g)].map(([, id, words]) => `<li><a href="#${id}">${plain(words)}</a></li>`);
+  return headings.length < 2 ? '' : `<nav class="contents" aria-label="${word('contents')}"><ul>\n${headings.join('\n')}\n</ul></nav>\n`;
+}
+
+export function demoPage(demo, before, after, alive, chapters) {
   const to = (other, key, rel) => (other ? `<a rel="${rel}" href="${other.name}.html">${word(key, { demo: other.name })}</a>` : '');
   const opening = demo.pictures[0].file;
   // The lesson's own first picture is the one above it.
@@ -119,21 +121,30 @@ export function demoPage(demo, before, after, alive) {
     title: demo.title,
     depth: 1,
     nav: to(before, 'before', 'prev') + to(after, 'next', 'next'),
-    main: `<p class="sentence">${escaped(demo.sentence)}</p>\n${pictures(demo, alive)}<article>\n${lesson}</article>\n${curve(demo)}${sources(demo)}`,
+    // A link in a letter or a course's page shows what it leads to.
+    head: `<meta name="description" content="${escaped(demo.sentence)}">
+<meta property="og:title" content="${escaped(plain(demo.title))}">
+<meta property="og:description" content="${escaped(demo.sentence)}">
+<meta property="og:image" content="../${opening}">
+`,
+    side: sideList(chapters, demo.name),
+    foot: `<footer><nav aria-label="${word('onwards')}">${to(before, 'before', 'prev')}${to(after, 'next', 'next')}</nav></footer>\n`,
+    main: `<p class="sentence">${escaped(demo.sentence)}</p>\n${pictures(demo, alive)}${contents(lesson)}<article>\n${lesson}</article>\n${curve(demo)}${sources(demo)}`,
   });
 }
 
 // ---- the start page
 
-// What a lesson is found by beside its name and sentence: its headings and what its presets show.
-const topics = (demo) =>
-  [...demo.html.matchAll(/<h2[^>]*>(.*?)<\/h2>/g)].map(([, heading]) => plain(heading))
-    .concat(demo.presets.map((preset) => `${preset.name} ${preset.lookFor}`))
-    .join(' ');
+// What a lesson is found by: each word of its own, once, as folded() of fold.mjs writes it.
+export const wordsOf = (demo, chapter, folded) => {
+  const presets = demo.presets.map((preset) => `${preset.name} ${preset.lookFor}`).join(' ');
+  const text = folded(`${demo.name} ${demo.sentence} ${chapter} ${plain(demo.title)} ${presets} ${plain(demo.html)}`);
+  return [...new Set(text.split(/[^\p{L}\d-]+/u).filter((word) => word.length > 2))].sort().join(' ');
+};
 
-function card(demo, chapter) {
+function card(demo) {
   const [picture] = demo.pictures;
-  return `<li class="card" data-words="${escaped(`${demo.name} ${demo.sentence} ${chapter} ${plain(demo.title)} ${topics(demo)}`.toLowerCase())}">
+  return `<li class="card" data-name="${demo.name}">
 <a href="demos/${demo.name}.html"><img src="${picture.file}" width="${picture.width}" height="${picture.height}" loading="lazy" alt="">
 <strong>${demo.name}</strong></a>
 <p>${escaped(demo.sentence)}</p></li>`;
@@ -146,7 +157,7 @@ export function startPage(chapters, measured, alive) {
     ({ chapter, demos }) => `<section class="chapter">
 <h2>${escaped(chapter)}</h2>
 <ul class="cards">
-${demos.map((demo) => card(demo, chapter)).join('\n')}
+${demos.map(card).join('\n')}
 </ul>
 </section>`,
   );

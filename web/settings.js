@@ -1,23 +1,37 @@
 // Settings as texts: of the address, of a command line, of a knob's slider.
 
-// The knobs that the address names, and the frame: #view=4&height=20&frame=30. null: it names none.
+// What the address says: #view=4&height=20&frame=30&compare=view,2&until=3&shader.lights.frag=TEXT. Knobs as `settings`, the comparison
+// as `compared`, the draws of a stopped frame as `until`, edited shaders by their names as `shaders`, and what is none of these as
+// `unknown`. null: it says nothing of a picture.
 export function fromAddress(hash, knobs) {
-  const settings = {};
-  let frame;
+  const settings = {}, shaders = {}, unknown = [];
+  let frame, compared, until;
   for (const [name, value] of new URLSearchParams(hash.slice(1))) {
-    if (name === 'frame' && /^\d+$/.test(value)) frame = Number(value);
-    else if (knobs.some((knob) => knob.name === name)) settings[name] = value;
+    const isCount = /^\d{1,9}$/.test(value), [, knob, other] = name === 'compare' ? value.match(/^([^,]*),(.*)$/s) ?? [] : [];
+    if (knobs.some((one) => one.name === name)) settings[name] = value;
+    else if (name === 'frame' && isCount) frame = Number(value);
+    else if (name === 'until' && isCount) until = Number(value);
+    else if (knobs.some((one) => one.name === knob)) compared = { knob, other };
+    else if (name.startsWith('shader.')) shaders[name.slice('shader.'.length)] = value;
+    else if (value !== '') unknown.push(`${name}=${value}`); // without a value it is a heading of the lesson
   }
-  return frame === undefined && !Object.keys(settings).length ? null : { settings, frame };
+  const says = frame ?? compared ?? until ?? Object.keys({ ...settings, ...shaders })[0] ?? unknown[0];
+  return says === undefined ? null : { settings, frame, compared, until, shaders, unknown };
 }
 
-// Of the knobs those that are not at their initial values, and the frame of what moves.
-export function toAddress(knobs, frame) {
+// The same address again: of the knobs those that are not at their initial values, and the frame of what moves.
+export function toAddress(knobs, { frame, compared, until, shaders = [] }) {
   const names = new URLSearchParams();
   for (const knob of knobs) if (knob.value !== knob.initial) names.set(knob.name, knob.value);
   if (frame !== undefined) names.set('frame', frame);
+  if (compared?.knob) names.set('compare', `${compared.knob},${compared.other}`);
+  if (until !== undefined) names.set('until', until);
+  for (const [name, text] of shaders) names.set(`shader.${name}`, text);
   return `#${names.toString().replaceAll('%2C', ',').replaceAll('%2F', '/')}`;
 }
+
+// A number as it is typed in any country: blanks around it do not count, and the comma is a point.
+export const typedNumber = (text) => text.trim().replace(',', '.').replace('\u2212', '-');
 
 // The words of a command line, as a shell reads them.
 function words(line) {
@@ -34,9 +48,9 @@ export function fromCommand(line, demo, knobs, presets) {
     let [flag, value] = rest.shift().split(/=(.*)/s);
     if (!flag.startsWith('--')) return null;
     flag = flag.slice(2);
-    if (flag === 'headless') continue;
+    if (flag === 'headless' || flag === 'report') continue; // what it tells stands beside the picture
     value ??= rest.shift();
-    if (flag === 'shot') continue; // where a picture is written to
+    if (flag === 'shot' || flag === 'size') continue; // where a picture is written to, and how large
     if (flag === 'preset') start = presets.find((one) => one.name === value)?.settings;
     else if (flag === 'frame') frame = Number(value);
     else if (flag === 'until') until = Number(value);

@@ -6,22 +6,30 @@
 const search = document.querySelector('#search');
 if (search) {
   const cards = [...document.querySelectorAll('.card')];
-  const find = () => {
-    const wanted = search.value.toLowerCase().split(/\s+/).filter(Boolean);
+  // The words of all lessons come when somebody searches. (As a script: from a disk browsers fetch nothing.)
+  let loading;
+  const load = () => (loading ??= new Promise((loaded) => document.head.append(Object.assign(document.createElement('script'), { src: 'search.js', onload: loaded }))));
+  const find = async () => {
+    await load();
+    // What lessons call by another name, as one or more words
+    const synonyms = new Map(word('synonyms').split('; ').map((line) => line.split(' = ').map(folded)));
+    const asked = folded(search.value).trim();
+    const wanted = (synonyms.get(asked) ?? asked).split(/\s+/).filter(Boolean).map((one) => [one, synonyms.get(one)].filter(Boolean));
     let count = 0;
     for (const card of cards) {
-      card.hidden = !wanted.every((word) => card.dataset.words.includes(word));
+      card.hidden = !wanted.every((names) => names.some((one) => lessons[card.dataset.name].includes(one)));
       count += card.hidden ? 0 : 1;
     }
     for (const chapter of document.querySelectorAll('.chapter')) chapter.hidden = !chapter.querySelector('.card:not([hidden])');
     document.querySelector('#found').textContent = !wanted.length ? '' : count ? word('found', { count, all: cards.length }) : word('foundNone');
-    history.replaceState(null, '', wanted.length ? `#find=${encodeURIComponent(search.value)}` : location.pathname);
+    history.replaceState(null, '', wanted.length ? `#find=${encodeURIComponent(search.value)}` : location.pathname + location.search);
   };
   search.closest('p').hidden = false;
+  search.addEventListener('focus', load);
   search.addEventListener('input', find);
   const linked = location.hash.match(/^#find=(.*)/);
   if (linked) {
-    search.value = decodeURIComponent(linked[1]);
+    search.value = new URLSearchParams(location.hash.slice(1)).get('find'); // a link that was cut may end in %
     find();
   }
 }
@@ -34,7 +42,8 @@ function show(link) {
   shown.setAttribute('width', small.getAttribute('width'));
   shown.setAttribute('height', small.getAttribute('height'));
   shown.alt = word('pictureOf', { command: link.dataset.command });
-  stage.querySelector('.look').textContent = link.dataset.look;
+  const look = stage.querySelector('.look');
+  if (look) look.textContent = link.dataset.look;
   stage.querySelector('.command code').textContent = link.dataset.command;
   for (const other of stage.querySelectorAll('[aria-current]')) other.removeAttribute('aria-current');
   link.setAttribute('aria-current', 'true');
@@ -56,13 +65,6 @@ for (const link of pictures) {
 addEventListener('hashchange', showLinked);
 showLinked();
 
-// From a disk browsers open no modules.
-if (location.protocol === 'file:') {
-  for (const loading of document.querySelectorAll('.loading')) {
-    loading.innerHTML = `${word('fromDisk')} <code>./run --site --serve</code>`;
-  }
-}
-
 // ---- commands to copy
 
 for (const block of document.querySelectorAll('pre:not(.code)')) {
@@ -72,7 +74,8 @@ for (const block of document.querySelectorAll('pre:not(.code)')) {
   button.textContent = word('copy');
   button.addEventListener('click', async () => {
     try {
-      await navigator.clipboard.writeText(block.querySelector('code').textContent.trim());
+      const lines = [...block.querySelectorAll('.line')].map((line) => line.textContent).join('') || block.querySelector('code').textContent;
+      await navigator.clipboard.writeText(lines.trim());
       button.textContent = word('copied');
     } catch {
       button.textContent = word('copyForbidden');
@@ -84,11 +87,11 @@ for (const block of document.querySelectorAll('pre:not(.code)')) {
 
 // ---- on paper answers are open
 
-let folded = [];
+let closed = [];
 addEventListener('beforeprint', () => {
-  folded = [...document.querySelectorAll('article details:not([open])')];
-  for (const answer of folded) answer.open = true;
+  closed = [...document.querySelectorAll('article details:not([open])')];
+  for (const answer of closed) answer.open = true;
 });
 addEventListener('afterprint', () => {
-  for (const answer of folded) answer.open = false;
+  for (const answer of closed) answer.open = false;
 });

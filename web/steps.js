@@ -12,6 +12,7 @@ export function drawSteps({ stop, buffer }) {
   let shown = '';
   return {
     element,
+    until: () => (element.open ? Number(slider.value) : undefined),
     // Opens it at so many draws, or closes it: the picture is whole again.
     show(draws) {
       first = draws ?? 1;

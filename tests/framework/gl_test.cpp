@@ -20,7 +20,7 @@
 #include "mv/gl/shader_source.h"
 #include "mv/gl/state.h"
 #include "mv/gl/texture.h"
-#include "mv/gl/unused_uniforms.h"
+#include "mv/gl/editing.h"
 #include "mv/image/file.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"

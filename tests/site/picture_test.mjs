@@ -71,13 +71,13 @@ for (const [name, bytes, words] of [
   ['film.gif', Buffer.from('GIF89a'), 'film.gif: must be a PNG or JPEG file'],
 ]) {
   await chosen(page, file(name, bytes));
-  await tells(page, `--picture: ${words}`);
+  await tells(page, `picture: ${words}`);
   equal(await page.$eval('#knob-picture', (field) => field.value), 'tiles.png', `${name}: the knob`);
   equal(await sumOf(page), postcard, `${name}: the last good picture`);
 }
 // What the page does not have, too: the knob has the name then, as on a command line
 await page.evaluate(() => document.querySelector('.live').live.settle({ settings: { picture: 'elsewhere.png' } }));
-await tells(page, '--picture: elsewhere.png: must be chosen in this page');
+await tells(page, 'picture: elsewhere.png: must be chosen in this page');
 expect(await page.$('.view.is-refused'), 'the last good picture is dimmed');
 await chosen(page, mine);
 await valueIs(page, 'my picture, 1.png');
@@ -105,7 +105,7 @@ page = await opened('texture-map.html#picture=texture-map');
 equal(await sumOf(page), plain, "a link to one of the page's small pictures");
 await page.close();
 page = await opened('texture-map.html#picture=gone.jpg');
-await tells(page, '--picture: gone.jpg: must be chosen in this page');
+await tells(page, 'picture: gone.jpg: must be chosen in this page');
 await page.close();
 
 // A demo that takes no file leaves a drop to the browser

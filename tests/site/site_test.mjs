@@ -115,9 +115,14 @@ function opened(address) {
 }
 if (chromium) {
   const found = opened(`${address}#find=${encodeURIComponent('soft lamp')}`);
-  const hidden = all(found, /<li class="card" data-words="[^"]*" (hidden)/g).length;
+  const hidden = all(found, /<li class="card" data-name="[^"]*" (hidden)/g).length;
   expect(hidden > 0 && hidden < demos.length, `a search leaves some lessons, hides ${hidden}`);
   equal(all(found, /id="found">([^<]*)</g)[0], `${demos.length - hidden} of ${demos.length}`, 'how many it says');
+  // By what lessons are about, whatever it is called
+  const finds = (asked) => all(opened(`${address}#find=${encodeURIComponent(asked)}`), /<li class="card" data-name="([^"]*)">/g);
+  for (const [asked, lesson] of [['Fresnel', 'environment'], ['Bézier', 'keyframes'], ['frustum', 'cube-persp'], ['Cohen', 'clipping'], ['z-fighting', 'z-buffer'], ['anaglyph', 'stereocube']])
+    expect(finds(asked).includes(lesson), `${asked} finds ${lesson}`);
+  equal(finds('colour').join(), finds('color').join(), 'both spellings');
   equal(all(opened(`${address}#find=xyzzy`), /id="found">([^<]*)</g)[0], 'no lesson has these words', 'a search for nothing');
   // From a disk, too
   for (const where of [address, `${pathToFileURL(site)}/`]) {

@@ -47,7 +47,7 @@ const first = await sumOf(page);
 await page.select('#knob-resolution', '64');
 const coarse = await sumOf(page);
 expect(coarse !== first, 'another resolution is another picture');
-equal(await page.evaluate(() => location.hash), '#resolution=64', 'the address');
+await page.waitForFunction(() => location.hash === '#resolution=64'); // once it rests
 equal(await text(page, '.command code'), './run shadow-map --resolution 64', 'the command line');
 const linked = await opened('shadow-map.html#resolution=64');
 equal(await sumOf(linked), coarse, 'the linked picture');
@@ -63,7 +63,7 @@ equal(await drawnMeanwhile(page), 0, 'pictures that a resting canvas draws');
 // The lesson's own lines, and a picture of it
 const above = await page.$$('article .above');
 expect(above.length > 0, 'lines of the lesson that can be shown above');
-await page.$$eval('article .above', (buttons) => buttons.find((button) => button.closest('pre').textContent.includes('--')).click());
+await page.$$eval('article .above', (buttons) => buttons.find((button) => button.previousSibling.textContent.includes('--')).click());
 await settled(page);
 const shown = await text(page, '.command code');
 expect(shown !== './run shadow-map', `a line of the lesson, shown: ${shown}`);
@@ -81,6 +81,24 @@ equal(await sumOf(page, 'second'), alone, 'the other picture');
 await page.select('#knob-resolution', '64');
 expect((await sumOf(page, 'second')) !== alone, 'a knob that is moved moves both');
 equal(await drawnMeanwhile(page), 0, 'pictures that two resting canvases draw');
+// It is in the link, which opens it again; its line is dragged; and a value that is refused leaves the clock running
+await page.waitForFunction(() => location.hash === '#resolution=64&compare=filter,pcf7');
+const pair = await opened('shadow-map.html#resolution=64&compare=filter,pcf7');
+await pair.waitForFunction(() => document.querySelector('.label.is-b')?.textContent === 'filter pcf7');
+const grip = await (await pair.$('.grip')).boundingBox(), lineAt = () => pair.$eval('.divider', (line) => Number(line.value));
+const began = await lineAt();
+await pair.mouse.move(grip.x + grip.width / 2, grip.y + 40);
+await pair.mouse.down();
+await pair.mouse.move(grip.x + grip.width / 2 + 50, grip.y + 40, { steps: 3 });
+await pair.mouse.up();
+expect((await lineAt()) > began, `a line that is dragged: ${began} to ${await lineAt()}`);
+await pair.close();
+const moving = await opened('viewpoints.html#compare=height,abc');
+await moving.waitForFunction(() => document.querySelector('.refused').textContent.startsWith('with height abc: '));
+const frameOf = (of) => of.evaluate(() => document.querySelector('.live').live.demo.tells('State').frame);
+const stood = await frameOf(moving);
+await moving.waitForFunction((past) => document.querySelector('.live').live.demo.tells('State').frame > past, {}, stood);
+await moving.close();
 expect(await page.$eval('canvas.second', (canvas) => canvas.clientWidth > 0 && canvas.style.clipPath.startsWith('inset(0')), 'a second canvas, cut at the line');
 await page.close();
 
@@ -99,11 +117,20 @@ for (const demo of ['cube-cull', 'ray-trace']) {
 page = await opened('cube-persp.html');
 const good = await sumOf(page);
 await type(page, '#knob-near', '9999');
-equal(await text(page, '.refused'), "--near: must be 0.01 .. 2.4, '9999'", 'a value out of range');
+equal(await text(page, '.wrong:not(:empty)'), "near: must be 0.01 .. 2.4, '9999'", 'a value out of range, at its knob');
+equal(await page.$eval('#knob-near', (field) => field.getAttribute('aria-invalid')), 'true', 'and to a screen reader');
+await page.focus('#knob-far');
+equal(await page.$eval('#knob-near', (field) => field.value), '0.3', 'the field that is left goes back');
+await type(page, '#knob-near', ' 0,5 ');
+await page.waitForFunction(() => location.hash === '#near=0.5'); // a comma and blanks are typed by most of Europe
+equal(await text(page, '#knob-near ~ .unit, .slider'), '\u25b6', 'no unit has no room');
+equal(await page.$eval('.slider input[type=range]', (slider) => slider.getAttribute('aria-valuetext') !== ''), true, 'a slider says its value');
+await page.evaluate(() => document.querySelector('.live').live.settle({ settings: {} }));
+await settled(page);
 equal(await sumOf(page), good, 'the picture after it');
 await page.evaluate(() => (location.hash = '#near=0.5%0Afar 2'));
 await page.waitForFunction(() => document.querySelector('.refused').textContent.includes('\u21b5'));
-equal(await text(page, '.refused'), "--near: must be 0.01 .. 2.4, '0.5\u21b5far 2'", "a line's end in an address is part of the value, and sets nothing else");
+equal(await text(page, '.refused'), "near: must be 0.01 .. 2.4, '0.5\u21b5far 2'", "a line's end in an address is part of the value, and sets nothing else");
 await page.close();
 page = await opened('view-volume.html');
 const whole = await sumOf(page), joint = await page.evaluate(() => {
@@ -120,7 +147,7 @@ const whole = await sumOf(page), joint = await page.evaluate(() => {
 expect(joint, 'two ends of view-volume that make no picture together');
 await page.evaluate((settings) => document.querySelector('.live').live.settle({ settings }), joint);
 await settled(page);
-expect((await text(page, '.refused')).startsWith('--'), `the sentence of ${JSON.stringify(joint)}: ${await text(page, '.refused')}`);
+expect(/^[a-z]/.test(await text(page, '.refused')), `the sentence of ${JSON.stringify(joint)}: ${await text(page, '.refused')}`);
 expect(await page.$('.view.is-refused'), 'the last good picture is dimmed');
 await page.evaluate(() => document.querySelector('.live').live.settle({ settings: {} }));
 equal(await sumOf(page), whole, 'the picture when the settings are good again');
@@ -136,13 +163,14 @@ await page.mouse.move(box.x + 260, box.y + 220, { steps: 4 });
 await page.mouse.up();
 const turned = await sumOf(page);
 expect(turned !== straight, 'a drag turns the cube');
-expect((await page.evaluate(() => location.hash)).includes('spin-y='), 'and is in the address');
+await page.waitForFunction(() => location.hash.includes('spin-y=')); // and is in the address
 await page.focus('#canvas');
 await page.keyboard.press('ArrowUp');
 await settled(page);
+await page.waitForFunction(() => location.hash.includes('z-dist='));
 const before = await page.evaluate(() => location.hash);
 await page.$eval('.shaders', (details) => (details.open = true));
-await page.select('.shaders select', 'cube-cull.frag');
+await page.select('.shaders select', 'cube-cull/cube-cull.frag');
 const unedited = await sumOf(page);
 const edit = (from, to) => page.$eval('.shaders textarea', (area, a, b) => {
   if (!area.value.includes(a)) throw new Error(`no ${a} in ${area.value}`);
@@ -164,14 +192,43 @@ await page.$eval('.shaders textarea', (area) => {
   area.value = area.value.replace('fragColor = vertexColor;', 'fragColor = vertexColor.brga;');
   area.dispatchEvent(new Event('input'));
   const choice = document.querySelector('.shaders select');
-  choice.value = 'cube-cull.vert';
+  choice.value = 'cube-cull/cube-cull.vert';
   choice.dispatchEvent(new Event('change'));
 });
 expect((await sumOf(page)) !== unedited, 'a shader that is left at once is compiled');
 await page.evaluate(() => [...document.querySelectorAll('.shaders button')].find((button) => button.textContent === 'Put back').click());
 equal(await sumOf(page), unedited, 'it is put back from the other file');
-await page.select('.shaders select', 'cube-cull.frag');
+await page.select('.shaders select', 'cube-cull/cube-cull.frag');
 equal(await page.evaluate(() => location.hash), before, 'shaders are not in the address');
+// What was typed outlives a reload, and is in the link that is copied; a shader that is not in use says so, and is compiled
+await edit('fragColor = vertexColor;', 'fragColor = vec4(0.0, 0.6, 0.2, 1.0);');
+await page.waitForFunction(() => sessionStorage.getItem('mvgl cube-cull').includes('0.6, 0.2'));
+const flat = await sumOf(page);
+expect(flat !== unedited, 'a shader of one colour is seen');
+await page.reload();
+await page.waitForFunction(() => document.querySelector('.live.is-live')?.live);
+equal(await sumOf(page), flat, 'the picture after a reload');
+await page.evaluate(() => [...document.querySelectorAll('.shaders button')].find((button) => button.textContent === 'Put back').click());
+equal(await sumOf(page), unedited, 'put back after a reload');
+const typed = await opened(`cube-cull.html${before}&shader.cube-cull%2Fcube-cull.frag=${encodeURIComponent('in vec4 vertexColor;\nout vec4 fragColor;\nvoid main() { fragColor = vec4(0.0, 0.6, 0.2, 1.0); }\n')}`);
+equal(await sumOf(typed), flat, 'a link to a shader');
+await typed.close();
+const lit = await opened('shading.html');
+await lit.$eval('.shaders', (details) => (details.open = true));
+await lit.waitForFunction(() => document.querySelector('.shaders select').value.endsWith('.frag') && !document.querySelector('.shaders .notes').textContent);
+const idle = await lit.evaluate(() => {
+  const used = document.querySelector('.live').live.demo.tells('ShadersInUse');
+  return [...document.querySelectorAll('.shaders option')].map((one) => one.value).find((name) => /\.(vert|frag)$/.test(name) && !used.includes(name));
+});
+await lit.select('.shaders select', idle);
+expect((await text(lit, '.shaders .notes')).includes('does not use this file'), `${idle}: what is said of it`);
+await lit.$eval('.shaders textarea', (area) => {
+  area.value = 'this is no shader at all';
+  area.dispatchEvent(new Event('input'));
+});
+await lit.waitForSelector('.mistakes li');
+expect((await lit.$$eval('.shaders option', (options) => options.map((one) => one.value))).includes('include/reflection.glsl'), 'what shaders include can be edited');
+await lit.close();
 // A context that is lost comes back
 await page.evaluate(() => {
   const lose = document.querySelector('#canvas').getContext('webgl2').getExtension('WEBGL_lose_context');
@@ -248,8 +305,57 @@ await page.close();
 page = await opened('shadow-map.html');
 await page.$$eval('.curve figure:not([hidden]) [data-row]', (points) => points.at(-1).dispatchEvent(new MouseEvent('click')));
 await settled(page);
-expect((await page.evaluate(() => location.hash)) !== '', 'a point of the curve sets the picture');
+await page.waitForFunction(() => location.hash !== ''); // a point of the curve sets the picture
 await page.close();
+
+// Undone, by Ctrl+Z; a far frame is come to step by step, and can be left; what an address names in vain is told
+page = await opened('springs.html');
+await page.focus('#canvas');
+await page.keyboard.press(' ');
+await page.waitForFunction(() => !document.querySelector('.live').live.demo.tells('State').playing);
+await page.evaluate(() => (location.hash = '#frame=100000000&tilt=3'));
+await page.waitForFunction(() => document.querySelector('.panel').textContent.includes('On the way to frame 100000000'));
+equal(await text(page, '.refused'), 'The address names what this lesson does not have: tilt=3', 'an unknown name');
+await page.evaluate(() => [...document.querySelectorAll('.panel button')].find((button) => button.textContent === 'Stop').click());
+equal(await drawnMeanwhile(page), 0, 'pictures after the way was left');
+await page.close();
+page = await opened('cube-cull.html');
+const initial = await sumOf(page);
+await page.select('#knob-cull', 'front');
+await page.waitForFunction(() => location.hash === '#cull=front');
+await page.focus('#canvas');
+await page.keyboard.down('Control');
+await page.keyboard.press('z');
+await page.keyboard.up('Control');
+await page.waitForFunction(() => location.hash === '');
+equal(await sumOf(page), initial, 'the picture before');
+// A slider that plays moves its knob
+await page.click('[aria-label="spin-y there and back"]');
+await page.waitForFunction((before) => document.querySelector('#knob-spin-y').value !== before, {}, await page.$eval('#knob-spin-y', (field) => field.value));
+await page.click('[aria-label="spin-y there and back"]');
+await page.close();
+// In the frame of another page: the picture and the knobs that are asked for
+page = await opened('cube-cull.html?embed&knobs=cull,z-dist', { width: 700, height: 500 });
+equal((await page.$$eval('.knob', (knobs) => knobs.map((knob) => knob.querySelector('label').textContent))).join(), 'cull,z-dist', 'knobs that are asked for');
+expect(await page.$eval('.knob', (knob) => knob.getBoundingClientRect().bottom < innerHeight), 'they are in sight');
+expect(await page.$eval('h1', (heading) => !heading.clientHeight), 'and no heading is');
+await page.close();
+
+// The picture stays in sight over its controls, on a phone and a laptop, and covers none that the keyboard comes to
+for (const [width, height] of [[390, 700], [1366, 641]]) {
+  for (const demo of ['robot-arm', 'pipeline', 'cube-cull']) {
+    page = await opened(`${demo}.html`, { width, height });
+    const found = await page.$$eval('.knobs :is(input, select)', (controls) => controls.filter((control) => !control.closest('details:not([open])')).map((control) => {
+      control.focus();
+      const at = control.getBoundingClientRect(), picture = document.querySelector('#canvas').getBoundingClientRect();
+      const seen = Math.min(innerHeight, picture.bottom) - Math.max(0, picture.top);
+      const above = document.elementFromPoint(at.left + at.width / 2, at.top + at.height / 2);
+      return !at.width || (seen >= 0.6 * picture.height && (above === control || control.contains(above))) ? '' : control.id || control.ariaLabel;
+    }).filter(Boolean));
+    equal(found.join(), '', `${demo} at ${width} x ${height}: controls without the picture, or under it`);
+    await page.close();
+  }
+}
 
 // Narrow and wide: nothing is cut off, nothing moves sideways
 for (const width of [360, 800, 1600]) {
@@ -295,6 +401,12 @@ await still.goto(`${address}demos/cube-cull.html`);
 await still.waitForSelector('.live.is-still');
 expect((await text(still, '.refused')).includes('WebGL 2: must be there'), `a sentence where there is no WebGL: ${await text(still, '.refused')}`);
 expect(await still.$eval('.shown', (picture) => picture.clientWidth > 0), 'and the picture');
+await still.$$eval('.thumbs a', (links) => links[1].click());
+expect((await text(still, '.command code')).includes('--'), `a small picture is shown: ${await text(still, '.command code')}`);
+// And where the page that holds this one forbids modules
+await still.setContent(`<iframe sandbox="allow-scripts" src="${address}demos/cube-cull.html"></iframe>`);
+const inner = await (await still.waitForSelector('iframe')).contentFrame();
+await inner.waitForFunction(() => document.querySelector('.live.is-still'));
 await still.goto(`${pathToFileURL(site)}/demos/cube-cull.html`);
 expect((await text(still, '.panel')).includes('./run --site --serve'), `from a disk: ${await text(still, '.panel')}`);
 expect(await still.$eval('.shown', (picture) => picture.clientWidth > 0 && picture.naturalWidth > 0), 'with the picture');

@@ -14,7 +14,7 @@
 #include "mv/gl/object.h"
 #include "mv/gl/shader_source.h"
 #include "mv/gl/tangent_buffer.h"
-#include "mv/gl/unused_uniforms.h"
+#include "mv/gl/editing.h"
 #include "mv/math/require.h"
 
 namespace mv {
@@ -232,6 +232,13 @@ struct ProgramList {
         static auto& list = *new std::vector<Program::State*>;  // outlives every static that owns a Program
         return list;
     }
+    static std::vector<std::filesystem::path> files() {
+        std::set<std::filesystem::path> every;
+        for (const Program::State* state : all()) {
+            for (const auto& [path, time] : state->files) every.insert(path);
+        }
+        return {every.begin(), every.end()};
+    }
     static Reloaded reload() {
         Reloaded result;
         for (Program::State* state : all()) {
@@ -266,6 +273,19 @@ std::vector<std::string> takeUnusedUniforms() {
         all.push_back(list + " of " + program);
     }
     return all;
+}
+
+std::vector<std::filesystem::path> filesOfPrograms() { return ProgramList::files(); }
+
+std::string mistakesOf(const std::string& file) {
+    const Stage& stage = stageOf(file);
+    if (stage.feature && isEs()) return "";
+    try {
+        (void)compile(stage.kind, assembleShader(file, stage.since));
+        return "";
+    } catch (const Error& error) {
+        return error.what();
+    }
 }
 
 bool setMeasuring(bool measuring) { return std::exchange(isMeasuring, measuring); }

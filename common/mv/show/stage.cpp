@@ -11,7 +11,7 @@
 #include "mv/gl/program.h"
 #include "mv/gl/state.h"
 #include "mv/gl/text.h"
-#include "mv/gl/unused_uniforms.h"
+#include "mv/gl/editing.h"
 #include "mv/gl/version.h"
 
 namespace mv {
