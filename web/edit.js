@@ -15,7 +15,7 @@ export function shaderEditor(files, write, inUse) {
   const numbers = tag('pre', { class: 'numbers', 'aria-hidden': 'true' });
   const text = tag('textarea', { 'aria-label': word('shaderText'), spellcheck: 'false', autocapitalize: 'off', wrap: 'off', rows: 8, oninput: typed, onscroll: () => (numbers.scrollTop = text.scrollTop) });
   const unused = tag('p', { class: 'notes' });
-  const mistakes = tag('ul', { class: 'mistakes', role: 'status' });
+  const mistakes = tag('ul', { class: 'mistakes' });
   const back = tag('button', { type: 'button', onclick: putBack }, word('putBack'));
   let waiting = 0, typedInto = '', told = '';
 
@@ -84,7 +84,7 @@ export function shaderEditor(files, write, inUse) {
     text.focus();
     text.setSelectionRange(start, text.value.indexOf('\n', start) < 0 ? text.value.length : text.value.indexOf('\n', start));
   }
-  const element = tag('details', { class: 'shaders' }, tag('summary', {}, word('shaders')), tag('div', { class: 'row' }, choice, back), unused, tag('div', { class: 'editor' }, numbers, text), mistakes);
+  const element = tag('details', { class: 'shaders' }, tag('summary', {}, word('shaders')), tag('div', { class: 'row' }, choice, back), unused, tag('div', { class: 'editor' }, numbers, text), tag('div', { role: 'status' }, mistakes));
   element.addEventListener('toggle', () => element.open && back.disabled && open());
   return {
     element,

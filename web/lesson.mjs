@@ -47,5 +47,8 @@ export function fold(html) {
 }
 
 // A table moves sideways where the page is too narrow for it, by the keyboard, too.
-export const wide = (html) =>
-  html.replace(/<table>/g, `<div class="wide" tabindex="0" role="region" aria-label="${word('table')}"><table>`).replace(/<\/table>/g, '</table></div>');
+export function wide(html) {
+  let count = 0;
+  const opening = () => `<div class="wide" tabindex="0" role="region" aria-label="${word('table')} ${++count}"><table>`;
+  return html.replace(/<table>/g, opening).replace(/<\/table>/g, '</table></div>');
+}

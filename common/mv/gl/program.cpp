@@ -11,10 +11,10 @@
 
 #include "mv/error.h"
 #include "mv/gl/beyond_es.h"
+#include "mv/gl/editing.h"
 #include "mv/gl/object.h"
 #include "mv/gl/shader_source.h"
 #include "mv/gl/tangent_buffer.h"
-#include "mv/gl/editing.h"
 #include "mv/math/require.h"
 
 namespace mv {

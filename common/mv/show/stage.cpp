@@ -8,10 +8,10 @@
 
 #include "mv/gl/audit.h"
 #include "mv/gl/beyond_es.h"
+#include "mv/gl/editing.h"
 #include "mv/gl/program.h"
 #include "mv/gl/state.h"
 #include "mv/gl/text.h"
-#include "mv/gl/editing.h"
 #include "mv/gl/version.h"
 
 namespace mv {
