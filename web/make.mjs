@@ -8,7 +8,7 @@ import { fileURLToPath } from 'node:url';
 import { folded } from './fold.mjs';
 import { fold, imagesIn, linksIn, numbered, wide } from './lesson.mjs';
 import { demoPage, liveParts, page, startPage, wordsOf } from './pages.mjs';
-import { script } from './words.mjs';
+import { script, word } from './words.mjs';
 
 const root = path.dirname(path.dirname(fileURLToPath(import.meta.url)));
 const [program, folder, module] = process.argv.slice(2);
@@ -132,10 +132,31 @@ const placeOf = (file) => file.replace(/^demos\/([^/]+)\/\1\.md$/, 'demos/$1.md'
 const isPage = (file) => /^(demos|docs)\/.*\.md$/.test(file);
 const instead = { 'README.md': 'index.html' };
 
+// A function of the demo's own code, from the comment above it to its end; <!-- code NAME --> in a lesson stands for it, so that text and
+// code cannot part.
+function quoted(file, name) {
+  const folder = path.dirname(file), found = [];
+  for (const source of fs.readdirSync(path.join(root, folder)).filter((one) => one.endsWith('.cpp')).sort()) {
+    const lines = text(`${folder}/${source}`).split('\n');
+    lines.forEach((line, i) => {
+      if (!new RegExp(`^\\w.*\\b${name}\\(`).test(line) || /;\s*$/.test(line)) return;
+      const end = lines.indexOf('}', i);
+      let start = i;
+      while (start > 0 && lines[start - 1].startsWith('// ')) --start;
+      if (end > i) found.push({ source, start, code: lines.slice(start, end + 1).join('\n') });
+    });
+  }
+  if (found.length !== 1) fail(file, `must quote a function that its folder has once, <!-- code ${name} -->`, `${found.length} found`);
+  const [{ source, start, code }] = found, html = run('highlight', ['-O', 'html', '-f', '--syntax=c++'], code);
+  return `<figure class="quoted"><figcaption><code>${source}</code>, ${word('fromLine', { line: start + 1 })}</figcaption>\n<pre class="code" tabindex="0"><code>${html}</code></pre></figure>`;
+}
+
 // The lesson's HTML, with links and pictures as the site has them, and its title apart.
 function lesson(file) {
   const here = path.dirname(file);
-  let html = run('cmark-gfm', ['--extension', 'table', '--unsafe', path.join(root, file)]).replace(/<!--.*?-->/gs, '');
+  let html = run('cmark-gfm', ['--extension', 'table', '--unsafe', path.join(root, file)])
+    .replace(/<!-- code (\w+) -->/g, (all, name) => quoted(file, name))
+    .replace(/<!--.*?-->/gs, '');
   html = linksIn(html, (link) => {
     const [target, anchor] = link.split('#');
     const to = path.posix.join(here, target);
