@@ -1,4 +1,4 @@
-#include "shared/vanishing.h"
+#include "vanishing.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>
