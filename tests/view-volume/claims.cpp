@@ -1,3 +1,12 @@
+// What view-volume claims, and a test for each; the extreme one is X07 in docs/stability.md.
+//
+// - [planes-are-the-clip-volume] A point is inside the six planes exactly when its clip coordinates are within -w to w.
+// - [orange-is-clipped] Orange is what the clip volume cuts off, and none of it is left after the projection.
+// - [culled-is-not-drawn] An object whole outside one plane is not drawn, and nothing is missing in the cube.
+// - [cube-is-the-picture] Seen from the front the canonical cube is what the camera sees.
+// - [near-takes-the-cube] The nearer near is, the thinner the slice of the cube that is left for what is far away.
+// - [parameters-never-cancel] Planes from near and far are exact at any far/near; from the matrix they are not.
+// - [near-below-far] Near not below far is refused with both.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What measures view-volume: its six planes, against planes made without a matrix.
+// What view-volume tells in numbers, and what measures it: its six planes, against planes made without a matrix.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -6,25 +6,43 @@
 #include <string>
 #include <vector>
 
-#include "mv/demo/demo.h"
+#include "mv/demo/lesson.h"
+#include "view-volume.h"
 
-using namespace mv;
-using namespace mv::claims;
+namespace mv::view_volume {
+
+void readOut(Gpu& gpu, const Settings& s, const Frame&, Numbers& numbers) {
+    const Kept kept = keptOf(gpu, s);
+    numbers.set("drawn", double(kept.things.size()));
+    numbers.set("culled", double(gpu.things.size() - kept.things.size()));
+    numbers.set("clipped", kept.crossing);
+    numbers.set("far-over-near", s.far / s.nearUsed());
+}
+
+// Each plane's normal, and its distance as a part of far.
+std::vector<double> values(const Settings& s) {
+    std::vector<double> numbers;
+    for (const vec4& plane : cameraPlanes(s)) {
+        if (plane == vec4(0)) throw Error("plane", "must have a normal: it has cancelled to 0 in float");
+        numbers.insert(numbers.end(), {plane.x, plane.y, plane.z, plane.w / s.far});
+    }
+    return numbers;
+}
 
 namespace {
 
-constexpr double fovy = 50, aspect = 1;  // of the demo's camera
+using namespace mv::claims;
 
 // By another way, without a matrix: planes through three corners of the volume, in long double.
-Reference planesByCorners(const Demo& demo) {
+Reference planesByCorners(const Settings& s) {
     using real = long double;
     using real3 = glm::vec<3, real>;
     const real tangent = std::tan(real(fovy) / 360 * std::acos(real(-1)));
-    const real f = real(demo.number("far")), n = real(demo.number("near")) / real(demo.number("closer"));
+    const real f = real(s.far), n = real(s.near) / real(s.closer);
     // Bits 0, 1, 2 of i: right, top, far
     const auto corner = [&](unsigned i) {
         const real depth = (i & 4U) != 0 ? f : n;
-        const real half = (demo.word("projection") == "perspective" ? depth : real(16)) * tangent;
+        const real half = (s.projection == Projection::perspective ? depth : real(16)) * tangent;
         return real3(((i & 1U) != 0 ? half : -half) * real(aspect), (i & 2U) != 0 ? half : -half, -depth);
     };
     // Left, right, bottom, top, near, far: counter-clockwise seen from inside
@@ -39,7 +57,7 @@ Reference planesByCorners(const Demo& demo) {
 }
 
 std::vector<double> largestError(Probing& probing) {
-    const std::vector<double> right = planesByCorners(probing.demo()).values;
+    const std::vector<double> right = planesByCorners(settingsOf<Settings>(probing.demo())).values;
     std::vector<double> numbers;
     try {
         numbers = probing.demo().values();
@@ -55,7 +73,10 @@ Study study() {
     Study study;
     study.quantity = "the six planes of the view volume: normals, and distances over far";
     study.reference = "planes through three corners of the volume each, in long double";
-    study.makeReference = [](const Demo& demo, const ReferenceFrame&, const auto&) { return planesByCorners(demo); };
+    study.makeReference = [](const Demo& demo, const ReferenceFrame&, const auto&) {
+        return planesByCorners(settingsOf<Settings>(demo));
+    };
+    study.reads = {"projection", "near", "far", "closer"};
     study.problem = "closer";
     study.scenes = {{"perspective", {{"near", "6"}, {"far", "60"}}}};
     const std::vector<std::string> closer{"1", "10", "100", "1e3", "1e4", "1e5", "1e6", "1e7", "1e8"};
@@ -83,9 +104,10 @@ Study study() {
     return study;
 }
 
-const bool studied = addStudy("view-volume", study());
-const bool probed = addProbes(
+[[maybe_unused]] const bool studied = addStudy("view-volume", study());
+[[maybe_unused]] const bool probed = addProbes(
     "view-volume",
     {{{{"plane-error", "largest error of a plane: of its normal, and of its distance over far"}}, largestError}});
 
 }  // namespace
+}  // namespace mv::view_volume
