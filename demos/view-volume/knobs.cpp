@@ -1,7 +1,9 @@
 // What can be set in view-volume, and what is said of it.
+#include <cmath>
 #include <glm/matrix.hpp>
 
 #include "mv/demo/lesson.h"
+#include "mv/gl/text.h"
 #include "view-volume.h"
 
 namespace mv::view_volume {
@@ -13,7 +15,7 @@ void check(const Settings& s) {
         cameraPlanes(s);
     } catch (const Error& error) {
         throw Error("--closer", std::string("must leave the matrix its planes; ") + error.what(),
-                    std::to_string(s.closer));
+                    rounded("1e%.0f", std::log10(s.closer)));
     }
 }
 

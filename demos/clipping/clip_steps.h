@@ -3,7 +3,7 @@
 #pragma once
 #include <vector>
 
-#include "shared/clip_figure.h"
+#include "clip_figure.h"
 
 namespace mv {
 

@@ -1,4 +1,4 @@
-#include "shared/clip_figure.h"
+#include "clip_figure.h"
 
 #include <algorithm>
 #include <cstddef>

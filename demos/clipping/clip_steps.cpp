@@ -1,4 +1,4 @@
-#include "shared/clip_steps.h"
+#include "clip_steps.h"
 
 #include <algorithm>
 #include <array>

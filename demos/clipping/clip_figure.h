@@ -4,9 +4,9 @@
 #include <utility>
 #include <vector>
 
+#include "clip_methods.h"
 #include "mv/geometry/strokes.h"
 #include "mv/gl/drawing.h"
-#include "shared/clip_methods.h"
 
 namespace mv {
 

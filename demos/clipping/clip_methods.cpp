@@ -1,4 +1,4 @@
-#include "shared/clip_methods.h"
+#include "clip_methods.h"
 
 #include <algorithm>
 #include <cmath>

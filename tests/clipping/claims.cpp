@@ -1,3 +1,12 @@
+// What clipping claims, and a test for each; X25 in docs/stability.md is its extreme.
+//
+// - [nine-codes] The code of a point says beyond which sides it lies; what OR and AND say of two is true of their segment.
+// - [same-on-paper] All four methods give the same on whole numbers that they can compute without rounding.
+// - [decided-by-luck] Of segments aimed at a corner, only the exact method decides all rightly, and ends within 4 ulp.
+// - [one-piece-too-many] Of a concave polygon in two pieces Sutherland and Hodgman's method makes one, with edges on each
+//   other; its area is right, and the other method's pieces have the same.
+// - [inside-out] Clipped after the division, a segment from before the eye to behind it shows what is not seen of it; clipped
+//   before the projection or before the division, it shows the same, which is right.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -6,8 +15,8 @@
 #include <string>
 #include <vector>
 
+#include "clipping/clip_methods.h"
 #include "mv/geometry/clip_segment.h"
-#include "shared/clip_methods.h"
 #include "support/demo_run.h"
 #include "support/random.h"
 

@@ -1,24 +1,61 @@
-// What measures clipping: how often each method decides wrongly about a segment aimed at a corner of the window.
+// What clipping tells in numbers, and what measures it: how often each method decides wrongly about a segment aimed at a corner
+// of the window.
 #include <string>
 #include <vector>
 
-#include "mv/demo/demo.h"
-#include "shared/clip_methods.h"
+#include "clipping.h"
+#include "mv/demo/lesson.h"
+#include "mv/demo/made_for.h"
 
-using namespace mv;
-using namespace mv::claims;
+namespace mv::clipping {
+
+static constexpr int segmentsTried = 20000;
+
+// Kept, so that the time of clipping is not that of aiming.
+static const std::vector<Segment>& aimedSegments(const InPlane& s) {
+    static MadeFor<int, std::array<vec2, 2>> keptFor;
+    static std::vector<Segment> kept;
+    if (keptFor.changed(s.offset, s.corners)) kept = aimedAtCorners(exactWindow(farWindowOf(s)), segmentsTried);
+    return kept;
+}
+
+static Trial trialOf(const InPlane& s) {
+    const auto method = [&s](const Segment& one, const Box& window) { return clipped(s.method, one, window); };
+    return tryMethod(method, aimedSegments(s), exactWindow(farWindowOf(s)));
+}
+
+// 1 for each that the method keeps, 0 for each that it rejects.
+std::vector<double> values(const Settings& s) {
+    std::vector<double> kept;
+    kept.reserve(segmentsTried);
+    const Box window = exactWindow(farWindowOf(s.plane));
+    for (const Segment& one : aimedSegments(s.plane)) kept.push_back(clipped(s.plane.method, one, window) ? 1 : 0);
+    return kept;
+}
+std::vector<std::pair<std::string, double>> valueCounts(const Settings& s) {
+    return {{"end error, ulp", trialOf(s.plane).ulps}};
+}
+
+void readOut(Gpu&, const Settings& s, const Frame&, Numbers& numbers) {
+    if (s.subject == Subject::segment) {
+        const Trial trial = trialOf(s.plane);
+        numbers.set("wrong", trial.wrongPercent);
+        numbers.set("end-error", trial.ulps);
+    }
+    if (s.subject == Subject::polygon) numbers.set("area", areaOf(piecesOf(s)));
+    if (s.subject == Subject::space) numbers.set("off", missInSpace(s.space));
+}
 
 namespace {
 
-constexpr int segmentsTried = 20000;
+using namespace mv::claims;
 
 // Decided in fractions of whole numbers.
-Reference exactly(const Demo& demo) {
-    const double offset = demo.number("offset");
-    const Box window = exactWindow({vec2(-1.6, -1) + offset, vec2(1.5, 1.2) + offset});
+Reference exactly(const InPlane& s) {
+    const Box window = exactWindow(farWindowOf(s));
     Reference reference;
     const int bits = exactBits(window);
-    for (const Segment& segment : aimedAtCorners(window, segmentsTried))
+    for (const Segment& segment : aimedSegments(s))
         reference.values.push_back(clipExactly(segment, window, bits).meets ? 1 : 0);
     return reference;
 }
@@ -28,7 +65,10 @@ Study study() {
     study.quantity =
         "1 for a segment that is kept, 0 for one that is rejected; 20000 of them, aimed at a corner of the window";
     study.reference = "Liang and Barsky's method in fractions of whole numbers: exact";
-    study.makeReference = [](const Demo& demo, const ReferenceFrame&, const auto&) { return exactly(demo); };
+    study.makeReference = [](const Demo& demo, const ReferenceFrame&, const auto&) {
+        return exactly(settingsOf<Settings>(demo).plane);
+    };
+    study.reads = {"offset", "corners"};
     study.axis = ErrorAxis::fraction;
     study.ofValues = true;
     study.problem = "offset";
@@ -65,3 +105,4 @@ Study study() {
 [[maybe_unused]] const bool added = addStudy("clipping", study());
 
 }  // namespace
+}  // namespace mv::clipping

@@ -1,4 +1,4 @@
-#include "shared/polygon_overlap.h"
+#include "polygon_overlap.h"
 
 #include <algorithm>
 #include <cstddef>
