@@ -1,4 +1,4 @@
-#include "shared/gpu_product.h"
+#include "pipeline/gpu_product.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "shared/polygon_overlap.h"
+#include "clipping/polygon_overlap.h"
 
 #include <gtest/gtest.h>
 

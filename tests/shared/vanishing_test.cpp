@@ -1,4 +1,4 @@
-#include "shared/vanishing.h"
+#include "projections/vanishing.h"
 
 #include <glm/geometric.hpp>
 

@@ -1,0 +1,72 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "mv/demo/frame.h"
+#include "mv/demo/numbers.h"
+#include "mv/geometry/mesh_data.h"
+#include "mv/gl/drawing.h"
+#include "mv/gl/mesh.h"
+#include "mv/gl/on_demand.h"
+#include "mv/gl/program.h"
+
+namespace mv::pipeline {
+
+enum class Products { shader, single, once };
+enum class Matrices { right, slideModel, slideProjection };
+
+struct Settings {
+    double distance = 3;             // from the cube's middle back to the eye
+    int vertex = 7;                  // bits 0, 1, 2 choose the high end of x, y, z
+    double spinX = 20, spinY = -15;  // degrees
+    double near = 0.5, far = 10;
+    double offset = 0;  // of cube and eye along x, from the origin of the world
+    Products products = Products::shader;
+    Matrices matrices = Matrices::right;
+};
+
+constexpr double half = 0.6;  // of the cube's edge
+vec3 corner(int i);
+MeshData cubeFaces();
+MeshData cubeCorners();
+
+struct Gpu {
+    OnDemand<Program> byThree{"pipeline"}, byOne{"pipeline", "once"};
+    Mesh cube{cubeFaces(), "cube"}, corners{cubeCorners(), "corners"};
+    Drawing drawing;
+};
+
+// clip = clipFromCamera * camera, say.
+struct Step {
+    std::string to, from;
+    mat4 uploaded;  // what the GPU is given, before it is rounded to float
+    mat4 exact;
+};
+std::string matrixName(const Step& step);
+
+// The technique: pipeline.cpp. The view is on the left of the picture, the numbers on the right.
+void draw(Gpu& gpu, const Settings& s, const Frame& frame);
+Program& programOf(Gpu& gpu, const Settings& s);
+std::vector<Step> steps(const Settings& s, double aspect);
+mat4 worldFromModel(const Settings& s);
+mat4 cameraFromWorld(const Settings& s);
+mat4 clipFromCamera(const Settings& s, double aspect);
+Pane viewIn(const FrameInfo& frame);
+
+// What OpenGL does after the vertex shader: it clips, divides by w, and goes to the pixels of the view.
+bool isInView(const vec4& clip);
+vec3 deviceFromClip(const vec4& clip);
+vec3 pixelFromDevice(const vec3& device, const Pane& pane);  // z is the depth
+
+// The vertex in clip space: as the GPU comes to it, and in double all the way.
+struct Clip {
+    vec4 gpu, exact;
+};
+Clip clipOf(const Settings& s, double aspect);
+
+// figure.cpp, study.cpp.
+void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame);
+void readOut(Gpu& gpu, const Settings& s, const Frame& frame, Numbers& numbers);
+std::vector<double> values(const Settings& s);
+
+}  // namespace mv::pipeline
