@@ -2,20 +2,19 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mv/demo/demo.h"
+#include "mv/demo/lesson.h"
+#include "shadow-volume.h"
 #include "shared/false_shadows.h"
 #include "shared/lit_reference.h"
 
-using namespace mv;
 using namespace mv::claims;
 
+namespace mv::shadow_volume {
 namespace {
 
 bool isOneCount(const Demo& demo, const FrameInfo& frame) {
-    const Scene scene = demo.scene(frame);
-    const auto casts = [](const SceneObject& object) { return object.casts; };
-    return std::count_if(scene.objects.begin(), scene.objects.end(), casts) <= 255 || demo.word("groups") == "off" ||
-           demo.word("show") == "count";
+    const Settings s = settingsOf<Settings>(demo);
+    return !needsGroups(s, casterPlaces(sceneOf(s, frame)).size());
 }
 
 std::vector<double> pixelsInShadow(Probing& probing) {
@@ -53,6 +52,8 @@ Study study() {
                    {"z-fail, every triangle", {{"silhouette", "off"}}},
                    {"z-pass", {{"method", "z-pass"}}},
                    {"z-pass, started", {{"method", "z-pass-started"}}}};
+    study.reads = {"scene",        "shells",      "eye",    "far",    "light-turn",
+                   "light-height", "at-infinity", "spin-x", "spin-y", "distance"};
     study.axis = ErrorAxis::fraction;
     const auto zFail = rows("z-fail"), zPass = rows("z-pass"), started = rows("z-pass, started"),
                every = rows("z-fail, every triangle");
@@ -74,8 +75,7 @@ Study study() {
                ratio(of::time, every.in("still-life"), zFail, 9, HUGE_VAL)}),
         claim("every-triangle-errs",
               "On boxes that is as exact; on round bodies, drawn on a processor, it is less, since the inner sides "
-              "cancel "
-              "only up to rounding.",
+              "cancel only up to rounding.",
               {zero(of::wrongAwayFromEdges, every.in("cube")), zero(of::wrongAwayFromEdges, every.in("40 shells")),
                zero(of::wrongAwayFromEdges, every.in("eye in a volume")),
                atLeast(of::wrongAwayFromEdges, every.in("still-life"), 0.005)}),
@@ -91,3 +91,4 @@ const bool probed =
                                 wrongShadows()});
 
 }  // namespace
+}  // namespace mv::shadow_volume
