@@ -6,9 +6,9 @@
 #include "mv/demo/demo.h"
 #include "shared/lit_reference.h"
 
-using namespace mv;
 using namespace mv::claims;
 
+namespace mv::shadow_lights {
 namespace {
 
 Study study() {
@@ -21,6 +21,7 @@ Study study() {
         std::iota(all.begin(), all.end(), 0);
         return litReference(scene, frame, {.lights = all}, progress);
     };
+    study.reads = {"scene", "lights", "places", "spin-x", "spin-y", "distance"};
     study.problem = "lights";
     study.scenes = {{"circle", {{"scene", "circle"}}}, {"lamps", {{"scene", "lamps"}}}};
     const std::vector<std::string> counts{"1", "2", "4", "8"}, sizes{"256", "512", "1024", "2048"};
@@ -53,3 +54,4 @@ Study study() {
 const bool studied = addStudy("shadow-lights", study());
 
 }  // namespace
+}  // namespace mv::shadow_lights

@@ -1,4 +1,4 @@
-#include "shared/light_scenes.h"
+#include "light_scenes.h"
 
 #include <algorithm>
 #include <cmath>

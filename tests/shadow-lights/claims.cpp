@@ -1,3 +1,11 @@
+// What shadow-lights claims, and a test for each.
+//
+// - [right-by-rays] The mean over the lights of what they light is what rays show: by volumes away from edges in all pixels
+//   but single ones that a light grazes, and by maps the better the larger they are.
+// - [linear] Each further light costs the same passes and draws as the one before.
+// - [out-of-reach] A light that cannot reach the picture costs nothing, and the picture is the same.
+// - [sum-of-lights] Light is added and never taken away: each light adds to the picture without any.
+// - [kept] Maps and volumes are kept while light and casters rest; where one moves, they are made anew.
 #include <gtest/gtest.h>
 
 #include <cmath>
