@@ -6,37 +6,53 @@
 #include <string>
 #include <vector>
 
-#include "mv/demo/demo.h"
+#include "cube-shadows.h"
+#include "mv/demo/lesson.h"
 #include "mv/geometry/ray.h"
 #include "mv/math/shadow.h"
+#include "mv/math/transform.h"
 #include "shared/scenes.h"
 
-using namespace mv;
 using namespace mv::claims;
+
+namespace mv::cube_shadows {
+
+static vec3 cornerOf(const vec3& middle, int i) { return middle + (vec3(i & 1, i >> 1 & 1, i >> 2) * 2.0 - 1.0); }
+
+// The places of the shadows of a cube's corners on the floor, relative to the plane's point. As the GPU computes them: the
+// matrix is rounded to float, and multiplied and divided in float.
+std::vector<double> values(const Settings& s) {
+    const Plane plane = groundsOf(s).front().plane;
+    const mat4 worldFromCube = translate(middleOf(s) + vec3(0, 0, s.lift));
+    const fmat4 localFromModel(flattened(s, translate(-plane.origin), plane, worldFromCube));
+    std::vector<double> places;
+    for (int i = 0; i < 8; ++i) {
+        const fvec4 shadow = localFromModel * fvec4(cornerOf(vec3(0), i), 1);
+        for (int axis = 0; axis < 3; ++axis) places.push_back(shadow[axis] / shadow.w);
+    }
+    return places;
+}
 
 namespace {
 
-constexpr double floorBelow = 1.0125;  // the middle of the scene, as the demo has it
-
-// What the demo computes, found by another way: where the ray from the light through each corner of a cube meets the
-// floor. Here are neither matrices nor large numbers: all is relative to the floor's point that is nearest to the middle.
+// The same places by another way: the ray from the light through each corner of the cube meets the floor. Here are neither
+// matrices nor large numbers: all is relative to the floor's point that is nearest to the middle.
 struct Rays {
     std::array<vec3, 8> corners;
     vec4 light, floor;
 
-    explicit Rays(const Demo& demo, const FrameInfo& frame) {
-        const Scene scene = demo.scene(frame);
-        const bool life = demo.word("scene") == "still-life";
+    Rays(const Settings& s, const FrameInfo& frame) {
+        const Scene scene = sceneOf(s, frame);
+        const bool life = s.scene == Which::stillLife;
         const mat4& worldFromFloor = scene[life ? stillLifeInRoomScene::floor : cubeInRoomScene::floor].worldFromObject;
         const vec3 normal(worldFromFloor[1]), point(worldFromFloor[3]);
-        const vec3 middle(0, 0, floorBelow - demo.number("plane-distance"));
+        const vec3 middle(0, 0, floorBelow - s.planeDistance);
         const vec3 origin = middle - glm::dot(normal, middle - point) * normal;
         const vec4& position = scene.lights[0].position;
         floor = vec4(normal, 0);
         light = vec4(vec3(position) - position.w * origin, position.w);
-        const vec3 cube = middle + vec3(0, 0, demo.number("lift")) - origin;
-        for (int i = 0; i < 8; ++i)
-            corners[static_cast<std::size_t>(i)] = cube + (vec3(i & 1, i >> 1 & 1, i >> 2) * 2.0 - 1.0);
+        const vec3 cube = middle + vec3(0, 0, s.lift) - origin;
+        for (int i = 0; i < 8; ++i) corners[static_cast<std::size_t>(i)] = cornerOf(cube, i);
     }
 
     // Whether each corner throws a shadow on the floor.
@@ -63,7 +79,7 @@ struct Rays {
 };
 
 std::vector<double> placeError(Probing& probing) {
-    const Rays rays(probing.demo(), probing.frame());
+    const Rays rays(settingsOf<Settings>(probing.demo()), probing.frame());
     if (!rays.allCast()) return {};
     const std::vector<double> drawn = probing.demo().values(), right = rays.places();
     double most = 0;
@@ -86,8 +102,10 @@ Study study() {
     study.quantity = "place of the shadows of a cube's eight corners, relative to a point on the plane";
     study.reference = "the ray from the light through the corner meets the plane, in double, without a matrix";
     study.makeReference = [](const Demo& demo, const ReferenceFrame& frame, const auto&) {
-        return Reference{.values = Rays(demo, frame).places()};
+        return Reference{.values = Rays(settingsOf<Settings>(demo), frame).places()};
     };
+    study.reads = {"scene",       "light-theta", "light-phi", "light-distance",
+                   "at-infinity", "lift",        "tilt",      "plane-distance"};
     // The original's plane, with the light higher than there
     const std::vector<KnobSetting> level{
         {"scene", "plane"}, {"light-theta", "20"}, {"light-phi", "40"}, {"light-distance", "8.5"}};
@@ -135,3 +153,4 @@ const bool probed = addProbes(
     {{{{"place-error", "farthest that a corner's shadow on the floor is off, for a cube of side 2"}}, placeError}});
 
 }  // namespace
+}  // namespace mv::cube_shadows

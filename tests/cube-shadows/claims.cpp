@@ -1,3 +1,16 @@
+// What cube-shadows claims, and a test for each; rows X11 to X16 of docs/stability.md.
+//
+// - [cast-by-rays] The picture is what rays show, on floor, wall and leaning wall, from lamps and lights at infinity.
+// - [no-shadow-seen-from-the-light] An eye at the light, as in the original's first picture, sees no shadow.
+// - [special-case] On planes across an axis the slide's special case and the general matrix give the same picture.
+// - [transposed-is-wrong] The matrix as the slide prints it, for columns transposed, draws another picture.
+// - [darkened-once] However many triangles and casters overlap in a shadow, each of its pixels is darkened once.
+// - [between-plane-and-light] What is above the light, at its height or behind the plane casts nothing.
+// - [clip-or-discard] Clip distances and discard cut the same false shadows off.
+// - [light-in-the-plane] A light in the plane or behind it throws no shadow there, and a sentence says so.
+// - [grazing-light] Under a light 1e-7 above the plane no pixel beside floor and wall is darkened.
+// - [far-from-the-origin] With the plane 1e6 from the origin a shadow's place is right to 1e-5 of the cube.
+// - [moved-by-hand] The arrow keys turn the light by 5 degrees.
 #include <gtest/gtest.h>
 
 #include <cmath>
