@@ -4,23 +4,24 @@
 #include <string>
 #include <vector>
 
-#include "mv/demo/demo.h"
+#include "mv/demo/lesson.h"
 #include "mv/geometry/lamp.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
 #include "shared/lit_reference.h"
 #include "shared/scenes.h"
+#include "soft-shadows.h"
 
-using namespace mv;
 using namespace mv::claims;
 
+namespace mv::soft_shadows {
 namespace {
 
 // The penumbra of the caster's upper edge that is farthest from the lamp.
 Penumbra farEdge(const Probing& probing) {
-    const Demo& demo = probing.demo();
-    const Scene scene = demo.scene(probing.frame());
-    const bool isCube = demo.word("scene") == "cube";
+    const Settings s = settingsOf<Settings>(probing.demo());
+    const Scene scene = sceneOf(s, probing.frame());
+    const bool isCube = s.scene == Which::cube;
     const mat4& worldFromCaster = scene[isCube ? cubeOnThePlane : topOfTheTable].worldFromObject;
     const vec3 edge = isCube ? vec3(0.5, 1, 0) : vec3(0.75, 0.72, 0);
     return penumbraOf(scene.lights.front(), worldFromCaster * vec4(edge, 1), worldFromCaster * vec4(1, 0, 0, 0));
@@ -61,6 +62,7 @@ Study study() {
                    {"maps", {{"method", "maps"}}, "lights", upTo256},
                    {"pcf", {{"method", "pcf"}}, "taps", {"1", "3", "5", "7", "9", "15", "31"}},
                    {"pcss", {{"method", "pcss"}}, "taps", {"3", "5", "9", "15", "31"}}};
+    study.reads = {"scene", "lamp-size", "lamp-turn", "caster-height", "spin-x", "spin-y"};
     study.wrongBeyond = 0.05;  // a step that is seen, of shadow beside light
     study.width = 320;
     study.height = 240;
@@ -115,3 +117,4 @@ const bool probed = addProbes(
       [](Probing& probing) { return std::vector<double>{farEdge(probing).width}; }}});
 
 }  // namespace
+}  // namespace mv::soft_shadows

@@ -1,3 +1,13 @@
+// What soft-shadows claims, and a test for each.
+//
+// - [penumbra-width] Dark to lit takes the lamp's size times the caster's height over the lamp's height above it.
+// - [sharp-where-they-touch] The shadow of an upright edge is sharp at its foot and grows softer on the way out.
+// - [points-converge] Summed in float, the error of N points falls with a slope of -0.5 to -1 in N.
+// - [eight-bit-floor] Summed in 8 bits up to 256 points are as right as in float, and it ends there, at about 1e-3: a
+//   share of 1/1024 is less than half a step, and is refused.
+// - [pcf-does-not-converge] No kernel and no map brings a blur of fixed size below the error of 16 points.
+// - [pcss-adapts] Lifting the caster widens the penumbra of pcss as it should, and hardly that of pcf.
+// - [dark-once] Where the shadows of two casters overlap, a point of the lamp is taken away once.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The scene as the eye sees it. `invariant`: soft-shadows.plain.vert reaches the same depth bit for bit.
+// The scene as the eye sees it. `invariant`: plain.vert reaches the same depth bit for bit.
 uniform mat4 clipFromObject;
 uniform mat4 worldFromObject;
 uniform mat3 worldFromNormal;
