@@ -5,7 +5,7 @@ in vec3 normal;
 out vec3 worldPoint;
 out vec3 worldNormal;
 
-// The light cap of a volume must get exactly the depth of the faces it lies in: see shadow-methods.flat.vert.
+// The light cap of a volume must get exactly the depth of the faces it lies in: see flat.vert.
 invariant gl_Position;
 
 void main() {

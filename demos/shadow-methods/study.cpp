@@ -6,9 +6,9 @@
 #include "shared/false_shadows.h"
 #include "shared/lit_reference.h"
 
-using namespace mv;
 using namespace mv::claims;
 
+namespace mv::shadow_methods {
 namespace {
 
 // A line of the study along the map's resolution, the map drawn again in each frame.
@@ -39,6 +39,7 @@ Study study() {
                    mapLine("map, PCF 5x5", "pcf5", "6"),
                    mapLine("map, 1 tap, kept", "map", "2", "on", "on"),
                    mapLine("map, 1 tap, receiver left out, no bias", "map", "0", "off")};
+    study.reads = {"scene", "spin-x", "spin-y", "distance"};
     study.axis = ErrorAxis::fraction;
     const auto none = rows("no shadow"), matrix = rows("matrix"), map = rows("map, 1 tap"),
                kept = rows("map, 1 tap, kept");
@@ -94,3 +95,4 @@ const bool probed =
     addProbes("shadow-methods", {wrongShadows("pixels of a coarse grid whose shadow is not what rays show")});
 
 }  // namespace
+}  // namespace mv::shadow_methods
