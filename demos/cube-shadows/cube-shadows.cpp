@@ -1,0 +1,138 @@
+// cube-shadows: shadows of what stands before a floor and a wall, by one matrix for any plane and any light.
+#include "cube-shadows.h"
+
+#include <set>
+#include <string>
+
+#include "mv/demo/seen.h"
+#include "mv/gl/beyond_es.h"
+#include "mv/math/shadow.h"
+#include "mv/math/shadow_textbook.h"
+#include "mv/math/transform.h"
+
+namespace mv::cube_shadows {
+
+void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
+    const Scene scene = seen(sceneOf(s, frame), frame);
+    gpu.meshes.follow(scene);
+    tell(s, scene, frame);
+
+    // Draw the scene without shadows. The stencil buffer keeps for each pixel the tag of the plane that it shows, else 0
+    glEnable(GL_DEPTH_TEST);
+    glEnable(GL_STENCIL_TEST);
+    drawSurfaces(gpu, s, scene);
+    drawEdgesAndLamp(gpu, s, scene);
+
+    // Draw all that casts once more, flattened onto each plane, where the tag says that this plane is seen. So no depth
+    // test is needed, and nothing fights
+    glDisable(GL_DEPTH_TEST);
+    drawShadows(gpu, s, scene, frame);
+}
+
+static void setSeen(GLboolean seen) {
+    glColorMask(seen, seen, seen, seen);
+    glDepthMask(seen);
+}
+
+void drawSurfaces(Gpu& gpu, const Settings& s, const Scene& scene) {
+    const auto objects = gpu.meshes.of(scene);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+    gpu.surfaces.use();
+    gpu.surfaces.set("clipFromView", scene.clipFromView);
+    gpu.surfaces.set("viewLight", scene.viewFromWorld * lightOf(s));
+    for (const auto& [object, mesh] : objects) {
+        if (object.casts) drawSurface(gpu, scene, mesh, object.worldFromObject);
+    }
+
+    // The original's plane is not seen: tag it only
+    const bool isUnseen = s.scene == Which::plane;
+    if (isUnseen) setSeen(GL_FALSE);
+    for (const Ground& ground : groundsOf(s)) {
+        const auto& [object, mesh] = objects[ground.object.index];
+        glStencilFunc(GL_ALWAYS, showsFront(s, ground.plane) ? ground.tag : 0, 0xFF);
+        drawSurface(gpu, scene, mesh, object.worldFromObject);
+    }
+    if (isUnseen) setSeen(GL_TRUE);
+    glStencilFunc(GL_ALWAYS, 0, 0xFF);
+}
+
+void drawSurface(Gpu& gpu, const Scene& scene, const Mesh& mesh, const mat4& worldFromModel) {
+    gpu.surfaces.set("viewFromModel", scene.viewFromWorld * worldFromModel);
+    mesh.draw();
+}
+
+void drawShadows(Gpu& gpu, const Settings& s, const Scene& scene, const Frame& frame) {
+    // Multiply the colour that is there. The first shadow sets the tag to 0, so that there is no second
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ZERO, GL_SRC_COLOR);
+    glStencilOp(GL_KEEP, GL_KEEP, s.once ? GL_ZERO : GL_KEEP);
+
+    const bool clips = s.cut == Cut::clip && has(beyond_es::clipDistances);
+    if (clips) {
+        glEnable(GL_CLIP_DISTANCE0);
+        glEnable(GL_CLIP_DISTANCE1);
+    }
+    gpu.shadows.use();
+    gpu.shadows.set("clipFromView", scene.clipFromView);
+    gpu.shadows.set("darkness", s.darkness);
+    if (!isEs()) gpu.shadows.set("clips", clips);
+    gpu.shadows.set("discardOutside", s.cut != Cut::none && !clips);
+
+    std::set<std::string> said{""};
+    for (const Ground& ground : groundsOf(s)) {
+        const bool isUncut = s.cut == Cut::none && isLit(s, ground.plane);
+        glStencilFunc(GL_EQUAL, ground.tag, 0xFF);
+        for (const auto& [object, mesh] : gpu.meshes.of(scene)) {
+            if (!object.casts) continue;
+            const CasterVerdict verdict = judged(s, object, ground);
+            if (said.insert(verdict.sentence).second) frame.say(verdict.sentence);
+            if (verdict.casts || isUncut) drawShadow(gpu, s, scene, ground.plane, object, mesh);
+        }
+    }
+}
+
+// Only the part of a caster between plane and light throws a true shadow: cut the rest off.
+void drawShadow(Gpu& gpu, const Settings& s, const Scene& scene, const Plane& plane, const SceneObject& caster,
+                const Mesh& mesh) {
+    const auto [beforePlane, beforeLight] = shadowCasterBounds(plane.localOf(lightOf(s)), plane.local());
+    const mat4 localFromModel = translate(-plane.origin) * caster.worldFromObject;
+    gpu.shadows.set("beforePlane", beforePlane * localFromModel);  // a half space moves by the transpose
+    gpu.shadows.set("beforeLight", beforeLight * localFromModel);
+    gpu.shadows.set("viewFromModel", flattened(s, scene.viewFromWorld, plane, caster.worldFromObject));
+    mesh.draw();
+}
+
+bool isLit(const Settings& s, const Plane& plane) { return lightSide(plane.localOf(lightOf(s)), plane.local()) > 0; }
+
+// Whether some part of a caster is between plane and light, and why not.
+CasterVerdict judged(const Settings& s, const SceneObject& caster, const Ground& ground) {
+    const mat4 localFromModel = translate(-ground.plane.origin) * caster.worldFromObject;
+    std::vector<vec3> corners;
+    corners.reserve(caster.mesh.positions.size());
+    for (const fvec3& corner : caster.mesh.positions) corners.emplace_back(localFromModel * vec4(corner, 1));
+    return judgeCaster(caster.name, corners, ground.plane.localOf(lightOf(s)), ground.plane.local(), ground.kind);
+}
+
+template <class T>
+static glm::mat<4, 4, T> textbook(Formula formula, const glm::vec<4, T>& light, const glm::vec<4, T>& plane) {
+    if (formula == Formula::axisAligned) return textbookShadowAcrossAxis(light, plane);
+    return textbookShadow(light, plane, formula == Formula::transposed);
+}
+
+// Model space flattened onto the plane, seen from `target`: one matrix, multiplied from both ends before it is uploaded.
+mat4 flattened(const Settings& s, const mat4& targetFromWorld, const Plane& plane, const mat4& worldFromModel) {
+    const vec4 light = lightOf(s), inWorld = plane.inWorld();
+    const bool general = s.formula == Formula::general;
+    if (s.space == Space::worldFloat)
+        return mat4(fmat4(targetFromWorld) * textbook(s.formula, fvec4(light), fvec4(inWorld)) * fmat4(worldFromModel));
+    if (s.space == Space::world) {
+        const mat4 flat = general ? shadowProjection(light, inWorld) : textbook(s.formula, light, inWorld);
+        return targetFromWorld * flat * worldFromModel;
+    }
+    // Nothing that is large meets the shadow's matrix: it stands between coordinates relative to the plane's point
+    const mat4 flat = general ? shadowProjection(light, inWorld, plane.origin)
+                              : textbook(s.formula, plane.localOf(light), plane.local());
+    return (targetFromWorld * translate(plane.origin)) * flat * (translate(-plane.origin) * worldFromModel);
+}
+
+}  // namespace mv::cube_shadows

@@ -1,0 +1,192 @@
+// shadow-methods: one scene, and its shadows by every method: side by side, or subtracted.
+#include "shadow-methods.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "mv/demo/seen.h"
+#include "mv/gl/gl.h"
+#include "mv/math/shadow.h"
+#include "mv/math/transform.h"
+#include "shared/z_fail.h"
+
+namespace mv::shadow_methods {
+
+void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
+    const Scene scene = seen(sceneOf(s, frame), frame);
+    frame.show("viewFromWorld", scene.viewFromWorld);
+    frame.show("clipFromView", scene.clipFromView);
+    gpu.meshes.follow(scene);
+    glEnable(GL_DEPTH_TEST);
+    glEnable(GL_CULL_FACE);
+
+    // Make the map and the volumes, where a method needs them. A study measures the first method alone
+    const bool isAlone = frame.measuring() || s.against == Against::off;
+    const Method beside = isAlone ? s.method : secondOf(s);
+    if (usesMap(s.method) || usesMap(beside)) {
+        makeMap(gpu, s, scene);
+        frame.bindTarget();
+    }
+    if (s.method == Method::volume || beside == Method::volume) {
+        if (!s.keep) gpu.volumes.forget();
+        gpu.volumes.follow(scene, scene.lights[0].position);
+    }
+
+    // Draw the scene by one method, by two side by side, or how far they differ
+    gpu.found.reset();
+    if (s.show == Show::difference && !frame.measuring()) return drawDifference(gpu, s, scene, frame);
+    if (isAlone) return drawScene(gpu, scene, s.method);
+    drawSplit(gpu, s, scene, frame);
+}
+
+// Left of the split by one method, right of it by the other, and between them a white line.
+void drawSplit(Gpu& gpu, const Settings& s, const Scene& scene, const Frame& frame) {
+    const int middle = middleOf(s, frame);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(0, 0, middle, frame.height());
+    if (middle > 0) drawScene(gpu, scene, s.method);
+    if (middle == frame.width()) return;
+    glScissor(middle, 0, frame.width() - middle, frame.height());
+    drawScene(gpu, scene, secondOf(s));
+    glScissor(middle, 0, 1, frame.height());
+    glClearColor(1, 1, 1, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+}
+
+static void drawObject(const Program& program, const Scene& scene, const SceneObject& object, const Mesh& mesh) {
+    program.set("clipFromObject", scene.clipFromWorld() * object.worldFromObject);
+    program.set("worldFromObject", object.worldFromObject);
+    program.set("color", object.color);
+    mesh.draw();
+}
+
+// The scene with its shadows by one method: a picture, or for a study the lit fraction of each pixel.
+void drawScene(Gpu& gpu, const Scene& scene, Method by) {
+    if (usesMap(by)) return drawByMap(gpu, scene, by);
+    if (by == Method::matrix) return drawByMatrix(gpu, scene);
+    const Program& program = useLight(gpu, scene);
+    for (const auto& [object, mesh] : gpu.meshes.of(scene)) drawObject(program, scene, object, mesh);
+    if (by == Method::volume) drawByVolumes(gpu, scene);
+}
+
+// Draws what casts once more, flattened onto the planes.
+void drawByMatrix(Gpu& gpu, const Scene& scene) {
+    // Draw the scene in full light, and note in the stencil buffer which plane is seen, 0 for a body
+    const Program& program = useLight(gpu, scene);
+    glEnable(GL_STENCIL_TEST);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+    int place = 0;
+    for (const auto& [object, mesh] : gpu.meshes.of(scene)) {
+        ++place;
+        glStencilFunc(GL_ALWAYS, object.casts ? 0 : place, ~0U);
+        drawObject(program, scene, object, mesh);
+    }
+
+    // Draw over each plane where it is seen: no depth test, and nothing to blend, so nothing can show twice
+    glDisable(GL_DEPTH_TEST);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+    drawFlattened(gpu, scene);
+    glEnable(GL_DEPTH_TEST);
+    glDisable(GL_STENCIL_TEST);
+}
+
+void drawFlattened(Gpu& gpu, const Scene& scene) {
+    const Program& program = *gpu.flat;
+    program.use();
+    int place = 0;
+    for (const SceneObject& plane : scene.objects) {
+        ++place;
+        if (plane.casts) continue;
+        const vec3 normal(plane.worldFromObject[1]), origin(plane.worldFromObject[3]);
+        const mat4 flat = shadowProjection(scene.lights[0].position, {normal, -glm::dot(normal, origin)}, origin);
+        const mat4 clipFromFlat = scene.clipFromWorld() * translate(origin) * flat;
+        glStencilFunc(GL_EQUAL, place, ~0U);
+        program.set("color", plane.color);
+        for (const auto& [object, mesh] : gpu.meshes.of(scene)) {
+            if (!object.casts) continue;
+            program.set("clipFromObject", clipFromFlat * translate(-origin) * object.worldFromObject);
+            mesh.draw();
+        }
+    }
+}
+
+// Counts the volumes behind what is seen, by z-fail, and draws the scene again, without the light, where some are left.
+void drawByVolumes(Gpu& gpu, const Scene& scene) {
+    // Count. Colours and depths stay as they are
+    glEnable(GL_STENCIL_TEST);
+    glStencilFunc(GL_ALWAYS, 0, ~0U);
+    glDisable(GL_CULL_FACE);
+    glDepthMask(GL_FALSE);
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    gpu.flat->use();
+    countByZFail(gpu.volumes, scene, *gpu.flat);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glEnable(GL_CULL_FACE);
+
+    // Draw the shadow
+    glStencilFunc(GL_NOTEQUAL, 0, ~0U);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+    glDepthFunc(GL_EQUAL);
+    const Program& program = *gpu.byLight;
+    program.use();
+    program.set("lit", 0.0);
+    for (const auto& [object, mesh] : gpu.meshes.of(scene)) drawObject(program, scene, object, mesh);
+    glDepthFunc(GL_LESS);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_STENCIL_TEST);
+}
+
+// Draws the scene once: the shader looks each point up in the map.
+void drawByMap(Gpu& gpu, const Scene& scene, Method by) {
+    const Program& program = *gpu.byMap;
+    program.use();
+    program.set("light", scene.lights[0].position);
+    gpu.map.bind(1, by == Method::map ? DepthLookup::compareNearest : DepthLookup::compareLinear);
+    program.set("map", 1);
+    program.set("side", looksAlong(by));
+    for (const auto& [object, mesh] : gpu.meshes.of(scene)) {
+        program.set("mapFromObject", gpu.lightView.mapFromWorld() * object.worldFromObject);
+        drawObject(program, scene, object, mesh);
+    }
+}
+
+// Draws the map as the light sees the scene, and keeps it while the light and what casts rest.
+void makeMap(Gpu& gpu, const Settings& s, const Scene& scene) {
+    const bool isStale = gpu.mapFor.changed(s.scene, s.resolution, s.receiver, s.slopeBias);
+    if (!isStale && s.keep) return;
+    if (gpu.map.size() != s.resolution) gpu.map = DepthMap(s.resolution, "shadow map");
+    if (gpu.lightViewFor.changed(s.scene)) gpu.lightView = fitLightView(scene.lights[0].position, casterPoints(scene));
+    gpu.map.bindForDrawing();
+    glClear(GL_DEPTH_BUFFER_BIT);
+
+    // Backs are as good an end of the shadow as fronts, and what is lit is not there to shade itself
+    if (!s.receiver) glCullFace(GL_FRONT);
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    if (s.slopeBias > 0) glPolygonOffset(float(s.slopeBias), float(2 * s.slopeBias));
+    gpu.flat->use();
+    for (const auto& [object, mesh] : gpu.meshes.of(scene)) {
+        if (!s.receiver && !object.casts) continue;
+        gpu.flat->set("clipFromObject", gpu.lightView.clipFromWorld() * object.worldFromObject);
+        mesh.draw();
+    }
+    glDisable(GL_POLYGON_OFFSET_FILL);
+    if (!s.receiver) glCullFace(GL_BACK);
+}
+
+// The program that knows no shadow, with the whole light.
+const Program& useLight(Gpu& gpu, const Scene& scene) {
+    gpu.byLight->use();
+    gpu.byLight->set("light", scene.lights[0].position);
+    gpu.byLight->set("lit", 1.0);
+    return *gpu.byLight;
+}
+
+bool usesMap(Method method) { return method >= Method::map; }
+int looksAlong(Method method) { return method == Method::pcf5 ? 5 : method == Method::pcf3 ? 3 : 1; }
+
+// The method right of the split, or the first where there is no second.
+Method secondOf(const Settings& s) { return s.against == Against::off ? s.method : Method(int(s.against) - 1); }
+
+int middleOf(const Settings& s, const Frame& frame) { return int(std::lround(s.split * frame.width())); }
+
+}  // namespace mv::shadow_methods

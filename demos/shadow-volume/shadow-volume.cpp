@@ -1,0 +1,132 @@
+// shadow-volume: shadows counted in the stencil buffer, by the surface of the space that each solid keeps from the light.
+#include "shadow-volume.h"
+
+#include <algorithm>
+#include <glm/matrix.hpp>
+
+#include "mv/demo/seen.h"
+#include "mv/math/transform.h"
+
+namespace mv::shadow_volume {
+
+// Seven bits count one group of casters after the other. The eighth notes that a count was not 0.
+static constexpr GLuint inOneGroup = 0x7F, inSomeGroup = 0x80;
+
+void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
+    const Scene scene = seen(sceneOf(s, frame), frame);
+    const vec4 light = scene.lights[0].position;
+    gpu.meshes.follow(scene);
+    gpu.volumes.follow(scene, light, s.silhouette ? Extrude::silhouette : Extrude::everyTriangle);
+    tell(gpu, s, scene, frame);
+
+    // Draw the scene in full light: its colours, and in the depth buffer how far away each pixel's surface is
+    glEnable(GL_DEPTH_TEST);
+    gpu.program.use();
+    gpu.program.set("light", light);
+    drawObjects(gpu, scene, 1);
+
+    // Count in each pixel the volumes round its surface. Colours and depths stay as they are
+    const std::size_t casters = gpu.volumes.casters().size();
+    const bool inGroups = needsGroups(s, casters);
+    glEnable(GL_STENCIL_TEST);
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    glDepthMask(GL_FALSE);
+    if (inGroups)
+        countInGroups(gpu, s, scene);
+    else
+        countVolumes(gpu, s, scene, 0, casters);
+
+    // Draw the scene again without the light, where the count is not 0
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glStencilFunc(GL_NOTEQUAL, 0, inGroups ? inSomeGroup : 0xFF);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+    glDepthFunc(GL_EQUAL);
+    gpu.program.use();
+    drawObjects(gpu, scene, 0);
+}
+
+// Counts as many casters at a time as seven bits hold, and notes after each group where something was counted.
+void countInGroups(Gpu& gpu, const Settings& s, const Scene& scene) {
+    const std::size_t casters = gpu.volumes.casters().size();
+    for (std::size_t first = 0; first < casters; first += inOneGroup) {
+        glStencilMask(inOneGroup);
+        countVolumes(gpu, s, scene, first, std::min(first + inOneGroup, casters));
+        glStencilMask(inSomeGroup);
+        glStencilFunc(GL_NOTEQUAL, inSomeGroup, inOneGroup);
+        glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+        drawEverywhere(gpu, vec4(0));
+    }
+}
+
+// Adds the volumes of some casters to the stencil buffer.
+void countVolumes(Gpu& gpu, const Settings& s, const Scene& scene, std::size_t first, std::size_t last) {
+    // A count from the eye starts with the volumes that the eye is in; z-pass forgets them
+    const int start = s.method == Method::zPassStarted ? volumesRoundEye(gpu, scene, first, last) & 0xFF : 0;
+    if (start != 0 || first != 0) startCountAt(gpu, start);
+
+    if (s.method == Method::zFail) {
+        // Count the sides behind the surface: in through a back face, out through a front face
+        glStencilOpSeparate(GL_BACK, GL_KEEP, GL_INCR_WRAP, GL_KEEP);
+        glStencilOpSeparate(GL_FRONT, GL_KEEP, GL_DECR_WRAP, GL_KEEP);
+    } else {
+        // Count the sides before the surface: in through a front face, out through a back face
+        glStencilOpSeparate(GL_FRONT, GL_KEEP, GL_KEEP, GL_INCR_WRAP);
+        glStencilOpSeparate(GL_BACK, GL_KEEP, GL_KEEP, GL_DECR_WRAP);
+    }
+    gpu.volumeProgram.use();
+    for (std::size_t i = first; i < last; ++i) {
+        const Caster& caster = gpu.volumes.casters()[i];
+        drawVolume(gpu, scene, caster, countedIndices(s, caster));
+    }
+}
+
+// Writes a number into the whole stencil buffer, as far as its mask lets it.
+void startCountAt(Gpu& gpu, int start) {
+    glStencilFunc(GL_ALWAYS, start, ~0U);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+    drawEverywhere(gpu, vec4(0));
+    glStencilFunc(GL_ALWAYS, 0, ~0U);
+}
+
+void drawVolume(Gpu& gpu, const Scene& scene, const Caster& caster, std::size_t indices) {
+    gpu.volumeProgram.set("clipFromObject", scene.clipFromWorld() * scene.objects[caster.object].worldFromObject);
+    caster.mesh.draw(0, indices);
+}
+
+void drawObjects(Gpu& gpu, const Scene& scene, double lit) {
+    gpu.program.set("lit", lit);
+    for (const auto& [object, mesh] : gpu.meshes.of(scene)) {
+        gpu.program.set("clipFromObject", scene.clipFromWorld() * object.worldFromObject);
+        gpu.program.set("worldFromObject", object.worldFromObject);
+        gpu.program.set("worldFromNormal", normalMatrix(object.worldFromObject));
+        gpu.program.set("color", object.color);
+        mesh.draw();
+    }
+}
+
+// Draws over each pixel that the stencil test lets through, whatever its depth.
+void drawEverywhere(Gpu& gpu, const vec4& color) {
+    glDisable(GL_DEPTH_TEST);
+    gpu.volumeProgram.use();
+    gpu.volumeProgram.set("clipFromObject", rotateX(90) * scale(2));
+    gpu.volumeProgram.set("color", color);
+    gpu.wholePicture->draw();
+    glEnable(GL_DEPTH_TEST);
+}
+
+// A convex caster counts once at most, the pawn and the ring a few times. The stencil buffer is shown as one count.
+bool needsGroups(const Settings& s, std::size_t casters) {
+    return casters > mostInOneCount && s.groups && s.show != Show::count;
+}
+
+// The caps of a volume never lie before the surface, so z-pass leaves them out.
+std::size_t countedIndices(const Settings& s, const Caster& caster) {
+    return s.method == Method::zFail ? caster.volume.indices.size() : caster.volume.sides;
+}
+
+// How many volumes of the casters first .. last - 1 the eye is in.
+int volumesRoundEye(const Gpu& gpu, const Scene& scene, std::size_t first, std::size_t last) {
+    return gpu.volumes.around(scene, vec3(glm::inverse(scene.viewFromWorld)[3]), first, last);
+}
+
+}  // namespace mv::shadow_volume

@@ -1,0 +1,63 @@
+#pragma once
+#include <vector>
+
+#include "mv/demo/frame.h"
+#include "mv/demo/made_for.h"
+#include "mv/geometry/light_view.h"
+#include "mv/gl/depth_map.h"
+#include "mv/gl/mesh.h"
+#include "mv/gl/on_demand.h"
+#include "mv/gl/program.h"
+#include "mv/gl/scene_meshes.h"
+#include "mv/gl/target.h"
+
+namespace mv::soft_shadows {
+
+enum class Which { cube, table };
+enum class Method { matrix, maps, pcf, pcss };
+enum class Sum { floats, bytes };
+
+struct Settings {
+    Which scene = Which::cube;
+    Method method = Method::matrix;
+    int lights = 256;  // points of the lamp
+    Sum accumulate = Sum::floats;
+    int taps = 9;           // along a side
+    int resolution = 1024;  // texels along a side
+    double lampSize = 1;    // its side
+    double lampTurn = 0;    // degrees
+    double casterHeight = 0.2;
+    double spinX = 0, spinY = 0;  // degrees
+};
+
+struct Gpu {
+    Program shading{"soft-shadows"}, plain{"soft-shadows", "plain"};
+    OnDemand<Program> byMap{"soft-shadows", "map"}, byPcss{"soft-shadows", "pcss"};
+    SceneMeshes meshes;
+    // How dark each pixel is: 0 sees the whole lamp, 1 none of it. A measured picture has another size.
+    Target darknessShown, darknessMeasured;
+    DepthMap map;
+    LightView lightOfMap;
+    MadeFor<Which, int, mat4, std::vector<mat4>> mapFor;
+};
+
+// The technique: soft-shadows.cpp.
+void draw(Gpu& gpu, const Settings& s, const Frame& frame);
+const Target& clearDarkness(Gpu& gpu, const Settings& s, const Scene& scene, const Frame& frame);
+void addByMatrix(Gpu& gpu, const Scene& scene, const std::vector<vec3>& points);
+void addByMaps(Gpu& gpu, const Settings& s, const Scene& scene, const std::vector<vec3>& points,
+               const Target& darkness);
+void addByMap(Gpu& gpu, const Scene& scene, const vec3& point, double share, int side);
+void addByPcss(Gpu& gpu, const Settings& s, const Scene& scene);
+void shade(Gpu& gpu, const Scene& scene);
+void keepMap(Gpu& gpu, const Settings& s, const Scene& scene);
+void drawMap(Gpu& gpu, const Settings& s, const Scene& scene);
+LightView viewFrom(const Scene& scene, const vec3& point);
+bool isByPoints(const Settings& s);
+bool addsInFloats(const Settings& s);
+
+// The lamp's points, or its middle: scene.cpp.
+std::vector<vec3> pointsOf(const Settings& s, const SceneLight& lamp);
+Scene sceneOf(const Settings& s, const FrameInfo& frame);
+
+}  // namespace mv::soft_shadows
