@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <memory>
+#include <span>
 #include <string>
 
-#include "mv/demo/demo.h"
+#include "mv/demo/lesson.h"
 #include "mv/image/file.h"
 #include "mv/image/png.h"
 #include "mv/paper/report.h"
@@ -16,12 +18,26 @@ using namespace mv;
 
 namespace {
 
-struct Taking : Demo {
-    PictureFile picture{this, "picture", "assets/postcard.png", "a picture"};
-    void init() override {}
-    void draw(const Frame&) override {}
-    void check() const override { picture.check(); }
+struct Settings {
+    int before = 1;
+    OwnFile<Picture> picture = {};
 };
+struct Gpu {};
+
+using Taking = LessonDemo<Settings, Gpu, NothingKept>;
+
+std::unique_ptr<Taking> taking(const Settings& initial = {}) {
+    Lesson<Settings, Gpu> lesson;
+    lesson.rows = {whole("before", &Settings::before, {0, 2}, "it"),
+                   file("picture", &Settings::picture, "assets/postcard.png", "a picture")};
+    lesson.check = [](const Settings& s) {
+        if (s.before == 2) throw Error("--before", "must not be 2");
+    };
+    return std::make_unique<Taking>(std::make_shared<const Lesson<Settings, Gpu>>(std::move(lesson)), initial);
+}
+
+void choose(Demo& demo, const std::string& name) { demo.knob("picture").parse(name); }
+OwnFile<Picture> chosen(const Demo& demo) { return settingsOf<Settings>(demo).picture; }
 
 Picture filled(int side, std::uint8_t level) {
     Picture picture(side, side);
@@ -40,41 +56,49 @@ std::string refusalOf(const Demo& demo) {
 
 }  // namespace
 
-TEST(PictureFile, is_none_at_first_and_any_name_later) {
-    Taking demo;
-    EXPECT_FALSE(demo.picture.isSet());
-    EXPECT_TRUE(demo.picture.isInitial());
-    EXPECT_EQ(demo.picture.version(), 0);
+TEST(FileKnob, is_none_at_first_and_any_name_later) {
+    const auto made = taking();
+    Demo& demo = *made;
+    Knob& knob = demo.knob("picture");
+    EXPECT_FALSE(chosen(demo).isSet());
+    EXPECT_TRUE(knob.isInitial());
+    EXPECT_EQ(chosen(demo).version(), 0);
     EXPECT_EQ(refusalOf(demo), "");
-    EXPECT_THROW((void)demo.picture.picture(), Error);
+    EXPECT_THROW((void)chosen(demo).content(), Error);
     for (const char* name : {"a.png", "with spaces, and commas.jpg", "/a/b/c", "\xC3\xB1.png", "--shot", "'\"\\"}) {
-        demo.picture.parse(name);
-        EXPECT_EQ(demo.picture.text(), name);
-        EXPECT_TRUE(demo.picture.isSet());
+        knob.parse(name);
+        EXPECT_EQ(knob.text(), name);
+        EXPECT_EQ(chosen(demo).name, name);
+        EXPECT_TRUE(chosen(demo).isSet());
         EXPECT_NE(refusalOf(demo), "") << "there is no such file";
     }
-    demo.picture.parse("none");
-    EXPECT_TRUE(demo.picture.isInitial());
-    for (const char* name : {"", "a\nb", "\x1B[31m", "a\x7F"}) EXPECT_THROW(demo.picture.parse(name), Error);
-    EXPECT_TRUE(demo.picture.isInitial()) << "what is refused is not taken";
-    EXPECT_FALSE(demo.picture.step(1));
+    knob.parse("none");
+    EXPECT_TRUE(knob.isInitial());
+    for (const char* name : {"", "a\nb", "\x1B[31m", "a\x7F"}) EXPECT_THROW(knob.parse(name), Error);
+    EXPECT_TRUE(knob.isInitial()) << "what is refused is not taken";
+    EXPECT_FALSE(knob.step(1));
+    // A preset's
+    EXPECT_EQ(taking({.picture = {"of-a-preset.png"}})->knob("picture").text(), "of-a-preset.png");
 }
 
 // By the flag, in sentences that end with the remedy; and the last good picture can be had again.
-TEST(PictureFile, tells_what_is_wrong_with_a_file) {
+TEST(FileKnob, tells_what_is_wrong_with_a_file) {
     const TemporaryFolder folder;
-    Taking demo;
+    const auto made = taking();
+    Demo& demo = *made;
     const std::string good = (folder / "good.png").string(), bad = (folder / "bad.png").string();
     writePng(good, filled(3, 200));
-    demo.picture.parse(good);
+    choose(demo, good);
     EXPECT_EQ(refusalOf(demo), "");
-    const int version = demo.picture.version();
-    demo.picture.parse(folder.path().string() + "/missing.png");
+    const int version = chosen(demo).version();
+    choose(demo, folder.path().string() + "/missing.png");
     EXPECT_EQ(refusalOf(demo),
               "--picture: " + folder.path().string() +
                   "/missing.png: must be a file that exists and may be read, No such file or directory");
+    demo.knob("before").parse("2");
+    EXPECT_EQ(refusalOf(demo).rfind("--picture: ", 0), 0U) << "before what the lesson refuses";
     writeFileAtomically(bad, "no picture");
-    demo.picture.parse(bad);
+    choose(demo, bad);
     EXPECT_EQ(refusalOf(demo).rfind("--picture: " + bad + ": must be a PNG or JPEG file", 0), 0U) << refusalOf(demo);
     const auto whole = encodePng(filled(64, 1));
     writeFileAtomically(bad, std::span(whole).first(whole.size() - 9));
@@ -82,69 +106,81 @@ TEST(PictureFile, tells_what_is_wrong_with_a_file) {
     writePng(bad, Picture(8193, 1));
     EXPECT_NE(refusalOf(demo).find("sides must lie in 1..8192 pixels; scale it down, 8193 x 1"), std::string::npos)
         << refusalOf(demo);
-    demo.picture.parse(folder.path().string());
+    choose(demo, folder.path().string());
     EXPECT_NE(refusalOf(demo), "") << "a folder";
-    demo.picture.parse(good);
-    EXPECT_EQ(refusalOf(demo), "");
-    EXPECT_EQ(demo.picture.version(), version) << "it is read once";
-    EXPECT_EQ(demo.picture.picture(), filled(3, 200));
+    choose(demo, good);
+    EXPECT_EQ(refusalOf(demo), "--before: must not be 2");
+    EXPECT_EQ(chosen(demo).version(), version) << "it is read once";
+    EXPECT_EQ(*chosen(demo).content(), filled(3, 200));
 }
 
 // A texture is made anew when there is something new in the file, and only then; two settings that are compared keep theirs.
-TEST(PictureFile, reads_what_is_written_anew) {
+TEST(FileKnob, reads_what_is_written_anew) {
     const TemporaryFolder folder;
     const std::string one = (folder / "one.png").string(), other = (folder / "other.png").string();
     writePng(one, filled(2, 10));
     writePng(other, filled(2, 20));
-    Taking demo;
-    demo.picture.parse(one);
-    const int first = demo.picture.version();
-    demo.picture.parse(other);
-    const int second = demo.picture.version();
+    const auto made = taking();
+    Demo& demo = *made;
+    choose(demo, one);
+    const int first = chosen(demo).version();
+    choose(demo, other);
+    const int second = chosen(demo).version();
     EXPECT_NE(first, second);
     for (int frame = 0; frame < 3; ++frame) {
-        demo.picture.parse(one);
-        EXPECT_EQ(demo.picture.version(), first);
-        demo.picture.parse(other);
-        EXPECT_EQ(demo.picture.version(), second);
-        EXPECT_EQ(demo.picture.picture(), filled(2, 20));
+        choose(demo, one);
+        EXPECT_EQ(chosen(demo).version(), first);
+        choose(demo, other);
+        EXPECT_EQ(chosen(demo).version(), second);
+        EXPECT_EQ(*chosen(demo).content(), filled(2, 20));
     }
+    const auto kept = chosen(demo).content();
     writePng(other, filled(3, 30));
-    EXPECT_NE(demo.picture.version(), second);
-    EXPECT_EQ(demo.picture.picture(), filled(3, 30));
+    EXPECT_NE(chosen(demo).version(), second);
+    EXPECT_EQ(*chosen(demo).content(), filled(3, 30));
+    EXPECT_EQ(*kept, filled(2, 20)) << "who still has the old one keeps it";
     std::filesystem::remove(other);
     EXPECT_NE(refusalOf(demo), "") << "what is gone is told";
 }
 
-TEST(PictureFile, is_noted_as_read_by_every_way_to_it) {
-    Taking demo;
-    const auto notes = [&](const auto& read) {
-        demo.picture.forgetRead();
-        read();
-        return demo.picture.wasRead();
-    };
-    EXPECT_TRUE(notes([&] { (void)demo.picture.isSet(); }));
-    EXPECT_TRUE(notes([&] { (void)demo.picture.text(); }));
-    EXPECT_TRUE(notes([&] { (void)demo.picture.version(); }));
-    EXPECT_TRUE(notes([&] { demo.picture.check(); }));
-    EXPECT_FALSE(notes([&] { demo.picture.parse("x.png"); }));
+// What a window goes by, where a demo has knobs of two kinds.
+TEST(FileKnob, takes_files_of_its_endings) {
+    const auto made = taking();
+    const auto& knob = dynamic_cast<const FileKnob&>(made->knob("picture"));
+    for (const char* name : {"a.png", "b.JPG", "c.Jpeg", ".png"}) EXPECT_TRUE(knob.takes(name)) << name;
+    for (const char* name : {"", "png", "a.png.txt", "a.obj", "png.d/a"}) EXPECT_FALSE(knob.takes(name)) << name;
 }
 
-TEST(PictureFile, is_in_what_is_printed_of_a_demo) {
+TEST(FileKnob, is_noted_as_read_by_every_way_to_it) {
+    const auto made = taking();
+    Demo& demo = *made;
+    const auto notes = [&](const auto& read) {
+        demo.knob("picture").forgetRead();
+        read();
+        return demo.knob("picture").wasRead();
+    };
+    EXPECT_TRUE(notes([&] { (void)chosen(demo); }));
+    EXPECT_TRUE(notes([&] { (void)demo.knob("picture").text(); }));
+    EXPECT_TRUE(notes([&] { demo.check(); }));
+    EXPECT_FALSE(notes([&] { choose(demo, "x.png"); }));
+}
+
+TEST(FileKnob, is_in_what_is_printed_of_a_demo) {
     static const DemoInfo info = [] {
         DemoInfo made;
         made.name = "taking";
         return made;
     }();
-    Taking demo;
-    demo.picture.parse("my photo's.jpg");
+    const auto made = taking();
+    Demo& demo = *made;
+    choose(demo, "my photo's.jpg");
     EXPECT_EQ(copyableCommand("taking", info, demo, 1, 512, 512), "taking --picture 'my photo'\\''s.jpg'");
     const std::string json = knobsJson(info, demo);
     EXPECT_NE(json.find(R"("value": "my photo's.jpg")"), std::string::npos) << json;
     EXPECT_NE(json.find(R"("range": "none or a PNG or JPEG file")"), std::string::npos) << json;
-    for (const std::string& text : demo.picture.sweep()) {
-        demo.picture.parse(text);
-        EXPECT_EQ(demo.picture.text(), text);
+    for (const std::string& text : demo.knob("picture").sweep()) {
+        choose(demo, text);
+        EXPECT_EQ(demo.knob("picture").text(), text);
         EXPECT_EQ(refusalOf(demo), "") << text << ", from the tree's folder";
     }
 }

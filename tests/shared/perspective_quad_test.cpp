@@ -1,4 +1,4 @@
-#include "shared/perspective_quad.h"
+#include "texture-map/perspective_quad.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "shared/triangle_map.h"
+#include "texture-map/triangle_map.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// A knob that is a picture file of the user's own: by its flag, dropped onto the window, chosen in the page.
+// A knob that is a file of the user's own: by its flag, dropped onto the window, chosen in the page.
 #pragma once
 #include <memory>
 #include <string>
@@ -6,33 +6,21 @@
 #include <vector>
 
 #include "mv/demo/knob.h"
-#include "mv/image/picture.h"
+#include "mv/demo/own_file.h"
 
 namespace mv {
 
-// At first "none". The value is the file's name alone: what is in it is read when it is asked for, so that a file that is not
-// there, or is no picture, is told where the demo checks its settings, and the window keeps its last picture:
-//     PictureFile picture{this, "picture", "assets/postcard.png", "a picture of yours on the surface"};
-//     void check() const override { picture.check(); }
-//     if (imageFor.changed(picture.version())) image = picture.isSet() ? Texture(picture.picture()) : ...;
-class PictureFile final : public Knob {
+// The knob of a row `file`: what an OwnFile says of its setting holds for it.
+class FileKnob : public Knob {
   public:
-    static constexpr std::string_view none = "none";
-
     // `sample` is a file of the tree, which the tests set it to.
-    PictureFile(Demo* owner, Literal name, Literal sample, Literal help);
+    FileKnob(Demo* owner, Literal name, const FileKind& kind, Literal sample, Literal help)
+        : Knob(owner, name, help, ""), kind_(kind), sample_(sample) {}
 
-    bool isSet() const {
-        noteRead();
-        return file_ != none;
-    }
-    // The picture in the file as it is now, as loadPicture reads it. It holds until the knob has been asked for two other ones.
-    // Error: none is set; as loadPicture, with the flag before it.
-    const Picture& picture() const;
-    // Another number for each picture that was read; 0 where none is set. Error: as picture().
-    int version() const;
-    // Error: one is set, and picture() refuses it.
+    // Error, with the flag before it: one is set, and is missing or of another kind.
     void check() const;
+    // Whether a file of this name is of the knob's kind, by its ending alone.
+    bool takes(std::string_view file) const;
 
     std::string text() const override {
         noteRead();
@@ -40,24 +28,36 @@ class PictureFile final : public Knob {
     }
     // Error: no name, or one with control characters.
     void parse(std::string_view text) override;
-    std::string initialText() const override { return std::string(none); }
-    std::string range() const override { return "none or a PNG or JPEG file"; }
-    std::vector<std::string> sweep() const override { return {std::string(none), sample_}; }
+    std::string initialText() const override { return none; }
+    std::string range() const override { return kind_.range; }
+    std::vector<std::string> sweep() const override { return {none, sample_}; }
     bool step(double) override { return false; }  // there is no next file
     bool widget(Panel& panel) override { return panel.file(*this); }
 
   private:
-    // A picture that was read, and of which file.
-    struct Read {
-        std::string file, stamp;
-        std::shared_ptr<const Picture> picture;
-        int version;
-    };
-    const Read& read() const;
+    static constexpr const char* none = "none";
 
-    std::string file_{none};
+    const FileKind& kind_;
     Literal sample_;
-    mutable std::vector<Read> reads_;  // the last two: a window draws two settings that are compared in turn
+    std::string file_ = none;
+};
+
+// The same as a member of a demo of the old shape, for pictures.
+class PictureFile final : public FileKnob {
+  public:
+    static constexpr std::string_view none = "none";
+    PictureFile(Demo* owner, Literal name, Literal sample, Literal help)
+        : FileKnob(owner, name, fileKind<Picture>(), sample, help) {}
+    bool isSet() const { return file().isSet(); }
+    int version() const { return file().version(); }
+    const Picture& picture() const {
+        kept_ = file().content();
+        return *kept_;
+    }
+
+  private:
+    OwnFile<Picture> file() const { return {text()}; }
+    mutable std::shared_ptr<const Picture> kept_;
 };
 
 }  // namespace mv

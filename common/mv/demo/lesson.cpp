@@ -1,5 +1,6 @@
 #include "mv/demo/lesson.h"
 
+#include "mv/demo/file_knob.h"
 #include "mv/demo/seen.h"
 
 namespace mv {
@@ -36,10 +37,16 @@ std::unique_ptr<Knob> makeKnob(Demo* owner, const AnyRow& row, const void* initi
             return std::make_unique<NumberChoice>(owner, row.name, at<int>(initial, row), row.numbers, row.help);
         case AnyRow::Kind::toggle:
             return std::make_unique<Toggle>(owner, row.name, at<bool>(initial, row), row.help);
-        case AnyRow::Kind::points:
+        case AnyRow::Kind::points: {
             const std::span<const vec2> places = row.places(value);
             return std::make_unique<Points>(owner, row.name, std::vector<vec2>(places.begin(), places.end()),
                                             row.limits, row.help, row.unit);
+        }
+        case AnyRow::Kind::file: {
+            auto knob = std::make_unique<FileKnob>(owner, row.name, *row.files, row.sample, row.help);
+            knob->parse(at<std::string>(initial, row));
+            return knob;
+        }
     }
     throw Error("row " + row.name, "must be of a kind that there is");
 }
@@ -65,6 +72,9 @@ void storeValue(const AnyRow& row, const Knob& knob, void* settings) {
             break;
         case AnyRow::Kind::points:
             row.setPlaces(value, static_cast<const Points&>(knob).points());
+            break;
+        case AnyRow::Kind::file:
+            at<std::string>(settings, row) = knob.text();
             break;
     }
 }
@@ -101,6 +111,12 @@ void LessonBase::addReadout(const Probe::Number& number) {
 
 void LessonBase::store(void* settings) const {
     for (const Bound& bound : bound_) storeValue(*bound.row, *bound.knob, settings);
+}
+
+void LessonBase::checkFiles() const {
+    for (const Bound& bound : bound_) {
+        if (bound.row->kind == AnyRow::Kind::file) static_cast<const FileKnob&>(*bound.knob).check();
+    }
 }
 
 std::vector<Real*> LessonBase::reals(const std::vector<Literal>& names) const {

@@ -130,6 +130,8 @@ class LessonBase : public Demo {
     void addReadout(const Probe::Number& number);
     // Writes the knobs' values into settings.
     void store(void* settings) const;
+    // Error: a file that is set cannot be read.
+    void checkFiles() const;
     std::vector<Real*> reals(const std::vector<Literal>& names) const;
     Points& points(Literal name) const;
 
@@ -187,6 +189,7 @@ class LessonDemo final : public LessonBase {
         if (lesson_->figure) paint(lesson_->figure, settings(), frame);
     }
     void check() const override {
+        checkFiles();
         if (lesson_->check) lesson_->check(settings());
     }
     Scene scene(const FrameInfo& frame) const override {

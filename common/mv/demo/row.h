@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "mv/demo/knob.h"
+#include "mv/demo/own_file.h"
 #include "mv/demo/points.h"
 #include "mv/demo/word_list.h"
 #include "mv/math/types.h"
@@ -78,7 +79,7 @@ Place<Settings, Value> within(Part Settings::*part, Value Part::*member) {
 
 // A row without the type of its settings.
 struct AnyRow {
-    enum class Kind { number, angle, whole, word, oneOf, toggle, points } kind;
+    enum class Kind { number, angle, whole, word, oneOf, toggle, points, file } kind;
     Literal name, help, unit = {};
     std::size_t offset;
     NumberRange range = {};                   // of a number
@@ -90,6 +91,8 @@ struct AnyRow {
     void (*setIndex)(void* value, int) = {};  //
     std::span<const vec2> (*places)(const void* value) = {};
     void (*setPlaces)(void* value, const std::vector<vec2>&) = {};
+    const FileKind* files = {};  // of a file; its value is the name, a std::string
+    Literal sample = {};
     bool startsOver = false;
     struct Condition {
         std::function<bool(const void* settings)> holds;
@@ -212,6 +215,22 @@ auto points(Literal name, Member member, Points::Limits limits, Literal help, Li
                                                 std::copy(places.begin(), places.end(),
                                                           static_cast<Value*>(value)->begin());
                                         }}};
+}
+
+// A file of the user's own: an OwnFile<Content>, whose content says of which kind. `sample` is a file of the tree, which the
+// tests set it to. A file that is missing or of another kind is told before check() of the lesson.
+template <class Member>
+auto file(Literal name, Member member, Literal sample, Literal help) {
+    const Place place = row_detail::placeOf(member);
+    using In = decltype(place);
+    using Value = typename In::Type;
+    static_assert(std::is_standard_layout_v<Value> && offsetof(Value, name) == 0);
+    return Row<typename In::Owner>{{.kind = AnyRow::Kind::file,
+                                    .name = name,
+                                    .help = help,
+                                    .offset = place.offset,
+                                    .files = &fileKind<typename Value::Content>(),
+                                    .sample = sample}};
 }
 
 // Rows, and lists of rows, one after the other.

@@ -146,16 +146,19 @@ void DemoScreen::handle(const Event& event) {
     }
 }
 
-// The demo's first knob that takes a file gets it. Dropped again, it is read anew: somebody may have painted in it.
+// The demo's knob of the file's kind gets it, or else the first for files, which says what is wrong with the file. Dropped again,
+// it is read anew: somebody may have painted in it.
 void DemoScreen::onDrop(const std::string& file) {
     dropError_ = "dropped file: must go to a demo with a knob that takes a picture, as texture-map has one";
+    const FileKnob* chosen = nullptr;
     for (const Knob* knob : session_.demo().knobs()) {
-        if (dynamic_cast<const PictureFile*>(knob) == nullptr) continue;
-        knobs_.closeField();
-        dropError_ = session_.set(knob->name(), file);
-        session_.touch();
-        return;
+        const auto* const files = dynamic_cast<const FileKnob*>(knob);
+        if (files != nullptr && (chosen == nullptr || (files->takes(file) && !chosen->takes(file)))) chosen = files;
     }
+    if (chosen == nullptr) return;
+    knobs_.closeField();
+    dropError_ = session_.set(chosen->name(), file);
+    session_.touch();
 }
 
 void DemoScreen::onKey(const Event& event) {

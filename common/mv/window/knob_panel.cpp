@@ -95,7 +95,7 @@ bool KnobPanel::otherRow(const Demo& demo, Knob& knob, float labelWidth, Compari
 bool KnobPanel::row(const Demo& demo, Knob& knob, float labelWidth, const std::string& side) {
     const ImGuiStyle& style = ImGui::GetStyle();
     const std::string idle = demo.idleReason(knob);
-    const bool isFile = dynamic_cast<const PictureFile*>(&knob) != nullptr;
+    const bool isFile = dynamic_cast<const FileKnob*>(&knob) != nullptr;
     const std::string tip =
         knobTip(knob) +
         (isFile ? "\nDrop one onto the window, or click and type its name.\nIt is " + knob.text() : "") +

@@ -1,4 +1,4 @@
-#include "shared/floor_texture.h"
+#include "floor_texture.h"
 
 #include <cmath>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "shared/perspective_quad.h"
+#include "perspective_quad.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>

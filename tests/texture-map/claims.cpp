@@ -1,3 +1,13 @@
+// What texture-map claims, and a test for each.
+//
+// - [slips] Interpolated along the picture, a texture slips by as much as the formula says, and correctly not at all.
+// - [falls-with-the-square] The slip falls as 1/n^2 once a cell's w's are nearly alike, which takes the longer, the larger W.
+// - [divide-at-the-end] u/w and v/w show the right point only when divided by 1/w.
+// - [forward-leaves-holes] Texels drawn as points leave holes where they are larger than pixels, and meet where smaller.
+// - [a-circle] The lecture's cylinder (cos u, h, sin u) is a circle, of no area.
+// - [one-strip-runs-back] Where the corners of a seam are shared, one strip shows the whole texture backwards.
+// - [half-at-the-pole] At a pole each cell of the texture is shown by a single triangle: half of it is lost.
+// - [through-the-origin] A triangle's texture matrix has no inverse when its plane holds the origin; edges always work.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,8 +19,8 @@
 #include <vector>
 
 #include "mv/math/transform.h"
-#include "shared/perspective_quad.h"
 #include "support/demo_run.h"
+#include "texture-map/perspective_quad.h"
 
 using namespace mv;
 using namespace mv::test;

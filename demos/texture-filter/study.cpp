@@ -1,36 +1,41 @@
-// What measures texture-filter: its floor against the mean of each pixel's part of the texture.
+// What texture-filter tells in numbers, and what measures it: its floor against the mean of each pixel's part of the texture.
+#include <algorithm>
 #include <cmath>
+#include <functional>
+#include <glm/geometric.hpp>
 #include <string>
 #include <vector>
 
-#include "mv/demo/demo.h"
-#include "mv/demo/file_knob.h"
-#include "mv/image/load.h"
-#include "shared/floor_texture.h"
+#include "mv/demo/lesson.h"
 #include "shared/own_picture.h"
+#include "texture-filter.h"
 
-using namespace mv;
-using namespace mv::claims;
+namespace mv::texture_filter {
+
+using namespace claims;
+
+void readOut(Gpu& gpu, const Settings& s, const Frame& frame, Numbers& numbers) {
+    if (frame.measuring()) return;
+    const Lookup lookup = lookupAt(s, frame);
+    numbers.set("level", lookup.level);
+    numbers.set("longer", lookup.longer);
+    numbers.set("shorter", lookup.shorter);
+    numbers.set("levels-made", gpu.image.levels());
+}
 
 namespace {
-
-FloorPattern patternOf(const Demo& demo) {
-    const std::string word = demo.word("pattern");
-    return word == "bricks" ? FloorPattern::bricks : word == "stripes" ? FloorPattern::stripes : FloorPattern::checker;
-}
 
 // The texels' luminance, and the mean of them over the part of the floor that each pixel covers: the texture is a picture
 // of flat squares, and a pixel the mean of its area.
 class FloorMean {
   public:
-    FloorMean(const Demo& demo, const FrameInfo& frame)
-        : size_(static_cast<int>(demo.number("texture-size"))),
+    FloorMean(const Settings& s, const FrameInfo& frame)
+        : size_(s.size),
           width_(frame.width()),
           height_(frame.height()),
-          repeats_(repeatsFromPixel(frame.width(), frame.height(), demo.number("turn"))) {
-        const std::string own = demo.word("picture");
+          repeats_(repeatsFromPixel(frame.width(), frame.height(), s.turn)) {
         const FloatPicture pattern =
-            own == PictureFile::none ? floorPattern(patternOf(demo), size_) : ownTexels(loadPicture(own), size_, size_);
+            s.picture.isSet() ? ownTexels(*s.picture.content(), size_, size_) : floorPattern(s.pattern, size_);
         for (std::size_t i = 0; i < pattern.values.size(); i += 4) light_.push_back(luminance(&pattern.values[i]));
     }
 
@@ -87,7 +92,7 @@ double rmsBetween(const std::vector<double>& a, const std::vector<double>& b) {
 }
 
 Reference areaMean(const Demo& demo, const ReferenceFrame& frame, const std::function<void(double)>& progress) {
-    const FloorMean floor(demo, frame);
+    const FloorMean floor(settingsOf<Settings>(demo), frame);
     Reference reference{.values = floor.picture(side, progress)};
     for (const double value : reference.values) reference.regions.push_back(value < 0 ? -1 : 0);
     if (frame.ownError) reference.ownError = rmsBetween(reference.values, floor.picture(2 * side, progress));
@@ -100,7 +105,7 @@ std::vector<double> errorNow(Probing& probing) {
     constexpr int width = 160, height = 120;
     const std::vector<float> shown = probing.measured(width, height);
     if (shown.empty()) return {};
-    const FloorMean floor(probing.demo(), {probing.frame().index(), width, height});
+    const FloorMean floor(settingsOf<Settings>(probing.demo()), {probing.frame().index(), width, height});
     return {rmsBetween({shown.begin(), shown.end()}, floor.picture(16, {}))};
 }
 
@@ -109,6 +114,7 @@ Study study() {
     study.quantity = "luminance of the floor 2 to 100 heights of the eye away, in linear light, 0..1";
     study.reference = "the mean of 1024 points of each pixel's part of the texture, in double precision";
     study.makeReference = areaMean;
+    study.reads = {"pattern", "texture-size", "turn", "picture"};
     study.scenes = {{"checker", {{"pattern", "checker"}, {"turn", "20"}}},
                     {"bricks", {{"pattern", "bricks"}, {"turn", "20"}}}};
     study.lines = {{"nearest", {{"filter", "nearest"}}},
@@ -158,3 +164,4 @@ const bool probed = addProbes("texture-filter", {{{{"rms-error",
                                                   errorNow}});
 
 }  // namespace
+}  // namespace mv::texture_filter

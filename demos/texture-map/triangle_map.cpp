@@ -1,4 +1,4 @@
-#include "shared/triangle_map.h"
+#include "triangle_map.h"
 
 #include <algorithm>
 #include <cstddef>

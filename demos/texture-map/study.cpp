@@ -1,24 +1,43 @@
-// What measures texture-map: how far from its place each pixel's texture lies on the square.
+// What texture-map tells in numbers, and what measures it: how far from its place each pixel's texture lies on the square.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <string>
 #include <vector>
 
-#include "mv/demo/demo.h"
-#include "shared/perspective_quad.h"
+#include "mv/demo/lesson.h"
+#include "perspective_quad.h"
+#include "texture-map.h"
 
-using namespace mv;
-using namespace mv::claims;
+namespace mv::texture_map {
+
+using namespace claims;
+
+void readOut(Gpu&, const Settings& s, const Frame& frame, Numbers& numbers) {
+    if (s.shape == Shape::quad && !isForward(s))
+        numbers.set("slip", largestSlip(s.surface.ratio, s.surface.divisions, paneOf(frame)).pixels);
+    if (!isTriangle(s)) return;
+    const TexturedTriangle corners = cornersOf(s.triangle);
+    numbers.set("determinant", glm::determinant(pointFromTexture(corners)));
+    numbers.set("off", errorInFloats(planeMap(s.triangle), corners));
+}
+
+// What has the texture, for those who count its triangles.
+Scene sceneOf(const Settings& s, const FrameInfo&) {
+    Scene scene;
+    scene.objects = {{.name = "surface", .mesh = meshOf(s)}};
+    return scene;
+}
 
 namespace {
 
 // Pixels of the square that are compared, the upper row first: those a thousandth of the square from its edges.
-std::vector<int> regionsOf(const Demo& demo, const FrameInfo& frame) {
+std::vector<int> regionsOf(const Settings& s, const FrameInfo& frame) {
     std::vector<int> regions(static_cast<std::size_t>(frame.width()) * static_cast<std::size_t>(frame.height()), -1);
-    if (demo.word("shape") != "quad") return regions;
-    const mat3 map = quadFromPixel(demo.number("ratio"), {0, 0, frame.width(), frame.height()});
+    if (s.shape != Shape::quad) return regions;
+    const mat3 map = quadFromPixel(s.surface.ratio, {0, 0, frame.width(), frame.height()});
     for (int row = 0; row < frame.height(); ++row) {
         for (int x = 0; x < frame.width(); ++x) {
             const vec2 at = projected(map, {x + 0.5, frame.height() - row - 0.5});
@@ -28,8 +47,8 @@ std::vector<int> regionsOf(const Demo& demo, const FrameInfo& frame) {
     return regions;
 }
 
-Reference noSlip(const Demo& demo, const ReferenceFrame& frame) {
-    Reference reference{.values = {}, .regions = regionsOf(demo, frame)};
+Reference noSlip(const Settings& s, const ReferenceFrame& frame) {
+    Reference reference{.values = {}, .regions = regionsOf(s, frame)};
     for (const int region : reference.regions) reference.values.push_back(region);
     return reference;
 }
@@ -44,18 +63,20 @@ struct Seen {
 Seen seen(Probing& probing) {
     const FrameInfo pane(probing.frame().index(), std::max(1, probing.frame().width() * 5 / 8),
                          probing.frame().height());
-    return {probing.measured(pane.width(), pane.height()), regionsOf(probing.demo(), pane)};
+    return {probing.measured(pane.width(), pane.height()), regionsOf(settingsOf<Settings>(probing.demo()), pane)};
 }
 
 std::vector<double> slipSeen(Probing& probing) {
-    if (probing.demo().word("shape") != "quad" || probing.demo().word("method") == "forward") return {};
+    const auto s = settingsOf<Settings>(probing.demo());
+    if (s.shape != Shape::quad || isForward(s)) return {};
     const auto [slips, regions] = seen(probing);
     if (slips.empty()) return {};
     return {std::max(0.0, double(*std::max_element(slips.begin(), slips.end())))};
 }
 
 std::vector<double> holesSeen(Probing& probing) {
-    if (probing.demo().word("shape") != "quad" || probing.demo().word("method") != "forward") return {};
+    const auto s = settingsOf<Settings>(probing.demo());
+    if (s.shape != Shape::quad || !isForward(s)) return {};
     const auto [slips, regions] = seen(probing);
     double holes = 0, all = 0;
     for (std::size_t i = 0; i < slips.size(); ++i) {
@@ -92,8 +113,9 @@ Study study() {
         "how far from its pixel the texture that it shows belongs, in px; 480 x 480 of them show the square";
     study.reference = "none is off: which pixels the square covers is computed in double precision";
     study.makeReference = [](const Demo& demo, const ReferenceFrame& frame, const auto&) {
-        return noSlip(demo, frame);
+        return noSlip(settingsOf<Settings>(demo), frame);
     };
+    study.reads = {"shape", "ratio"};
     study.axis = ErrorAxis::max;
     study.width = side;
     study.height = side;
@@ -139,3 +161,4 @@ const bool probed =
                                trianglesCounted}});
 
 }  // namespace
+}  // namespace mv::texture_map
