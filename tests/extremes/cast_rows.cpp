@@ -6,7 +6,7 @@
 
 #include "extremes/row.h"
 #include "mv/geometry/ray_forms.h"
-#include "shared/textbook_forms.h"
+#include "ray-cast/textbook_forms.h"
 
 using namespace mv;
 using namespace mv::test;

@@ -135,6 +135,8 @@ TEST(Lessons, conditions_are_asked_of_the_settings_and_of_the_part) {
     demo.knob("water").parse("0");
     EXPECT_EQ(demo.idleReason(demo.knob("tea")), "it is dry");
     EXPECT_EQ(demo.idleReason(demo.knob("logs")), "an empty kettle is not put on the fire");
+    EXPECT_EQ(demo.idleReason(demo.knob("heat")), "an empty kettle is not put on the fire")
+        << "the first reason, though there is no wood either";
 }
 
 TEST(Lessons, presets_are_what_differs_from_the_first) {

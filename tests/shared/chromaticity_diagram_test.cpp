@@ -1,4 +1,4 @@
-#include "shared/chromaticity_diagram.h"
+#include "color-models/chromaticity_diagram.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "shared/exact_patch.h"
+#include "gpu-stages/exact_patch.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "shared/primitive_types.h"
+#include "gpu-stages/primitive_types.h"
 
 #include <gtest/gtest.h>
 

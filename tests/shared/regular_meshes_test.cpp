@@ -1,8 +1,8 @@
-#include "shared/regular_meshes.h"
+#include "gpu-stages/regular_meshes.h"
 
 #include "../math/support.h"
 #include "mv/geometry/check.h"
-#include "shared/control_net.h"
+#include "gpu-stages/control_net.h"
 
 using namespace mv;
 using namespace mv::test;

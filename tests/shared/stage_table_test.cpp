@@ -1,4 +1,4 @@
-#include "shared/stage_table.h"
+#include "gpu-stages/stage_table.h"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ std::vector<std::string> cellsOf(const std::string& line) {
 }
 
 TEST(StageTable, IsThatOfThePage) {
-    std::ifstream page(std::string(MVGL_SOURCE_DIR) + "/demos/gpu-stages.md");
+    std::ifstream page(std::string(MVGL_SOURCE_DIR) + "/demos/gpu-stages/gpu-stages.md");
     std::vector<std::vector<std::string>> rows;
     bool isTable = false;
     for (std::string line; std::getline(page, line);) {

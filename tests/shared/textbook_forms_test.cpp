@@ -1,5 +1,5 @@
-// The slides' formulas for rays: as printed they fail, and as demos/shared/textbook_forms.h has them they do not.
-#include "shared/textbook_forms.h"
+// The slides' formulas for rays: as printed they fail, and as demos/ray-cast/textbook_forms.h has them they do not.
+#include "ray-cast/textbook_forms.h"
 
 #include <gtest/gtest.h>
 

@@ -260,7 +260,11 @@ std::vector<Row<Settings>> part(Part Settings::*member, std::vector<Row<Part>> r
                 return ofPart(static_cast<const std::byte*>(settings) + offset);
             };
         }
-        if (holds) row = std::move(row).when(holds, reason);
+        // Ask for the part first: without it, nothing else is the reason
+        if (holds) {
+            row = std::move(row).when(holds, reason);
+            std::rotate(row.conditions.begin(), row.conditions.end() - 1, row.conditions.end());
+        }
         all.push_back(std::move(row));
     }
     return all;

@@ -1,4 +1,4 @@
-#include "shared/primitive_types.h"
+#include "primitive_types.h"
 
 #include <cmath>
 

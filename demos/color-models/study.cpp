@@ -1,17 +1,90 @@
-// What measures color-models: how uneven the steps of its strips are, against the time they take; and what 8 bits do.
+// What color-models tells in numbers, and what measures it: how uneven the steps of its strips are, against the time they
+// take; and what 8 bits do.
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <string>
 #include <vector>
 
+#include "color-models.h"
 #include "mv/demo/demo.h"
 #include "mv/math/color.h"
-#include "shared/chromaticity_diagram.h"
+#include "mv/math/color_difference.h"
 
-using namespace mv;
-using namespace mv::claims;
+namespace mv::color_models {
+
+vec3 asSeen(const vec3& srgb) { return oklabFromLinear(linearFromSrgb(srgb)); }
+static vec3 labOf(const vec3& srgb) { return labFromLinear(linearFromSrgb(srgb)); }
+vec3 shownAs(const vec3& srgb) { return glm::clamp(srgb, 0.0, 1.0); }
+// By more than OKLab's there and back rounds.
+bool isBeyond(const vec3& srgb) { return glm::distance(srgb, shownAs(srgb)) > 1e-9; }
+static auto countBeyond(const Settings& s) {
+    const std::vector<vec3> even = strip(s, Way::oklab);
+    return std::count_if(even.begin(), even.end(), isBeyond);
+}
+
+// The lengths of a strip's steps by their mean, in the space and by the distance given. None where all are 0.
+template <class InSpace, class Distance>
+static std::vector<double> stepsBy(const std::vector<vec3>& colors, const InSpace& inSpace, const Distance& distance) {
+    std::vector<double> lengths;
+    double sum = 0;
+    vec3 last = inSpace(colors.front());
+    for (std::size_t i = 1; i < colors.size(); ++i) {
+        const vec3 next = inSpace(colors[i]);
+        lengths.push_back(distance(last, next));
+        sum += lengths.back();
+        last = next;
+    }
+    if (sum == 0) return {};
+    for (double& length : lengths) length *= double(lengths.size()) / sum;
+    return lengths;
+}
+// As seen.
+std::vector<double> stepsOf(const std::vector<vec3>& colors) {
+    return stepsBy(colors, asSeen, [](const vec3& a, const vec3& b) { return glm::distance(a, b); });
+}
+std::optional<double> unevenness(const std::vector<double>& lengths) {
+    if (lengths.empty()) return {};
+    double squares = 0;
+    for (const double length : lengths) squares += (length - 1) * (length - 1);
+    return 100 * std::sqrt(squares / double(lengths.size()));
+}
+
+// For the study: the lengths of the steps, by their mean.
+std::vector<double> values(const Settings& s) { return stepsOf(strip(s, s.way)); }
+
+void tell(const Settings& s, const Frame& frame) {
+    if (hslFromRgb(s.from).saturation == 0) frame.say("The colour is a grey: it has no hue.");
+    if (s.shows == Shows::solids && countBeyond(s) > 0)
+        frame.say("OKLab mixes colours that no sRGB screen shows: underlined, they are cut off.");
+}
+
+void readOut(Gpu&, const Settings& s, const Frame&, Numbers& numbers) {
+    const Hsl hsl = hslFromRgb(s.from);
+    if (hsl.saturation != 0) numbers.set("hue", hsl.hue);
+    numbers.set("lightness", asSeen(s.from).x);
+    for (const auto& [name, way] : {std::pair("uneven-srgb", Way::srgb),
+                                    {"uneven-linear", Way::linear},
+                                    {"uneven-hsl", Way::hsl},
+                                    {"uneven-oklab", Way::oklab}}) {
+        if (const auto percent = unevenness(stepsOf(strip(s, way)))) numbers.set(name, *percent);
+    }
+    numbers.set("beyond", double(countBeyond(s)));
+    numbers.set("part-of-diagram", ChromaticityDiagram{s.diagram}.heldBySrgb());
+    if (const auto percent = unevenness(stepsBy(strip(s, s.way), labOf, colorDifference)))
+        numbers.set("uneven-ciede2000", *percent);
+    const vec3 lab = labOf(s.from);
+    numbers.set("ciede2000", colorDifference(lab, labOf(s.to)));
+    numbers.set("contrast", contrast(linearFromSrgb(s.from), linearFromSrgb(s.to)));
+    numbers.set("lab-l", lab.x);
+    numbers.set("lab-a", lab.y);
+    numbers.set("lab-b", lab.z);
+}
 
 namespace {
+
+using namespace mv::claims;
 
 // The colour in 8 bits, through HSL and HSV in 8 bits a number: how far a component is off, in 255ths.
 std::vector<double> offIn8Bits(Probing& probing) {
@@ -97,3 +170,4 @@ Study study() {
 const bool studied = addStudy("color-models", study());
 
 }  // namespace
+}  // namespace mv::color_models

@@ -1,4 +1,4 @@
-#include "shared/chromaticity_diagram.h"
+#include "chromaticity_diagram.h"
 
 #include <algorithm>
 #include <array>

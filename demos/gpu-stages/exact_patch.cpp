@@ -1,11 +1,11 @@
-#include "shared/exact_patch.h"
+#include "exact_patch.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <glm/common.hpp>
 #include <utility>
 
-#include "shared/control_net.h"
+#include "control_net.h"
 
 namespace mv {
 namespace {

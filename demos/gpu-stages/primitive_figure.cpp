@@ -1,4 +1,4 @@
-#include "shared/primitive_figure.h"
+#include "primitive_figure.h"
 
 #include <algorithm>
 #include <numeric>

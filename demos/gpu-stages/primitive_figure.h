@@ -7,7 +7,7 @@
 #include "mv/gl/drawing.h"
 #include "mv/gl/mesh.h"
 #include "mv/gl/program.h"
-#include "shared/primitive_types.h"
+#include "primitive_types.h"
 
 namespace mv {
 

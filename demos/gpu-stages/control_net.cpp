@@ -1,4 +1,4 @@
-#include "shared/control_net.h"
+#include "control_net.h"
 
 #include <array>
 #include <glm/geometric.hpp>

@@ -1,4 +1,4 @@
-#include "shared/stage_table.h"
+#include "stage_table.h"
 
 #include <algorithm>
 #include <vector>

@@ -1,4 +1,5 @@
-// What measures ray-cast: the t of each pixel against the same rays in long double, and its picture against GL's.
+// What ray-cast tells in numbers, and what measures it: the t of each pixel against the same rays in long double, and its
+// picture against GL's.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,13 +11,50 @@
 #include <vector>
 
 #include "mv/demo/demo.h"
-#include "shared/cast_objects.h"
-#include "shared/ray_structures.h"
+#include "ray-cast.h"
 
-using namespace mv;
-using namespace mv::claims;
+namespace mv::ray_cast {
+
+static bool isUnlike(const std::optional<CastCandidate>& a, const std::optional<CastCandidate>& b, double size) {
+    if (!a || !b) return a.has_value() != b.has_value();
+    return a->kind != b->kind || std::abs(a->hit.t - b->hit.t) > 0.05 * size;
+}
+
+// Pixels that see another object than by the stable form in double.
+static int countUnlike(const Seen& seen, Settings s) {
+    s.form = CastForm::stable;
+    s.precision = Precision::twice;
+    s.plane = PlaneForm::implicit;
+    s.starts = 16;
+    const Seen right = castRays(s);
+    int count = 0;
+    for (std::size_t i = 0; i < right.size(); ++i) count += isUnlike(seen[i], right[i], s.size) ? 1 : 0;
+    return count;
+}
+
+void readOut(Gpu& gpu, const Settings& s, const Frame& frame, Numbers& numbers) {
+    const std::vector<CastCandidate> met = chosen(s);
+    numbers.set("candidates", double(met.size()));
+    if (!met.empty()) numbers.set("t", met.front().hit.t);
+    if (s.by == Maker::gl) return;
+    if (gpu.unlikeFor.changed(withoutPixel(s))) gpu.unlike = countUnlike(keptSeen(gpu, s), s);
+    numbers.set("unlike", gpu.unlike);
+    if (gpu.unlike > 0)
+        frame.say(std::to_string(gpu.unlike) + " pixels have another object or t than by the stable form in double.");
+}
+
+// For the study: each pixel's t without the distance, in units of the scale; 10 for the sky.
+std::vector<double> values(const Settings& s) {
+    Settings alone = s;
+    alone.threads = 1;
+    std::vector<double> ts;
+    for (const auto& first : seenBy(alone)) ts.push_back(first ? first->hit.t / s.size - s.distance : 10);
+    return ts;
+}
 
 namespace {
+
+using namespace mv::claims;
 
 using Long = long double;
 using Long3 = glm::vec<3, Long>;
@@ -388,3 +426,4 @@ Study study() {
 const bool studied = addStudy("ray-cast", study());
 
 }  // namespace
+}  // namespace mv::ray_cast

@@ -2,10 +2,10 @@
 #pragma once
 #include <vector>
 
+#include "cast_objects.h"
 #include "mv/demo/frame.h"
 #include "mv/geometry/ray.h"
 #include "mv/gl/drawing.h"
-#include "shared/cast_objects.h"
 
 namespace mv {
 

@@ -1,4 +1,4 @@
-#include "shared/regular_meshes.h"
+#include "regular_meshes.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,5 @@
-// What measures gpu-stages: how far its triangles are from the patch itself, and whether two kinds of shader make one picture.
+// What gpu-stages tells in numbers, and what measures it: how far its triangles are from the patch itself, and whether two
+// kinds of shader make one picture.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -7,15 +8,29 @@
 #include <string>
 #include <vector>
 
+#include "exact_patch.h"
+#include "gpu-stages.h"
 #include "mv/demo/demo.h"
 #include "mv/gl/beyond_es.h"
-#include "shared/exact_patch.h"
-#include "shared/stage_table.h"
 
-using namespace mv;
-using namespace mv::claims;
+namespace mv::gpu_stages {
+
+void readOut(Gpu& gpu, const Settings& s, const Frame&, Numbers& numbers) {
+    const bool counts = has(beyond_es::countingQueries);
+    if (s.show == Show::stages && counts) {
+        numbers.set("into-geometry", double(gpu.toGeometry.number.generated));
+        numbers.set("out-of-geometry", double(gpu.sent.number.generated));
+        numbers.set("written", double(gpu.sent.number.written));
+        numbers.set("found", gpu.sent.found());
+        numbers.set("fragments-passed", double(gpu.passed));
+    }
+    if (s.show == Show::primitives && counts) numbers.set("primitives", double(gpu.types.counted()));
+    if (s.show == Show::meshes) numbers.set("irregular", double(gpu.bodies.irregular()));
+}
 
 namespace {
+
+using namespace mv::claims;
 
 // How deep in the picture the patch itself is, in each pixel, the upper row first; -1 where there is none.
 std::vector<double> exactDepths(const Demo& demo, const FrameInfo& frame) {
@@ -169,3 +184,4 @@ const bool probed =
                {{{"differing", "pixels in which the two shaders' pictures differ", "px"}}, differing}});
 
 }  // namespace
+}  // namespace mv::gpu_stages

@@ -1,15 +1,29 @@
+// What gpu-stages claims, and a test for each.
+//
+// - [counts-agree] Two queries and what transform feedback leaves in its buffer count the same primitives.
+// - [counts-follow-the-rule] The tessellator makes as many triangles as its levels say; a geometry shader, of each triangle
+//   one or a line, of each point four triangles.
+// - [stages-pass-on] A stage that is on and changes nothing changes no pixel by more than its colours' last place; without
+//   fragments there is no picture, and all is counted as before.
+// - [hidden-lines] What shows them draws lines behind faces and nothing else, and covers no line before them.
+// - [ten-primitive-types] So many vertices make so many primitives, in each of the seven types of the core; it refuses the
+//   other three.
+// - [regular-only-with-euler-0] Of the closed bodies the torus is regular and the sphere is not; what its vertices lack of
+//   six edges is 6 times Euler's number.
+// - [compute-is-the-same-picture] The compute shader stores the picture that the fragment shader draws.
+// - [says-what-is-lacking] Without a stage the demo draws what it can, and says what it lacks.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
 #include <vector>
 
+#include "gpu-stages/primitive_types.h"
+#include "gpu-stages/regular_meshes.h"
 #include "mv/geometry/shapes.h"
 #include "mv/geometry/tessellation.h"
 #include "mv/gl/beyond_es.h"
 #include "mv/gl/gl.h"
-#include "shared/primitive_types.h"
-#include "shared/regular_meshes.h"
 #include "support/demo_run.h"
 
 using namespace mv;

@@ -1,4 +1,4 @@
-#include "shared/cast_side.h"
+#include "cast_side.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>

@@ -1,4 +1,4 @@
-#include "shared/cast_objects.h"
+#include "cast_objects.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 #include "mv/geometry/shapes.h"
 #include "mv/math/transform.h"
 #include "shared/ray_structures.h"
-#include "shared/textbook_forms.h"
+#include "textbook_forms.h"
 
 namespace mv {
 

@@ -1,0 +1,125 @@
+// color-models: one colour in the RGB cube, HSL's double cone and HSV's cone, and two colours mixed in four ways.
+#include "color-models.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "mv/gl/functions.h"
+#include "mv/math/color.h"
+#include "mv/math/projection.h"
+#include "mv/math/transform.h"
+
+namespace mv::color_models {
+
+void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
+    gpu.drawing.begin(frame);
+    if (s.shows == Shows::solids)
+        drawSolids(gpu, s, frame);
+    else
+        drawDiagram(gpu, s, frame);
+    drawMarks(gpu.drawing, s, frame);
+    gpu.drawing.draw(frame);
+    tell(s, frame);
+}
+
+// Draw the three solids side by side. The fragment shader computes the colour of a place.
+void drawSolids(Gpu& gpu, const Settings& s, const Frame& frame) {
+    const mat4 clip = clipFromModel(s, frame);
+    frame.show("clipFromModel", clip);
+
+    // Cut each solid at the colour's height, or above all of it
+    vec3 cuts(2);
+    for (const Space solid : {cube, doubleCone, cone}) {
+        if (s.solids.cut) cuts[solid] = placeOf(solid, s.from).y;
+    }
+    glEnable(GL_DEPTH_TEST);
+    if (cuts != vec3(0)) {  // cut at black, no solid has anything left
+        gpu.program->use();
+        gpu.program->set("clipFromModel", clip);
+        gpu.program->set("rgbFromModel", glm::inverse(modelFromRgb()));
+        gpu.program->set("cuts", cuts);
+        for (const Space solid : {cube, doubleCone, cone}) {
+            const Pane pane = paneOf(frame, solid);
+            glViewport(pane.x, pane.y, pane.width, pane.height);
+            gpu.program->set("model", static_cast<int>(solid));
+            gpu.solids[static_cast<std::size_t>(solid)]->draw();
+        }
+        glViewport(0, 0, frame.width(), frame.height());
+    }
+    drawOverSolids(gpu.drawing, s, frame);
+    drawStrips(gpu.drawing, s, frame);
+}
+
+// The place of a colour in a solid: HSL's lightness, HSV's value and the cube's diagonal are heights.
+vec3 placeOf(Space solid, const vec3& rgb) {
+    if (solid == cube) return modelFromRgb() * rgb;
+    if (solid == doubleCone) {
+        const Hsl hsl = hslFromRgb(rgb);
+        return aroundAxis(hsl.hue, hsl.saturation * (1 - std::abs(2 * hsl.lightness - 1)), hsl.lightness);
+    }
+    const Hsv hsv = hsvFromRgb(rgb);
+    return aroundAxis(hsv.hue, hsv.saturation * hsv.value, hsv.value);
+}
+
+// The place of a hue at a height, `out` times 1/2 from the axis.
+vec3 aroundAxis(double hue, double out, double height) {
+    return {out / 2 * std::cos(radians(hue)), height, -out / 2 * std::sin(radians(hue))};
+}
+
+// The cube stands on black, and white is over it: red, green and blue rise by a third each, a third of a turn apart.
+mat3 modelFromRgb() {
+    mat3 m;
+    for (int i = 0; i < 3; ++i) {
+        const double turn = radians(120 * i), out = std::sqrt(2) / 3;
+        m[i] = vec3(out * std::cos(turn), 1 / 3.0, -out * std::sin(turn));
+    }
+    return m;
+}
+
+mat4 clipFromModel(const Settings& s, const FrameInfo& frame) {
+    const double aspect = paneOf(frame, cube).aspect(), narrow = std::min(aspect / 0.83, 1.0);
+    return perspective(degrees(2 * std::atan(std::tan(radians(14)) / narrow)), aspect, 1, 6) *
+           lookAt(vec3(0, 1.65, 2.8), vec3(0, 0.56, 0), vec3(0, 1, 0)) * translate(0, 0.5, 0) *
+           (rotateX(s.solids.spinX) * rotateY(s.solids.spinY)) * translate(0, -0.5, 0);
+}
+
+// A grey takes the hue of the other colour, since it has none. Then the hue goes the shorter way round.
+static Hsl mixedHsl(Hsl a, Hsl b, double t) {
+    if (a.saturation == 0) a.hue = b.hue;
+    if (b.saturation == 0) b.hue = a.hue;
+    const double turn = std::remainder(b.hue - a.hue, 360);
+    return {a.hue + t * turn, glm::mix(a.saturation, b.saturation, t), glm::mix(a.lightness, b.lightness, t)};
+}
+
+// The colour at part t of the way from a to b. A mixture in OKLab may lie beyond the colours of a screen.
+vec3 mixed(Way way, const vec3& a, const vec3& b, double t) {
+    if (way == Way::srgb) return glm::mix(a, b, t);
+    if (way == Way::hsl) return rgbFromHsl(mixedHsl(hslFromRgb(a), hslFromRgb(b), t));
+    const vec3 first = linearFromSrgb(a), second = linearFromSrgb(b);
+    if (way == Way::linear) return srgbFromLinear(glm::mix(first, second, t));
+    return srgbFromLinear(linearFromOklab(glm::mix(oklabFromLinear(first), oklabFromLinear(second), t)));
+}
+
+// A strip has the mixtures from one end to the other.
+std::vector<vec3> strip(const Settings& s, Way way) {
+    std::vector<vec3> colors;
+    for (int i = 0; i <= s.solids.steps; ++i) colors.push_back(mixed(way, s.from, s.to, double(i) / s.solids.steps));
+    return colors;
+}
+
+// Draw the colours of the spectrum's inside. The fragment shader computes the brightest colour of a chromaticity.
+void drawDiagram(Gpu& gpu, const Settings& s, const Frame& frame) {
+    const ChromaticityDiagram diagram{s.diagram};
+    gpu.ofDiagram->use();
+    gpu.ofDiagram->set("clipFromXy",
+                       ChromaticityDiagram::clipFromPlace(diagram.plotIn(frame), frame) * diagram.placeFromXy());
+    gpu.ofDiagram->set("linearFromXyz", linearFromXyz());
+    gpu.spectrum->draw();
+    diagram.draw(gpu.drawing, frame);
+    drawMixture(gpu.drawing, s, frame);
+}
+
+}  // namespace mv::color_models

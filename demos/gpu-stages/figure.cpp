@@ -1,0 +1,64 @@
+// What gpu-stages shows and counts, and the words beside it: the eye, the table of the stages, the control points.
+#include "exact_patch.h"
+#include "gpu-stages.h"
+#include "mv/demo/seen.h"
+#include "mv/gl/beyond_es.h"
+#include "mv/gl/gl.h"
+#include "mv/math/projection.h"
+#include "mv/math/transform.h"
+
+namespace mv::gpu_stages {
+
+// The eye, for the left half of the picture. The table is beside it.
+Scene sceneOf(const Settings& s, const FrameInfo& frame) {
+    Scene scene;
+    scene.clipFromView = translate(-0.55, 0, 0) * scale(0.47, 1, 1) * perspective(35, 0.47 * frame.aspect(), 1, 20);
+    scene.viewFromWorld = lookAt(vec3(0, 0, 10.5), vec3(0), vec3(0, 1, 0)) * turnOf(s) * translate(0, -0.4, 0);
+    return scene;
+}
+
+void submit(Gpu& gpu, const Stages& s) {
+    const GLenum primitives = mode(s);
+    Mesh& mesh = *(primitives == GL_PATCHES ? gpu.patch : primitives == GL_POINTS ? gpu.points : gpu.net);
+    mesh.drawAs(primitives);
+}
+
+// Draw the patch, or send it up to the rasterizer only. Count the fragments where somebody reads their number.
+void drawCounted(Gpu& gpu, const Stages& s, const Frame& frame) {
+    if (!s.fragments) glEnable(GL_RASTERIZER_DISCARD);
+    if (has(beyond_es::countingQueries) && frame.readouts())
+        gpu.passed += countedBy(GL_SAMPLES_PASSED, [&] { submit(gpu, s); });
+    else
+        submit(gpu, s);
+    if (!s.fragments) glDisable(GL_RASTERIZER_DISCARD);
+}
+
+static void drawStagesFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
+    const Stages& stages = s.stages;
+    if (stages.fragments) {
+        const mat4 clipFromWorld = seen(sceneOf(s, frame), frame).clipFromWorld();
+        const ExactPatch exact(stages.bend);
+        for (const vec3& point : exact.patch().points)
+            gpu.drawing.point(clipFromWorld, point, frame.height() / 90.0, vec4(0.45, 0.45, 0.5, 1));
+    }
+    drawStageTable(gpu.drawing, frame, stages.direct3d,
+                   {.mode = mode(stages),
+                    .inner = stages.inner,
+                    .outer = outerLevel(stages),
+                    .isBent = stages.bend != 0.0,
+                    .hasGeometry = geometryStage(stages) != Geometry::off,
+                    .hasFragments = stages.fragments,
+                    .toGeometry = gpu.toGeometry,
+                    .sent = gpu.sent});
+}
+
+void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
+    gpu.drawing.begin(frame);
+    if (s.show == Show::stages) drawStagesFigure(gpu, s, frame);
+    if (s.show == Show::primitives) gpu.types.label(frame, gpu.drawing);
+    if (s.show == Show::meshes) gpu.bodies.label(frame, turnOf(s), gpu.drawing);
+    if (s.show == Show::compute) drawHeadings(gpu.drawing, frame);
+    gpu.drawing.draw(frame);
+}
+
+}  // namespace mv::gpu_stages

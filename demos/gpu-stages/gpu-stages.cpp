@@ -1,0 +1,143 @@
+// gpu-stages: one patch through all stages of the pipeline, each on or off, with what goes into it and what comes out.
+#include "gpu-stages.h"
+
+#include "mv/demo/seen.h"
+#include "mv/gl/beyond_es.h"
+#include "mv/gl/gl.h"
+#include "mv/math/transform.h"
+
+namespace mv::gpu_stages {
+
+void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
+    glEnable(GL_DEPTH_TEST);
+    if (s.show == Show::stages) drawStages(gpu, s, frame);
+    if (s.show == Show::primitives) drawPrimitives(gpu, s, frame);
+    if (s.show == Show::meshes) drawMeshes(gpu, s, frame);
+    if (s.show == Show::compute) drawCompute(gpu, frame);  // compute.cpp
+}
+
+static const vec3 sheetColor(0.85, 0.55, 0.25), lineColor(0.1, 0.3, 0.6);
+
+// A program has a file for each of its stages. Leave out a file, and the pipeline leaves out the stage.
+static std::vector<std::string> filesOf(const Stages& s, Geometry stage) {
+    std::vector<std::string> files{"gpu-stages.vert"};
+    if (isTessellated(s)) {
+        files.emplace_back("patch.tesc");
+        files.emplace_back(geometryStage(s) == Geometry::shapes ? "points.tese" : "patch.tese");
+    }
+    if (stage != Geometry::off) files.push_back(std::string(nameOf(stage)) + ".geom");
+    files.emplace_back(stage == Geometry::wireframe ? "wireframe.frag" : "gpu-stages.frag");
+    return files;
+}
+
+// Use the program of these stages, and set all uniforms that it has.
+static const Program& prepare(Gpu& gpu, const Settings& s, Geometry stage, const Frame& frame) {
+    const Program& program = programOf(gpu, filesOf(s.stages, stage));
+    program.use();
+    program.set("clipFromWorld", seen(sceneOf(s, frame), frame).clipFromWorld());
+    program.set("bend", s.stages.bend);
+    program.set("color", stage == Geometry::normals || stage == Geometry::wireframe ? lineColor : sheetColor);
+    if (isTessellated(s.stages)) {
+        program.set("inner", double(s.stages.inner));
+        program.set("outer", double(outerLevel(s.stages)));
+    }
+    if (hasAmount(stage)) program.set("amount", s.stages.amount);
+    if (stage == Geometry::wireframe) {
+        program.set("halfPicture", 0.5 * vec2(frame.width(), frame.height()));
+        program.set("isHidden", false);
+    }
+    return program;
+}
+
+// Draw once more, and only lines that lie behind the faces. The lines before them stay as dark as they are.
+static void drawHiddenLines(Gpu& gpu, const Stages& s, const Program& program, const Frame& frame) {
+    program.set("isHidden", true);
+    glDepthFunc(GL_GREATER);
+    glDepthMask(GL_FALSE);
+    glEnable(GL_BLEND);
+    glBlendEquation(GL_MIN);
+    drawCounted(gpu, s, frame);
+}
+
+void drawStages(Gpu& gpu, const Settings& s, const Frame& frame) {
+    const Geometry stage = geometryStage(s.stages);
+    frame.show("clipFromWorld", seen(sceneOf(s, frame), frame).clipFromWorld());
+    gpu.passed = 0;
+
+    // Send the patch's 16 points through the stages. Lines along the normals stand on the patch, which is drawn first
+    if (isTessellated(s.stages)) glPatchParameteri(GL_PATCH_VERTICES, 16);
+    if (stage == Geometry::normals) {
+        prepare(gpu, s, Geometry::off, frame);
+        drawCounted(gpu, s.stages, frame);
+    }
+    const Program& program = prepare(gpu, s, stage, frame);
+    drawCounted(gpu, s.stages, frame);
+    if (stage == Geometry::wireframe && s.stages.hidden && s.stages.fragments && !frame.measuring())
+        drawHiddenLines(gpu, s.stages, program, frame);
+
+    // Count the primitives of each stage, when they are others than before
+    countPrimitives(gpu, s, frame);
+}
+
+// Count what this program sends on, and what it would without its geometry shader.
+void countPrimitives(Gpu& gpu, const Settings& s, const Frame& frame) {
+    if (!has(beyond_es::countingQueries)) return;
+    const Geometry stage = geometryStage(s.stages);
+    if (gpu.countedFor.changed(isTessellated(s.stages), s.stages.inner, outerLevel(s.stages), stage)) {
+        const auto countedBy = [&](const Program& program) {
+            return counted(program, mode(s.stages), [&] { submit(gpu, s.stages); });
+        };
+        gpu.sent = countedBy(programOf(gpu, filesOf(s.stages, stage)));
+        gpu.toGeometry = stage == Geometry::off ? gpu.sent : countedBy(prepare(gpu, s, Geometry::off, frame));
+    }
+    frame.count("primitives for the rasterizer", double(gpu.sent.number.generated));
+}
+
+bool isTessellated(const Stages& s) { return s.tessellation && has(beyond_es::tessellation); }
+Geometry geometryStage(const Stages& s) {
+    return s.geometry != Geometry::off && has(beyond_es::geometryShaders) ? s.geometry : Geometry::off;
+}
+bool hasAmount(Geometry stage) { return stage > Geometry::wireframe; }
+int outerLevel(const Stages& s) { return s.ownEdges ? s.outer : s.inner; }
+GLenum mode(const Stages& s) {
+    if (isTessellated(s)) return GL_PATCHES;
+    return geometryStage(s) == Geometry::shapes ? GL_POINTS : GL_TRIANGLES;
+}
+mat4 turnOf(const Settings& s) { return rotateX(s.spinX) * rotateY(s.spinY); }
+
+const Program& programOf(Gpu& gpu, const std::vector<std::string>& files) {
+    const auto known = gpu.programs.find(files);
+    if (known != gpu.programs.end()) return known->second;
+    std::string name;
+    std::vector<std::string> paths;
+    for (const std::string& file : files) {
+        name += (name.empty() ? "" : " ") + file;
+        paths.push_back("gpu-stages/" + file);
+    }
+    return gpu.programs.emplace(files, Program::fromFiles(name, paths)).first->second;
+}
+
+// Draw the ten primitive types, a pane each.
+void drawPrimitives(Gpu& gpu, const Settings& s, const Frame& frame) {
+    const Program& flat = programOf(gpu, {"flat.vert", "flat.frag"});
+    flat.use();
+    if (!isEs()) glEnable(GL_PROGRAM_POINT_SIZE);  // ES has it always on
+    gpu.types.draw(frame, flat, s.vertices, has(beyond_es::countingQueries));
+}
+
+// Draw bodies that can be cut regularly, and one that cannot.
+void drawMeshes(Gpu& gpu, const Settings& s, const Frame& frame) {
+    const bool wires = has(beyond_es::geometryShaders);
+    const Stages untouched{.tessellation = false};
+    const Program& program = programOf(gpu, filesOf(untouched, wires ? Geometry::wireframe : Geometry::off));
+    program.use();
+    program.set("bend", 0.0);
+    program.set("color", wires ? lineColor : sheetColor);
+    if (wires) {
+        program.set("halfPicture", vec2(frame.width(), frame.height()) / 2.0);
+        program.set("isHidden", false);
+    }
+    gpu.bodies.draw(frame, turnOf(s), program, s.cells);
+}
+
+}  // namespace mv::gpu_stages

@@ -1,0 +1,83 @@
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+#include "control_net.h"
+#include "mv/demo/frame.h"
+#include "mv/demo/made_for.h"
+#include "mv/demo/numbers.h"
+#include "mv/geometry/scene.h"
+#include "mv/geometry/shapes.h"
+#include "mv/gl/drawing.h"
+#include "mv/gl/mesh.h"
+#include "mv/gl/on_demand.h"
+#include "mv/gl/program.h"
+#include "mv/gl/target.h"
+#include "primitive_figure.h"
+#include "regular_meshes.h"
+#include "stage_table.h"
+
+namespace mv::gpu_stages {
+
+enum class Show { stages, primitives, meshes, compute };
+enum class Geometry { off, pass, wireframe, shapes, normals, explode };
+
+// A patch on its way through the stages.
+struct Stages {
+    bool tessellation = true;
+    int inner = 8;  // level of the patch's inside
+    bool ownEdges = false;
+    int outer = 4;  // level of the edges
+    Geometry geometry = Geometry::wireframe;
+    bool hidden = true;
+    double amount = 0.25, bend = 0.1;
+    bool fragments = true;
+    int direct3d = 11;
+};
+struct Settings {
+    Show show = Show::stages;
+    Stages stages = {};
+    int vertices = 8, cells = 12;
+    double spinX = 20, spinY = -30;  // degrees
+};
+
+struct Gpu {
+    std::map<std::vector<std::string>, Program> programs;  // by their files
+    OnDemand<Mesh> patch{positionsOnly(controlPoints()), "patch"}, points{controlPoints(), "control points"};
+    OnDemand<Mesh> net{controlNet(), "control net"}, square{positionsOnly(mv::square()), "square"};
+    CountedPrimitives toGeometry, sent;  // what reaches the geometry shader's place, and what leaves it
+    MadeFor<bool, int, int, Geometry> countedFor;
+    long passed = 0;  // fragments that reached the picture
+    PrimitiveFigure types;
+    RegularFigure bodies;
+    Target image;
+    Drawing drawing;
+};
+
+// The technique: gpu-stages.cpp, and for the same picture by two kinds of shader compute.cpp.
+void draw(Gpu& gpu, const Settings& s, const Frame& frame);
+void drawStages(Gpu& gpu, const Settings& s, const Frame& frame);
+void drawPrimitives(Gpu& gpu, const Settings& s, const Frame& frame);
+void drawMeshes(Gpu& gpu, const Settings& s, const Frame& frame);
+void drawCompute(Gpu& gpu, const Frame& frame);
+const Program& programOf(Gpu& gpu, const std::vector<std::string>& files);
+bool isTessellated(const Stages& s);
+Geometry geometryStage(const Stages& s);
+int outerLevel(const Stages& s);
+GLenum mode(const Stages& s);
+bool hasAmount(Geometry stage);
+mat4 turnOf(const Settings& s);
+
+// Counts, and words beside the picture: figure.cpp.
+void submit(Gpu& gpu, const Stages& s);
+void drawCounted(Gpu& gpu, const Stages& s, const Frame& frame);
+void countPrimitives(Gpu& gpu, const Settings& s, const Frame& frame);
+Scene sceneOf(const Settings& s, const FrameInfo& frame);
+void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame);
+
+// knobs.cpp, study.cpp.
+const char* nameOf(Geometry stage);
+void readOut(Gpu& gpu, const Settings& s, const Frame& frame, Numbers& numbers);
+
+}  // namespace mv::gpu_stages
