@@ -1,4 +1,4 @@
-#include "shared/jointed_overlay.h"
+#include "robot-arm/jointed_overlay.h"
 
 #include <gtest/gtest.h>
 

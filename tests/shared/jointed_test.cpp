@@ -1,4 +1,4 @@
-#include "shared/jointed.h"
+#include "robot-arm/jointed.h"
 
 #include <gtest/gtest.h>
 

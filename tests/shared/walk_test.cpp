@@ -1,4 +1,4 @@
-#include "shared/walk.h"
+#include "robot-arm/walk.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "mv/motion/two_link.h"
-#include "shared/jointed.h"
+#include "robot-arm/jointed.h"
 
 using namespace mv;
 

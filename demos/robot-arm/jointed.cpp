@@ -1,4 +1,4 @@
-#include "shared/jointed.h"
+#include "jointed.h"
 
 #include <array>
 #include <cmath>

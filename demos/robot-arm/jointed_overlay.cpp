@@ -1,4 +1,4 @@
-#include "shared/jointed_overlay.h"
+#include "jointed_overlay.h"
 
 #include <algorithm>
 #include <array>

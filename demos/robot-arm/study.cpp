@@ -1,22 +1,71 @@
-// What measures robot-arm: how far from the target the arm's end comes in so many iterations, from 60 starts.
+// What robot-arm tells in numbers, and what measures it: how far from the target the arm's end comes in so many iterations,
+// from 60 starts.
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <string>
 #include <vector>
 
-#include "mv/demo/demo.h"
-#include "shared/jointed.h"
+#include "mv/demo/lesson.h"
+#include "mv/motion/two_link.h"
+#include "robot-arm.h"
 
-using namespace mv;
-using namespace mv::claims;
+namespace mv::robot_arm {
+namespace {
+
+void tellWalker(const Settings& s, int index, Numbers& numbers) {
+    const double now = double(index) / cycleFrames;
+    numbers.set("slide", offOf(trackOf(s, now, Method::forward)));
+    if (!isForward(s)) numbers.set("slip", offOf(trackOf(s, now, s.method)));
+}
+
+void tellIteration(const IkResult& found, Numbers& numbers) {
+    numbers.set("residual", found.history.back().residual);
+    numbers.set("iterations-used", double(found.history.size()) - 1);
+    numbers.set("at-limit", double(found.atLimit.size()));
+}
+
+// Infinitely many are not told.
+void tellSolutions(const Settings& s, Numbers& numbers) {
+    const TwoLinkAnswer answer = twoLinkAngles(s.upper, s.lower, vec2(targetOf(s)));
+    if (answer.solutions != TwoLinkSolutions::infinitelyMany) numbers.set("solutions", double(answer.solutions));
+}
+
+}  // namespace
+
+void readOut(Gpu&, const Settings& s, const Frame& frame, Numbers& numbers) {
+    if (isWalker(s)) return tellWalker(s, frame.index(), numbers);
+    const Jointed thing = thingOf(s);
+    const IkResult found = find(s, thing, frame.index());
+    const vec3 end = stickOf(thing, worldFromParts(thing.tree, found.degrees)).back();
+    numbers.set("end-x", end.x);
+    numbers.set("end-y", end.y);
+    numbers.set("end-z", end.z);
+    if (isForward(s)) return;
+    numbers.set("to-target", glm::distance(end, targetOf(s)));
+    if (isLinks(s)) tellSolutions(s, numbers);
+    if (iterates(s)) tellIteration(found, numbers);
+}
+
+// How far the arm's end is from the target, from each of 60 starts; at the start where nothing iterates.
+std::vector<double> values(const Settings& s) {
+    const Jointed thing = arm(s.upper, s.lower, s.arm.limits);
+    const Method by = iterates(s) ? s.method : Method::dls;
+    const int most = iterates(s) ? s.iterations : 0;
+    std::vector<double> distances(60);
+    for (int k = 0; double& each : distances) each = byIteration(thing, armStart(k++), targetOf(s), most, by).distance;
+    return distances;
+}
 
 namespace {
 
+using namespace mv::claims;
+
 // Geometry: the reach of the free arm is a ball about its shoulder, and the nearest point of a ball is on the way to its middle.
 Reference nearest(const Demo& demo) {
-    const double reach = demo.number("upper") + demo.number("lower") + armHand, beyond = demo.number("beyond");
-    const double away = std::hypot(demo.number("target-x"), demo.number("target-y"), demo.number("target-z"));
-    const double least = beyond > 0 ? beyond : std::max(0.0, away - reach);
+    const auto s = settingsOf<Settings>(demo);
+    const double away = std::hypot(s.target.x, s.target.y, s.target.z);
+    const double least = s.beyond > 0 ? s.beyond : std::max(0.0, away - (legOf(s) + armHand));
     return {.values = std::vector<double>(60, least)};
 }
 
@@ -68,6 +117,7 @@ Study study() {
              "is allowed beyond that costs nothing. Beyond the reach the goal is inside of it by a thousandth, 2.4 mm, "
              "which is what remains. No joint turns by more than 20 degrees in an iteration."),
     };
+    study.reads = {"target-x", "target-y", "target-z", "beyond", "upper", "lower"};
     study.ofValues = true;
     return study;
 }
@@ -75,3 +125,4 @@ Study study() {
 const bool studied = addStudy("robot-arm", study());
 
 }  // namespace
+}  // namespace mv::robot_arm

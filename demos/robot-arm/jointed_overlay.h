@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "jointed.h"
 #include "mv/gl/drawing.h"
 #include "mv/motion/inverse_kinematics.h"
-#include "shared/jointed.h"
 
 namespace mv {
 
@@ -19,7 +19,7 @@ struct ResidualCurve {
     bool isChosen;
 };
 
-// A member of a demo. Sizes are composed for a picture of 960 x 560, and words shrink with it to 8 pixels.
+// Sizes are composed for a picture of 960 x 560, and words shrink with it to 8 pixels.
 //     overlay.begin(frame);
 //     overlay.look(pane, clipFromWorld);   // for each pane; what follows is in it
 //     overlay.stick(...); overlay.say(...);

@@ -1,4 +1,4 @@
-#include "shared/walk.h"
+#include "walk.h"
 
 #include <cmath>
 

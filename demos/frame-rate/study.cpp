@@ -1,21 +1,51 @@
-// What measures frame-rate: the time that is told after hours of pictures, by the way it is added up.
+// What frame-rate tells in numbers, and what measures it: the time that is told after hours of pictures, by the way it is
+// added up.
 #include <cmath>
 #include <string>
 #include <vector>
 
-#include "mv/demo/demo.h"
+#include "frame-rate.h"
+#include "mv/demo/lesson.h"
 
-using namespace mv;
-using namespace mv::claims;
+namespace mv::frame_rate {
+
+void readOut(Gpu&, const Settings& s, const Running& now, const Frame&, Numbers& numbers) {
+    const auto [perPicture, perSecond, right, inSteps] = times(s, now);
+    numbers.set("per-picture-off", perPicture - right);
+    numbers.set("per-second-off", perSecond - right);
+    numbers.set("steps-off", inSteps - right);
+    numbers.set("lost", now.moved.lost);
+    numbers.set("picture-lasts", now.last.empty() ? 0 : 1000 * now.last.back().lasted);
+    numbers.set("turn-per-second", turnOf(s, perSecond));
+    numbers.set("turn-of-time", turnOf(s, right));
+}
+
+// The time that is told after these hours of pictures, each a refresh long.
+std::vector<double> values(const Settings& s) {
+    const double each = 1 / hertz(s);
+    const long pictures = std::lround(s.hours * 3600 * hertz(s));
+    float inFloat = 0;
+    CompensatedSum inDouble;
+    double product = 0;
+    for (long i = 1; i <= pictures; ++i) {
+        if (s.sum == Sum::floats) inFloat += static_cast<float>(each);
+        if (s.sum == Sum::doubles) inDouble.sum += each;
+        if (s.sum == Sum::compensated) inDouble.add(each);
+        if (s.sum == Sum::product) product = double(i) * each;
+    }
+    return {double(inFloat) + inDouble.value() + product};
+}
 
 namespace {
 
+using namespace mv::claims;
+
 // The number of pictures times the length of one, which is a ratio of whole numbers.
 Reference exactTime(const Demo& demo) {
-    const std::string display = demo.word("display");
-    const long double hertz = display == "59.94" ? 60'000.0L / 1001 : static_cast<long double>(demo.number("display"));
-    const long double seconds = static_cast<long double>(demo.number("hours")) * 3600;
-    return {.values = {static_cast<double>(std::round(seconds * hertz) / hertz)}};
+    const auto s = settingsOf<Settings>(demo);
+    const long double exact = s.display == Display::ntsc ? 60'000.0L / 1001 : static_cast<long double>(hertz(s));
+    const long double seconds = static_cast<long double>(s.hours) * 3600;
+    return {.values = {static_cast<double>(std::round(seconds * exact) / exact)}};
 }
 
 Study study() {
@@ -48,6 +78,7 @@ Study study() {
               {atMost(of::rms, rows("product"), 3e-11)}),
         note("The last place of a day in seconds, as a double, is 1.5e-11 s. A 60th is not a number in binary: each "
              "addition rounds, and always alike, so that the errors add up instead of cancelling.")};
+    study.reads = {"display", "hours"};
     study.ofValues = true;
     return study;
 }
@@ -55,3 +86,4 @@ Study study() {
 const bool studied = addStudy("frame-rate", study());
 
 }  // namespace
+}  // namespace mv::frame_rate

@@ -1,0 +1,84 @@
+// frame-rate: one motion moved in four ways: per picture, per second, as a function of the time, and in steps of one length.
+#include "frame-rate.h"
+
+#include <climits>
+#include <cmath>
+
+#include "mv/gl/functions.h"
+#include "mv/math/projection.h"
+#include "mv/math/transform.h"
+
+namespace mv::frame_rate {
+
+void draw(Gpu& gpu, const Settings& s, const Running& now, const Frame& frame) {
+    const std::array<double, 4> time = times(s, now);
+
+    // Draw each way's cube, turned by the time that this way tells
+    glEnable(GL_DEPTH_TEST);
+    gpu.program.use();
+    for (int way = 0; way < 4; ++way) {
+        const auto [x, y, width, height] = cubePane(frame, way);
+        glViewport(x, y, width, height);
+        gpu.program.set("clipFromModel", clipFromCube(turnOf(s, time[way]), double(width) / height));
+        gpu.cube.draw();
+    }
+    glViewport(0, 0, frame.width(), frame.height());
+
+    // Draw clocks and balls by the same times, and how long each of the last pictures stood
+    gpu.drawing.begin(frame);
+    drawClocks(gpu.drawing, s, time, frame);
+    drawPictures(gpu.drawing, s, now, frame);
+    gpu.drawing.draw(frame);
+    frame.count("pictures of the display", double(now.pictures));
+}
+
+// Between two pictures: `elapsed` is what a program measures since its last one. Returns the steps of the fourth way.
+int move(Moved& moved, const Settings& s, double elapsed) {
+    // 1. Wrong: turn by so much for each picture, made for a display of 60 Hz
+    moved.turnPerPicture += s.speed / 60;
+
+    // 2. Add up the time since the last picture; the turn is the speed times that
+    moved.elapsed.add(elapsed);
+    moved.elapsedFloat += static_cast<float>(elapsed);
+
+    // 3. Add up nothing: the turn is a function of the time
+
+    // 4. Go in steps of one length, as many as the time owes. A simulation wants that: other steps make another motion
+    return moveInSteps(moved, s, elapsed);
+}
+
+int moveInSteps(Moved& moved, const Settings& s, double elapsed) {
+    const double h = stepTime(s);
+    const int most = s.cap ? mostSteps : INT_MAX;
+    int steps = 0;
+    for (moved.owed += elapsed; moved.owed >= h && steps < most; ++steps) {
+        moved.before = moved.after;
+        moved.after = double(++moved.steps) * h;
+        moved.owed -= h;
+    }
+    // Drop the whole steps that the cap leaves owed
+    const double dropped = moved.owed - std::fmod(moved.owed, h);
+    moved.lost += dropped;
+    moved.owed -= dropped;
+    return steps;
+}
+
+// Each way's time. It moves all else: the cube by the speed times it, hands and ball by their formulas.
+std::array<double, 4> times(const Settings& s, const Running& now) {
+    const Moved& moved = now.moved;
+    const double perPicture = s.speed > 0 ? moved.turnPerPicture / s.speed : double(now.pictures) / 60;
+    const std::array<double, 4> sums{moved.elapsed.sum, moved.elapsedFloat, moved.elapsed.value(), now.shownAt};
+    const double perSecond = sums.at(static_cast<std::size_t>(s.sum));
+    const double inSteps = s.between ? glm::mix(moved.before, moved.after, moved.owed / stepTime(s)) : moved.after;
+    return {perPicture, perSecond, now.shownAt, inSteps};
+}
+
+double turnOf(const Settings& s, double time) { return std::fmod(s.speed * time, 360); }
+double stepTime(const Settings& s) { return 1.0 / s.steps; }
+
+mat4 clipFromCube(double turn, double aspect) {
+    const mat4 viewFromWorld = lookAt(vec3(0, 1.6, 2.6), vec3(0, 0, 0), vec3(0, 1, 0));
+    return perspective(40, aspect, 1, 10) * viewFromWorld * rotateY(turn);
+}
+
+}  // namespace mv::frame_rate

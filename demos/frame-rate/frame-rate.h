@@ -1,0 +1,102 @@
+#pragma once
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "mv/demo/frame.h"
+#include "mv/demo/numbers.h"
+#include "mv/geometry/shapes.h"
+#include "mv/gl/drawing.h"
+#include "mv/gl/mesh.h"
+#include "mv/gl/program.h"
+
+namespace mv::frame_rate {
+
+enum class Display { hz60, ntsc, hz144, hz240 };
+enum class Sum { doubles, floats, compensated, product };
+enum class Hands { clockwise, asWritten };
+
+struct Settings {
+    Display display = Display::hz144;
+    double speed = 100;     // degrees a second
+    double hours = 1;       // at frame 0
+    double load = 2;        // ms
+    double jitter = 0;      // ms
+    double hiccup = 0;      // ms
+    int steps = 60;         // a second
+    double stepLoad = 0.1;  // ms
+    bool cap = true;
+    bool between = true;
+    Sum sum = Sum::doubles;
+    Hands hands = Hands::clockwise;
+};
+
+struct Gpu {
+    Program program{"frame-rate"};
+    Mesh cube{colorCube(), "cube"};
+    Drawing drawing;
+};
+
+// A sum of which the roundings are added up, too. Source: Kahan, CACM 8 (1965); Neumaier's order of the terms.
+struct CompensatedSum {
+    double sum = 0, lost = 0;
+    void add(double x) {
+        const double next = sum + x;
+        lost += std::abs(sum) >= std::abs(x) ? (sum - next) + x : (x - next) + sum;
+        sum = next;
+    }
+    double value() const { return sum + lost; }
+};
+
+// What each way of moving remembers from one picture to the next. Times are seconds.
+struct Moved {
+    double turnPerPicture = 0;  // degrees
+    CompensatedSum elapsed;
+    float elapsedFloat = 0;
+    double owed = 0, before = 0, after = 0, lost = 0;
+    long steps = 0;
+};
+
+// A picture that the display has shown, and the steps of the fourth way for it.
+struct Shown {
+    double at, lasted;  // seconds
+    int steps;
+    bool operator==(const Shown&) const = default;
+};
+
+// What is remembered from frame to frame: the display, and what moves on it.
+struct Running {
+    long refreshes = 0;  // of the display, until the picture that it shows
+    long pictures = 0;
+    long waiting = 1;    // refreshes until the next picture is ready
+    double shownAt = 0;  // seconds
+    Moved moved;
+    std::vector<Shown> last;
+};
+
+constexpr int mostSteps = 5;  // for one picture, with a cap
+
+// The technique: frame-rate.cpp. Times and what has elapsed are seconds.
+void draw(Gpu& gpu, const Settings& s, const Running& now, const Frame& frame);
+std::array<double, 4> times(const Settings& s, const Running& now);
+double turnOf(const Settings& s, double time);
+int move(Moved& moved, const Settings& s, double elapsed);
+int moveInSteps(Moved& moved, const Settings& s, double elapsed);
+double stepTime(const Settings& s);
+mat4 clipFromCube(double turn, double aspect);
+
+// The simulated display: display.cpp.
+Running start(const Settings& s);
+void step(Running& now, const Settings& s, int index);
+double hertz(const Settings& s);
+
+// Clocks, balls and the display's last pictures: figure.cpp.
+Pane cubePane(const FrameInfo& frame, int way);
+void drawClocks(Drawing& drawing, const Settings& s, const std::array<double, 4>& time, const FrameInfo& frame);
+void drawPictures(Drawing& drawing, const Settings& s, const Running& now, const FrameInfo& frame);
+
+// study.cpp.
+void readOut(Gpu& gpu, const Settings& s, const Running& now, const Frame& frame, Numbers& numbers);
+std::vector<double> values(const Settings& s);
+
+}  // namespace mv::frame_rate

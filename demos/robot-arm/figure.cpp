@@ -1,0 +1,140 @@
+// What is drawn and written over two links, or the arm: ghosts, the way of the end, the target, and words.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "mv/motion/two_link.h"
+#include "robot-arm.h"
+
+namespace mv::robot_arm {
+namespace {
+
+using Words = std::vector<std::string>;
+const vec4 pale(0.25, 0.42, 0.70, 0.3), other(0.10, 0.55, 0.40, 0.7);
+
+std::string place(const Settings& s, const vec3& at) {
+    const std::string inPlane = shortNumber(at.x) + ", " + shortNumber(at.y);
+    return "(" + inPlane + (isArm(s) ? ", " + shortNumber(at.z) : "") + ")";
+}
+void stick(JointedOverlay& overlay, const Jointed& thing, const Angles& angles, const Stroke& stroke) {
+    overlay.stick(thing, worldFromParts(thing.tree, angles), stroke);
+}
+
+// How many solutions two links have for the target.
+std::string counted(const TwoLinkAnswer& answer) {
+    static const std::array<std::string, 4> counts{"no solution", "one solution", "two solutions",
+                                                   "infinitely many solutions"};
+    return counts.at(static_cast<std::size_t>(answer.solutions));
+}
+
+// The way of two links' end in the last 300 frames.
+void showWay(JointedOverlay& overlay, const Settings& s, int index) {
+    std::vector<vec2> way;
+    for (int i = std::max(0, index - 300); i <= index; ++i) {
+        const Angles angles = anglesAt(s, i);
+        way.push_back(overlay.pixel(vec3(twoLinkEnd(s.upper, s.lower, {angles[0], angles[1]}), 0)));
+    }
+    overlay.above.line(way, {robotRed, 1.5});
+}
+
+// In closed form: all solutions, or some of infinitely many, and why there are so many.
+Words showSolutions(JointedOverlay& overlay, const Settings& s, const Jointed& thing, const Angles& angles) {
+    const vec2 target(targetOf(s));
+    const TwoLinkAnswer answer = twoLinkAngles(s.upper, s.lower, target);
+    const std::string why(answer.reason);
+    const std::size_t colon = why.find(':');  // a long reason has two lines
+    Words words{counted(answer) + ":", why.substr(0, colon)};
+    if (colon != std::string::npos) words.push_back(why.substr(colon + 2));
+    if (answer.distance > 0) words.push_back(rounded("nearest point: %.3g m away", answer.distance));
+    if (answer.solutions == TwoLinkSolutions::infinitelyMany) {
+        for (int degrees = 0; degrees < 360; degrees += 15)
+            stick(overlay, thing, {double(degrees), angles[1]}, {pale, 3});
+    } else {
+        stick(overlay, thing, byFormula(s, target, 0), {pale, 7});
+    }
+    overlay.target(targetOf(s), stickOf(thing, worldFromParts(thing.tree, angles)).back());
+    return words;
+}
+
+// The poses from the start on, and what the arm comes to from other starts.
+void showPoses(JointedOverlay& overlay, const Settings& s, const Jointed& thing, int taken) {
+    const vec3 target = targetOf(s);
+    for (int k = 0; k < taken; ++k)  // a run of fewer iterations is the beginning of a longer one
+        stick(overlay, thing, byIteration(thing, anglesAt(s, 0), target, k, s.method).degrees, {pale, 2.5});
+    for (int k = 0; isArm(s) && s.arm.others && k < 8; ++k)
+        stick(overlay, thing, byIteration(thing, armStart(k), target, mostIterations, s.method).degrees, {other, 2.5});
+}
+
+// The target, in space with its height above the table, and where the ball of the reach is cut at that height.
+void showTarget(JointedOverlay& overlay, const Settings& s, const vec3& goal) {
+    const vec3 target = targetOf(s);
+    const double reach = legOf(s) + armHand;
+    overlay.target(target, goal);
+    if (!isArm(s)) return;
+    overlay.above.edge(overlay.clipFromWorld(), target, {target.x, table, target.z}, {robotGrey, 1});
+    if (std::abs(target.y) < reach) overlay.circleAt(target.y, std::sqrt(std::pow(reach, 2) - std::pow(target.y, 2)));
+}
+
+// How fast each of the methods comes near.
+void plotResiduals(JointedOverlay& overlay, const Settings& s, const Jointed& thing, const Frame& frame) {
+    std::vector<ResidualCurve> curves;
+    for (const Method by : {Method::ccd, Method::transpose, Method::dls}) {
+        const IkResult result = byIteration(thing, anglesAt(s, 0), targetOf(s), mostIterations, by);
+        curves.push_back({nameOf(by), result.history, by == s.method});
+    }
+    overlay.residuals(frame, curves, paneOf(s, frame).width, s.iterations, mostIterations);
+}
+
+Words showIterations(JointedOverlay& overlay, const Settings& s, const Jointed& thing, const IkResult& found,
+                     const Frame& frame) {
+    static const std::array<std::string, 5> ends{"reached", "out of reach, its projection reached",
+                                                 "out of reach, its projection not yet",
+                                                 "stalled: no step comes nearer", "not yet there"};
+    const int taken = static_cast<int>(found.history.size()) - 1;
+    const vec3 target = targetOf(s);
+    showPoses(overlay, s, thing, taken);
+    showTarget(overlay, s, found.goal);
+    const std::string armSolutions =
+        found.goal == target ? "4 angles for 3 coordinates: in general infinitely many solutions" : "no solution";
+    Words words{nameOf(s.method) + ": " + ends.at(static_cast<std::size_t>(found.end)),
+                rounded("iterations: %.0f", taken) + rounded(", joints at a limit: %.0f", double(found.atLimit.size())),
+                isArm(s) ? armSolutions : counted(twoLinkAngles(s.upper, s.lower, vec2(target))),
+                "target at " + place(s, target)};
+    if (found.goal != target) {
+        words.push_back("projected to " + place(s, found.goal));
+        frame.say("The target is out of reach: the end goes for its projection, " + place(s, found.goal) + ".");
+    }
+    plotResiduals(overlay, s, thing, frame);
+    return words;
+}
+
+Words showMethod(JointedOverlay& overlay, const Settings& s, const Jointed& thing, const IkResult& found,
+                 const Frame& frame) {
+    if (iterates(s)) return showIterations(overlay, s, thing, found, frame);
+    if (s.method == Method::closed) return showSolutions(overlay, s, thing, found.degrees);
+    if (isLinks(s)) showWay(overlay, s, frame.index());
+    return {"forward: the angles are given"};
+}
+
+}  // namespace
+
+void showLinks(JointedOverlay& overlay, const Settings& s, const Jointed& thing, const IkResult& found,
+               const std::vector<mat4>& worldFromPart, const Frame& frame) {
+    if (isLinks(s)) overlay.ring(std::abs(s.upper - s.lower), legOf(s));
+    Words words = showMethod(overlay, s, thing, found, frame);
+    const vec3 end = stickOf(thing, worldFromPart).back();
+    overlay.above.point(overlay.clipFromWorld(), end, 7, robotInk);
+    words.push_back("end at " + place(s, end));
+    for (const std::string& each : words) overlay.say(each);
+    overlay.angles(thing, worldFromPart, found.degrees);
+    if (s.matrices) overlay.product(frame, thing, worldFromPart, found.degrees, overlay.pane().width, isLinks(s));
+}
+
+// Left of the matrices and the plot, where these are shown.
+Pane paneOf(const Settings& s, const FrameInfo& frame) {
+    const bool besides = s.matrices || (iterates(s) && !isWalker(s));
+    return {0, 0, std::max(besides ? frame.width() * 3 / 5 : frame.width(), 1), frame.height()};
+}
+
+}  // namespace mv::robot_arm
