@@ -140,10 +140,10 @@ function quoted(file, name) {
     const lines = text(`${folder}/${source}`).split('\n');
     lines.forEach((line, i) => {
       if (!new RegExp(`^\\w.*\\b${name}\\(`).test(line) || /;\s*$/.test(line)) return;
-      const end = lines.indexOf('}', i);
+      const end = /\}$/.test(line) ? i : lines.indexOf('}', i);
       let start = i;
       while (start > 0 && lines[start - 1].startsWith('// ')) --start;
-      if (end > i) found.push({ source, start, code: lines.slice(start, end + 1).join('\n') });
+      if (end >= i) found.push({ source, start, code: lines.slice(start, end + 1).join('\n') });
     });
   }
   if (found.length !== 1) fail(file, `must quote a function that its folder has once, <!-- code ${name} -->`, `${found.length} found`);
