@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "mv/demo/panel.h"
+#include "mv/demo/word_list.h"
 #include "mv/math/types.h"
 #include "mv/motion/joint_tree.h"
 

@@ -53,21 +53,6 @@ double Demo::number(std::string_view name) const {
     return value;
 }
 
-std::string Demo::idleReason(const Knob& knob) const {
-    std::vector<const Knob*> unread;
-    for (const Knob* each : knobs_) {
-        if (!each->wasRead()) unread.push_back(each);
-    }
-    std::string reason;
-    for (const Knob::Condition& condition : knob.conditions_) {
-        if (condition.holds()) continue;
-        reason = condition.reason;
-        break;
-    }
-    for (const Knob* each : unread) each->forgetRead();
-    return reason;
-}
-
 bool Demo::press(Key key) {
     bool moved = false;
     for (const Binding& binding : bindings_) {
@@ -115,32 +100,32 @@ void Demo::bindDrag(Knob& across, double perPixelAcross, Knob& down, double perP
 
 void Demo::bindWheel(Knob& knob, double perNotch) { bindings_.push_back({Gesture::wheel, Key{}, &knob, perNotch}); }
 
-void Demo::bindHandle(std::string name, std::vector<Real*> knobs,
+void Demo::bindHandle(std::string name, std::vector<Knob*> knobs,
                       std::function<std::optional<vec2>(const FrameInfo&)> where) {
-    Handle handle{.name = std::move(name), .knobs = {knobs.begin(), knobs.end()}};
+    Handle handle{.name = std::move(name), .knobs = knobs};
     handle.count = [] { return std::size_t{1}; };
     handle.coordinates = [knobs = std::move(knobs)](std::size_t) {
         std::vector<Coordinate> coordinates;
-        for (Real* knob : knobs) coordinates.push_back(knob->coordinate());
+        for (Knob* knob : knobs) coordinates.push_back(knob->coordinate());
         return coordinates;
     };
     handle.where = [where = std::move(where)](const FrameInfo& frame, std::size_t) { return where(frame); };
     handles_.push_back(std::move(handle));
 }
 
-void Demo::bindHandle(std::string name, Points& points,
+void Demo::bindPoints(std::string name, Knob& points,
                       std::function<std::optional<vec2>(const FrameInfo&, const vec2& value)> where) {
     Handle handle{.name = std::move(name), .knobs = {&points}};
-    handle.count = [&points] { return points.size(); };
+    handle.count = [&points] { return points.points().size(); };
     handle.coordinates = [&points](std::size_t i) {
         return std::vector<Coordinate>{points.coordinate(i, 0), points.coordinate(i, 1)};
     };
     handle.where = [&points, where = std::move(where)](const FrameInfo& frame, std::size_t i) {
-        return where(frame, points[i]);
+        return where(frame, points.points()[i]);
     };
     if (!points.isFixedNumber()) {
-        handle.add = [&points](std::size_t after) { return points.add(after); };
-        handle.remove = [&points](std::size_t i) { return points.remove(i); };
+        handle.add = [&points](std::size_t after) { return points.addPoint(after); };
+        handle.remove = [&points](std::size_t i) { return points.removePoint(i); };
     }
     handles_.push_back(std::move(handle));
 }
@@ -235,11 +220,6 @@ void addProbedReadouts(Demo& demo, std::string_view name) {
         for (const Probe::Number& number : probe.numbers)
             demo.probed_.push_back(std::make_unique<Readout>(&demo, number.name, number.help, number.unit));
     }
-}
-
-bool addDemo(const Declaration& declaration, std::unique_ptr<Demo> (*make)()) {
-    return addDemo(declaration, {declaration.presets.begin(), declaration.presets.end()},
-                   "demos/" + declaration.name + ".md", make);
 }
 
 bool addDemo(const Declaration& declaration, std::vector<Preset> presets, std::string page,

@@ -1,7 +1,6 @@
-// A demo: a class with knobs and readouts as members, an init and a draw. The framework owns the loop.
-//
-// From that one declaration come a standalone program with a window and a panel, the same program without a window, a
-// row in the launcher, the tests that move every knob, and the tables of its page.
+// A demo: a lesson (mv/demo/lesson.h) as those see it who show it: a picture, and knobs and readouts by name. The framework owns the
+// loop. A standalone program with a window and a panel, the same program without a window, a row in the launcher, the tests that move every
+// knob, and the tables of its page all stand on this.
 #pragma once
 #include <functional>
 #include <initializer_list>
@@ -17,7 +16,6 @@
 #include "mv/demo/handle.h"
 #include "mv/demo/knob.h"
 #include "mv/demo/memory.h"
-#include "mv/demo/points.h"
 #include "mv/demo/preset.h"
 #include "mv/demo/readout.h"
 #include "mv/demo/study.h"
@@ -82,10 +80,6 @@ class Demo {
 
     // The knob of that name, or Error naming the nearest one.
     Knob& knob(std::string_view name) const;
-    // Why the knob changes nothing in the present settings, by its onlyWhen(); "" where it does something. No knob counts as
-    // read for it.
-    std::string idleReason(const Knob& knob) const;
-
     // The present value of a knob, by name: as a number, or as the text of its flag. Error: no such knob, or no number.
     double number(std::string_view name) const;
     std::string word(std::string_view name) const { return knob(name).text(); }
@@ -95,23 +89,24 @@ class Demo {
     bool drag(double across, double down);
     bool wheel(double notches);
 
-    // Declared in a demo's constructor, or by a member that brings its knobs; `amount` as in Binding.
+  protected:
+    // Error: there is one of that name.
+    void add(Knob* knob);
+    // `amount` as in Binding.
     void bindKeys(Key less, Key more, Knob& knob, double amount);
     void bindKey(Key key, Knob& knob, std::string_view text);
     void bindDrag(Knob& across, double perPixelAcross, Knob& down, double perPixelDown);
     void bindWheel(Knob& knob, double perNotch);
-    // Something in the picture that is dragged there; `where` as in Handle.
-    void bindHandle(std::string name, std::vector<Real*> knobs,
+    // Something in the picture that is dragged there and moves these numbers; `where` as in Handle.
+    void bindHandle(std::string name, std::vector<Knob*> knobs,
                     std::function<std::optional<vec2>(const FrameInfo&)> where);
     // One for each of the points; `where` says where the value of one is.
-    void bindHandle(std::string name, Points& points,
+    void bindPoints(std::string name, Knob& points,
                     std::function<std::optional<vec2>(const FrameInfo&, const vec2& value)> where);
 
   private:
-    friend class Knob;
     friend class Readout;
     friend class AnyMemory;
-    void add(Knob* knob);
     void add(Readout* readout) { readouts_.push_back(readout); }
 
     std::vector<Knob*> knobs_;
@@ -160,15 +155,14 @@ struct Declaration {
     // demo clears. A measured quantity is cleared to -1, which is nothing to compare, by either.
     std::optional<vec4> background = {};
     Needs needs = {};
-    // Two to six settings worth a look. The first has none of its own: it is the knobs' initial values, which are to teach
-    // at first sight. Where there is an original, `original` is its first picture.
-    std::initializer_list<DeclaredPreset> presets = {};
     std::initializer_list<DeclaredWaste> waste = {};
 };
 
 // What is known of a demo before one is made.
 struct DemoInfo : Declaration {
-    std::vector<Preset> presets = {};  // with settings by name; hides how a declaration has them
+    // Two to six settings worth a look. The first has none of its own: it is the knobs' initial values, which are to teach
+    // at first sight. Where there is an original, `original` is its first picture.
+    std::vector<Preset> presets = {};
     std::string page = {};             // "demos/cube-cull.md"
     // What is to be measured, error against run time (--study), and read out: added by NAME.study.cpp.
     std::optional<Study> study = {};
@@ -180,17 +174,9 @@ struct DemoInfo : Declaration {
 const std::vector<DemoInfo>& catalogue();
 // The demo of that name, or Error naming the nearest one.
 const DemoInfo& findDemo(std::string_view name);
-// Adds a demo; called at file scope by the last line of its file. Error: two of one name, a chapter that there is not, or
-// presets that checkPresets() refuses.
-bool addDemo(const Declaration& declaration, std::unique_ptr<Demo> (*make)());
-// The same with presets of its own.
+// Adds a demo, as addLesson() does. Error: two of one name, a chapter that there is not, or presets that checkPresets() refuses.
 bool addDemo(const Declaration& declaration, std::vector<Preset> presets, std::string page,
              std::function<std::unique_ptr<Demo>()> make);
-// The constant is a template's argument, which must be there for as long as the program runs.
-template <class T, const Declaration& declaration>
-bool addDemo() {
-    return addDemo(declaration, [] { return std::unique_ptr<Demo>(new T); });
-}
 
 // Sets knobs by name. Error: no such knob, or a value that it refuses.
 void applyKnobs(Demo& demo, const std::vector<KnobSetting>& settings);

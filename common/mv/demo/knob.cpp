@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <utility>
 
-#include "mv/demo/demo.h"
 #include "mv/demo/number.h"
+#include "mv/demo/own_file.h"
 
 namespace mv {
 namespace {
@@ -27,219 +27,394 @@ std::string wordOf(int number) {
     return rest == 1 && zeros >= 3 ? "1e" + std::to_string(zeros) : std::to_string(number);
 }
 
-std::vector<Option> wordsOf(const std::vector<int>& numbers) {
-    std::vector<Option> options;
-    options.reserve(numbers.size());
-    for (const int number : numbers) options.push_back({wordOf(number)});
-    return options;
+std::string textOf(std::span<const vec2> points) {
+    std::string text;
+    for (const vec2& point : points)
+        text += (text.empty() ? "" : "/") + numberText(point.x) + "," + numberText(point.y);
+    return text;
 }
 
-int placeOf(int number, const std::vector<int>& numbers) {
-    return static_cast<int>(std::find(numbers.begin(), numbers.end(), number) - numbers.begin());
+void requireRange(const AnyRow& row, const std::string& range) {
+    const bool logarithmic = row.range.scale == Scale::logarithmic;
+    if (logarithmic && !(row.range.low > 0))
+        throw Error("knob " + row.name, "must have a logarithmic range above 0", range);
+    if (row.range.orZero && !logarithmic)
+        throw Error("knob " + row.name, "must be logarithmic to have 0 as an end of its own", range);
 }
+
+constexpr const char* noFile = "none";
 
 }  // namespace
 
-Knob::Knob(Demo* owner, Literal name, Literal help, Literal unit) : name_(name), help_(help), unit_(unit) {
-    owner->add(this);
+Knob::Knob(const AnyRow& row, void* settings, const void* initial)
+    : row_(row), settings_(settings), initial_(initial) {
+    requireRange(row, range());
+    parse(text());  // refused, if it is none
 }
 
 Error Knob::refused(std::string_view text) const {
     std::string rule = "must be " + range();
-    if (!unit_.empty()) rule += " " + unit_;
-    return Error("--" + name_, rule, "'" + std::string(text) + "'");
+    if (!unit().empty()) rule += " " + unit();
+    return Error("--" + name(), rule, "'" + std::string(text) + "'");
+}
+
+std::string Knob::textIn(const void* settings) const {
+    switch (kind()) {
+        case Kind::number:
+        case Kind::angle:
+            return numberText(value<double>(settings));
+        case Kind::whole:
+            return std::to_string(value<int>(settings));
+        case Kind::oneOf:
+            return wordOf(value<int>(settings));
+        case Kind::word:
+            return row_.words[static_cast<std::size_t>(row_.index(&value<std::byte>(settings)))].word;
+        case Kind::toggle:
+            return value<bool>(settings) ? "on" : "off";
+        case Kind::points:
+            return textOf(row_.places(&value<std::byte>(settings)));
+        case Kind::file:
+            return value<std::string>(settings);
+    }
+    return {};
+}
+
+bool Knob::allows(double number) const {
+    const NumberRange range = numbers();
+    return (range.low <= number && number <= range.high) || (range.orZero && number == 0);
+}
+
+void Knob::parse(std::string_view text) {
+    double number = 0;
+    switch (kind()) {
+        case Kind::number:
+        case Kind::angle:
+            if (!readNumber(text, number) || !allows(number)) throw refused(text);
+            value<double>() = number == 0 ? 0 : number;  // -0 would print as "-0"
+            break;
+        case Kind::whole: {
+            int count = 0;
+            if (!readNumber(text, count) || !allows(count)) throw refused(text);
+            value<int>() = count;
+            break;
+        }
+        case Kind::oneOf: {
+            const bool isRead = readNumber(text, number);
+            const auto found =
+                std::find_if(row_.numbers.begin(), row_.numbers.end(), [&](int n) { return isRead && n == number; });
+            if (found == row_.numbers.end()) throw refused(text);
+            value<int>() = *found;
+            break;
+        }
+        case Kind::word: {
+            const auto found =
+                std::find_if(row_.words.begin(), row_.words.end(), [&](const Word& w) { return w.word == text; });
+            if (found == row_.words.end()) throw refused(text);
+            choose(static_cast<int>(found - row_.words.begin()));
+            break;
+        }
+        case Kind::toggle:
+            if (text != "on" && text != "off") throw refused(text);
+            value<bool>() = text == "on";
+            break;
+        case Kind::points:
+            row_.setPlaces(&value<std::byte>(), pointsIn(text));
+            break;
+        case Kind::file: {
+            const auto isControl = [](char c) { return (static_cast<unsigned char>(c) < 0x20) || c == 0x7F; };
+            if (std::any_of(text.begin(), text.end(), isControl))
+                throw Error("--" + name(), "must be a file without control characters in its name; rename it");
+            if (text.empty()) throw refused(text);
+            value<std::string>() = text;
+            break;
+        }
+    }
+}
+
+std::string Knob::range() const {
+    switch (kind()) {
+        case Kind::number:
+        case Kind::angle:
+            return (row_.range.orZero ? "0 or " : "") + numberText(row_.range.low) + " .. " +
+                   numberText(row_.range.high);
+        case Kind::whole:
+            return std::to_string(row_.wholes.low) + " .. " + std::to_string(row_.wholes.high);
+        case Kind::oneOf:
+        case Kind::word: {
+            std::string words;
+            for (const Option& option : options()) words += (words.empty() ? "" : " | ") + option.word;
+            return words;
+        }
+        case Kind::toggle:
+            return "on | off";
+        case Kind::points: {
+            const PointLimits& limits = row_.limits;
+            const auto axis = [](const char* axis, double low, double high) {
+                return std::string(axis) + " in " + numberText(low) + " .. " + numberText(high);
+            };
+            std::string count = std::to_string(limits.least);
+            if (!isFixedNumber()) count += " .. " + std::to_string(limits.most);
+            return count + (limits.most == 1 ? " point x,y" : " points x,y/x,y") + " with " +
+                   axis("x", limits.low.x, limits.high.x) + ", " + axis("y", limits.low.y, limits.high.y) +
+                   ", multiples of " + numberText(limits.grid);
+        }
+        case Kind::file:
+            return row_.files->range;
+    }
+    return {};
 }
 
 std::string Knob::rangeInFull() const {
-    return range() + (unit_.empty() ? "" : " " + unit_) + (scale() == Scale::logarithmic ? ", logarithmic" : "");
+    return range() + (unit().empty() ? "" : " " + unit()) + (scale() == Scale::logarithmic ? ", logarithmic" : "");
+}
+
+std::vector<std::string> Knob::sweep() const {
+    switch (kind()) {
+        case Kind::number: {
+            const NumberRange& range = row_.range;
+            const std::string low = numberText(range.low), high = numberText(range.high);
+            if (range.scale == Scale::linear) return {low, initialText(), high};
+            const std::string middle = numberText(withDigits(std::sqrt(range.low) * std::sqrt(range.high), 3));
+            if (range.orZero) return {"0", low, middle, initialText(), high};
+            return {low, middle, initialText(), high};
+        }
+        case Kind::angle:
+            // Between the ends, which are the same turn as 0, one that is seen
+            return {"-360", initialText(), "40", "360"};
+        case Kind::whole: {
+            const auto [low, high] = row_.wholes;
+            if (high - low >= 12) return {std::to_string(low), initialText(), std::to_string(high)};
+            std::vector<std::string> each;
+            for (int i = low; i <= high; ++i) each.push_back(std::to_string(i));
+            return each;
+        }
+        case Kind::oneOf:
+        case Kind::word: {
+            std::vector<std::string> each;
+            for (const Option& option : options()) each.push_back(option.word);
+            return each;
+        }
+        case Kind::toggle:
+            return {"off", "on"};
+        case Kind::points: {
+            const PointLimits& limits = row_.limits;
+            std::vector<vec2> spread;
+            for (std::size_t i = 0; i < limits.most; ++i) {
+                const double part = double(i) / double(std::max<std::size_t>(limits.most, 2) - 1);
+                const vec2 at = limits.low + part * (limits.high - limits.low);
+                spread.emplace_back(onGrid(at.x, 0), onGrid(at.y, 1));
+            }
+            const vec2 corner(onGrid(limits.low.x, 0), onGrid(limits.low.y, 1));
+            return {textOf(std::vector<vec2>(limits.least, corner)), initialText(), textOf(spread)};
+        }
+        case Kind::file:
+            return {noFile, row_.sample};
+    }
+    return {};
+}
+
+bool Knob::stepNumber(double amount) {
+    const NumberRange& range = row_.range;
+    double& now = value<double>();
+    if (kind() == Kind::angle) {
+        if (amount == 0) return false;
+        // A step past either end drops whole turns, with the sign kept, as % does in JavaScript
+        now = std::fmod(std::round((now + amount) * 1e9) / 1e9, 360.0) + 0.0;
+        return true;
+    }
+    if (range.scale == Scale::logarithmic) {
+        // Below the low end there is 0, where it is allowed; from there the first step leads to the low end again.
+        const bool up = amount > 0;
+        double moved = now == 0 ? (up ? range.low : 0) : withDigits(now * std::pow(10.0, amount), 4);
+        if (now == range.low && range.orZero && amount < 0) moved = 0;
+        if (moved != 0) moved = std::clamp(moved, range.low, range.high);
+        return std::exchange(now, moved) != moved;
+    }
+    // Steps of 0.1 or 0.2 are not exact in binary; on a grid of 1e-9 twenty of them lead from -4 to 0 and not to 1e-15.
+    const double moved = std::round((now + amount) * 1e9) / 1e9;
+    const double stopped = std::clamp(moved, range.low, range.high) + 0.0;  // no -0
+    return std::exchange(now, stopped) != stopped;
+}
+
+bool Knob::step(double amount) {
+    switch (kind()) {
+        case Kind::number:
+        case Kind::angle:
+            return stepNumber(amount);
+        case Kind::whole: {
+            const auto [low, high] = row_.wholes;
+            int& now = value<int>();
+            const int stopped = static_cast<int>(std::clamp(now + std::round(amount), double(low), double(high)));
+            return std::exchange(now, stopped) != stopped;
+        }
+        case Kind::oneOf:
+        case Kind::word: {
+            if (amount == 0) return false;
+            const int count = static_cast<int>(options().size());
+            choose((index() + (amount > 0 ? 1 : count - 1)) % count);
+            return true;
+        }
+        case Kind::toggle:
+            if (amount == 0) return false;
+            value<bool>() = !value<bool>();
+            return true;
+        case Kind::points: {
+            std::vector<vec2> moved(points().begin(), points().end());
+            for (vec2& point : moved) point.x = onGrid(point.x + amount, 0);
+            if (std::ranges::equal(moved, points())) return false;
+            row_.setPlaces(&value<std::byte>(), moved);
+            return true;
+        }
+        case Kind::file:
+            return false;  // there is no next file
+    }
+    return false;
 }
 
 std::string Knob::stepText(double amount, const std::string& unit) const {
+    if (scale() == Scale::logarithmic) return "\u00D7 " + numberText(withDigits(std::pow(10.0, amount), 3));
     return (amount > 0 ? "+" : "") + numberText(withDigits(amount, 4)) + (unit.empty() ? "" : " " + unit);
 }
 
-// ---- Real
-
-Real::Real(Demo* owner, Literal name, double initial, Range range, Literal help, Literal unit)
-    : Knob(owner, name, help, unit), value_(initial), initial_(initial), range_(range) {
-    const bool logarithmic = range.scale == Scale::logarithmic;
-    if (logarithmic && !(range.low > 0)) {
-        throw Error("knob " + this->name(), "must have a logarithmic range above 0", this->range());
+std::string Knob::idleReason() const {
+    for (const AnyRow::Condition& condition : row_.conditions) {
+        if (!condition.holds(settings_)) return condition.reason;
     }
-    if (range.orZero && !logarithmic) {
-        throw Error("knob " + this->name(), "must be logarithmic to have 0 as an end of its own", this->range());
+    return {};
+}
+
+// ---- For widgets
+
+double Knob::number() const { return kind() == Kind::whole ? value<int>() : value<double>(); }
+
+void Knob::setNumber(double number) {
+    const NumberRange range = numbers();
+    // A hand that turns on past an end drops whole turns
+    const double taken =
+        kind() == Kind::angle ? std::fmod(number, 360.0) : allows(number) ? number : std::clamp(number, range.low, range.high);
+    if (kind() == Kind::whole)
+        value<int>() = static_cast<int>(std::lround(taken));
+    else
+        value<double>() = taken + 0.0;  // no -0
+}
+
+NumberRange Knob::numbers() const {
+    if (kind() == Kind::whole) return {double(row_.wholes.low), double(row_.wholes.high)};
+    return row_.range;
+}
+
+bool Knob::isOn() const { return value<bool>(); }
+void Knob::setOn(bool on) { value<bool>() = on; }
+
+std::vector<Option> Knob::options() const {
+    std::vector<Option> options;
+    if (kind() == Kind::word) {
+        for (const auto& [word, meaning] : row_.words) options.push_back({word, meaning});
     }
-    if (!allowed(initial)) throw refused(numberText(initial));
-}
-
-bool Real::allowed(double number) const {
-    return (range_.low <= number && number <= range_.high) || (range_.orZero && number == 0);
-}
-
-void Real::parse(std::string_view text) {
-    double number = 0;
-    if (!readNumber(text, number) || !allowed(number)) throw refused(text);
-    value_ = number == 0 ? 0 : number;  // -0 would print as "-0"
-}
-
-std::string Real::range() const {
-    return (range_.orZero ? "0 or " : "") + numberText(range_.low) + " .. " + numberText(range_.high);
-}
-
-std::vector<std::string> Real::sweep() const {
-    const std::string low = numberText(range_.low), high = numberText(range_.high);
-    if (range_.scale == Scale::linear) return {low, initialText(), high};
-    const std::string middle = numberText(withDigits(std::sqrt(range_.low) * std::sqrt(range_.high), 3));
-    if (range_.orZero) return {"0", low, middle, initialText(), high};
-    return {low, middle, initialText(), high};
-}
-
-std::string Real::stepText(double amount, const std::string& unit) const {
-    if (range_.scale == Scale::linear) return Knob::stepText(amount, unit);
-    return "\u00D7 " + numberText(withDigits(std::pow(10.0, amount), 3));
-}
-
-bool Real::step(double amount) {
-    if (range_.scale == Scale::logarithmic) {
-        // Below the low end there is 0, where it is allowed; from there the first step leads to the low end again.
-        const bool up = amount > 0;
-        double moved = value_ == 0 ? (up ? range_.low : 0) : withDigits(value_ * std::pow(10.0, amount), 4);
-        if (value_ == range_.low && range_.orZero && amount < 0) moved = 0;
-        if (moved != 0) moved = std::clamp(moved, range_.low, range_.high);
-        return std::exchange(value_, moved) != moved;
+    if (kind() == Kind::oneOf) {
+        for (const int number : row_.numbers) options.push_back({wordOf(number)});
     }
-    // Steps of 0.1 or 0.2 are not exact in binary; on a grid of 1e-9 twenty of them lead from -4 to 0 and not to 1e-15.
-    const double moved = std::round((value_ + amount) * 1e9) / 1e9;
-    const double stopped = std::clamp(moved, range_.low, range_.high);
-    if (stopped == value_) return false;
-    value_ = stopped == 0 ? 0 : stopped;
+    return options;
+}
+
+int Knob::index() const {
+    if (kind() == Kind::word) return row_.index(&value<std::byte>());
+    const auto found = std::find(row_.numbers.begin(), row_.numbers.end(), value<int>());
+    return static_cast<int>(found - row_.numbers.begin());
+}
+
+void Knob::choose(int index) {
+    if (kind() == Kind::word)
+        row_.setIndex(&value<std::byte>(), index);
+    else
+        value<int>() = row_.numbers[static_cast<std::size_t>(index)];
+}
+
+void Knob::checkFile() const {
+    if (text() == noFile) return;
+    try {
+        row_.files->check(text());
+    } catch (const Error& error) {
+        throw Error("--" + name(), error.what());
+    }
+}
+
+bool Knob::takes(std::string_view file) const {
+    std::string small(file);
+    for (char& c : small) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return std::any_of(row_.files->endings.begin(), row_.files->endings.end(),
+                       [&](std::string_view ending) { return small.ends_with(ending); });
+}
+
+// ---- Points
+
+std::span<const vec2> Knob::points() const { return row_.places(&value<std::byte>()); }
+
+// The nearest that is allowed.
+double Knob::onGrid(double coordinate, int axis) const {
+    const PointLimits& limits = row_.limits;
+    // Whole steps of the grid that lie within the limits, as divided once
+    const double parts = 1 / limits.grid, low = std::ceil(limits.low[axis] * parts - 1e-9),
+                 high = std::floor(limits.high[axis] * parts + 1e-9);
+    return std::clamp(std::round(coordinate * parts), low, high) / parts + 0.0;
+}
+
+std::vector<vec2> Knob::pointsIn(std::string_view text) const {
+    std::vector<vec2> points;
+    for (std::string_view rest = text; !rest.empty();) {
+        const std::size_t slash = std::min(rest.find('/'), rest.size());
+        const std::string_view pair = rest.substr(0, slash);
+        rest.remove_prefix(slash);
+        const std::size_t comma = pair.find(',');
+        vec2 point;
+        if (comma == pair.npos || !readNumber(pair.substr(0, comma), point.x) ||
+            !readNumber(pair.substr(comma + 1), point.y))
+            throw refused(text);
+        for (int axis = 0; axis < 2; ++axis) {
+            // To a rounding of the text: 0.3 is no exact multiple of 0.1
+            const double allowed = onGrid(point[axis], axis);
+            if (std::abs(allowed - point[axis]) > 1e-6 * row_.limits.grid) throw refused(text);
+            point[axis] = allowed;
+        }
+        points.push_back(point);
+        if (rest.size() == 1) throw refused(text);  // a slash, and nothing behind it
+        if (!rest.empty()) rest.remove_prefix(1);
+    }
+    if (points.size() < row_.limits.least || points.size() > row_.limits.most) throw refused(text);
+    return points;
+}
+
+bool Knob::addPoint(std::size_t after) {
+    if (!canAddPoint()) return false;
+    std::vector<vec2> more(points().begin(), points().end());
+    const vec2 point = more[after];
+    more.insert(more.begin() + std::ptrdiff_t(after) + 1, point);
+    row_.setPlaces(&value<std::byte>(), more);
     return true;
 }
 
-bool Real::widget(Panel& panel) { return panel.slider(*this, value_, range_); }
-
-Coordinate Real::coordinate() {
-    const auto set = [this](double value) { value_ = std::clamp(value, range_.low, range_.high) + 0.0; };  // no -0
-    return {[this] { return double(*this); }, set, range_.low, range_.high};
-}
-
-// ---- Angle
-
-Angle::Angle(Demo* owner, Literal name, double initial, Literal help)
-    : Real(owner, name, initial, {-360, 360}, help, "deg") {}
-
-bool Angle::step(double amount) {
-    if (amount == 0) return false;
-    value_ = std::fmod(std::round((value_ + amount) * 1e9) / 1e9, 360.0);
-    if (value_ == 0) value_ = 0;
+bool Knob::removePoint(std::size_t point) {
+    if (!canRemovePoint()) return false;
+    std::vector<vec2> fewer(points().begin(), points().end());
+    fewer.erase(fewer.begin() + std::ptrdiff_t(point));
+    row_.setPlaces(&value<std::byte>(), fewer);
     return true;
 }
 
-Coordinate Angle::coordinate() {
-    const auto set = [this](double value) { value_ = std::fmod(value, 360.0) + 0.0; };
-    return {[this] { return double(*this); }, set, range_.low, range_.high};
+Coordinate Knob::coordinate() {
+    const NumberRange range = numbers();
+    return {[this] { return number(); }, [this](double value) { setNumber(value); }, range.low, range.high};
 }
 
-// ---- Whole
-
-Whole::Whole(Demo* owner, Literal name, int initial, Range range, Literal help, Literal unit)
-    : Knob(owner, name, help, unit), value_(initial), initial_(initial), range_(range) {
-    if (initial < range.low || initial > range.high) throw refused(std::to_string(initial));
-}
-
-void Whole::parse(std::string_view text) {
-    int number = 0;
-    if (!readNumber(text, number) || number < range_.low || number > range_.high) throw refused(text);
-    value_ = number;
-}
-
-std::string Whole::range() const { return std::to_string(range_.low) + " .. " + std::to_string(range_.high); }
-
-std::vector<std::string> Whole::sweep() const {
-    std::vector<std::string> texts;
-    if (range_.high - range_.low < 12) {  // few enough to try each
-        for (int i = range_.low; i <= range_.high; ++i) texts.push_back(std::to_string(i));
-        return texts;
-    }
-    return {std::to_string(range_.low), initialText(), std::to_string(range_.high)};
-}
-
-bool Whole::step(double amount) {
-    const int stopped =
-        static_cast<int>(std::clamp(value_ + std::round(amount), double(range_.low), double(range_.high)));
-    return std::exchange(value_, stopped) != stopped;
-}
-
-bool Whole::widget(Panel& panel) { return panel.slider(*this, value_, range_.low, range_.high); }
-
-// ---- Toggle
-
-Toggle::Toggle(Demo* owner, Literal name, bool initial, Literal help)
-    : Knob(owner, name, help, ""), value_(initial), initial_(initial) {}
-
-void Toggle::parse(std::string_view text) {
-    if (text != "on" && text != "off") throw refused(text);
-    value_ = text == "on";
-}
-
-bool Toggle::step(double amount) {
-    if (amount == 0) return false;
-    value_ = !value_;
-    return true;
-}
-
-bool Toggle::widget(Panel& panel) { return panel.checkbox(*this, value_); }
-
-// ---- Choice
-
-WordChoice::WordChoice(Demo* owner, Literal name, int initial, std::vector<Option> options, Literal help)
-    : Knob(owner, name, help, ""), index_(initial), initial_(initial), options_(std::move(options)) {
-    if (initial < 0 || initial >= static_cast<int>(options_.size())) throw refused(std::to_string(initial));
-}
-
-WordChoice::WordChoice(Demo* owner, Literal name, int initial, std::initializer_list<DeclaredOption> options,
-                       Literal help)
-    : WordChoice(owner, name, initial, std::vector<Option>(options.begin(), options.end()), help) {}
-
-void WordChoice::parse(std::string_view text) {
-    const auto found = std::find_if(options_.begin(), options_.end(), [&](const Option& o) { return o.word == text; });
-    if (found == options_.end()) throw refused(text);
-    index_ = static_cast<int>(found - options_.begin());
-}
-
-std::string WordChoice::range() const {
-    std::string words;
-    for (const Option& option : options_) words += (words.empty() ? "" : " | ") + option.word;
-    return words;
-}
-
-std::vector<std::string> WordChoice::sweep() const {
-    std::vector<std::string> texts;
-    for (const Option& option : options_) texts.push_back(option.word);
-    return texts;
-}
-
-bool WordChoice::step(double amount) {
-    if (amount == 0) return false;
-    const int count = static_cast<int>(options_.size());
-    index_ = (index_ + (amount > 0 ? 1 : count - 1)) % count;
-    return true;
-}
-
-bool WordChoice::widget(Panel& panel) { return panel.choose(*this, index_, options_); }
-
-NumberChoice::NumberChoice(Demo* owner, Literal name, int initial, std::initializer_list<int> numbers, Literal help)
-    : NumberChoice(owner, name, initial, std::vector<int>(numbers), help) {}
-
-NumberChoice::NumberChoice(Demo* owner, Literal name, int initial, std::vector<int> numbers, Literal help)
-    : WordChoice(owner, name, placeOf(initial, numbers), wordsOf(numbers), help), numbers_(std::move(numbers)) {}
-
-void NumberChoice::parse(std::string_view text) {
-    double number = 0;
-    const bool read = readNumber(text, number);
-    const auto found = std::find_if(numbers_.begin(), numbers_.end(), [&](int n) { return read && n == number; });
-    if (found == numbers_.end()) throw refused(text);
-    WordChoice::parse(wordOf(*found));
+Coordinate Knob::coordinate(std::size_t point, int axis) {
+    const PointLimits& limits = row_.limits;
+    const auto set = [this, point, axis, &limits](double value) {
+        std::vector<vec2> moved(points().begin(), points().end());
+        moved[point][axis] = std::clamp(value, limits.low[axis], limits.high[axis]) + 0.0;
+        row_.setPlaces(&this->value<std::byte>(), moved);
+    };
+    return {[this, point, axis] { return points()[point][axis]; }, set, limits.low[axis], limits.high[axis],
+            limits.grid};
 }
 
 }  // namespace mv

@@ -1,89 +1,12 @@
 #include "mv/demo/lesson.h"
 
-#include "mv/demo/file_knob.h"
 #include "mv/demo/seen.h"
 
 namespace mv {
-namespace {
 
-// A WordChoice says which word it has.
-class Word final : public WordChoice {
-  public:
-    Word(Demo* owner, const AnyRow& row, int initial) : WordChoice(owner, row.name, initial, row.options, row.help) {}
-    using WordChoice::index;
-};
-
-template <class Value>
-const Value& at(const void* settings, const AnyRow& row) {
-    return *reinterpret_cast<const Value*>(static_cast<const std::byte*>(settings) + row.offset);
-}
-template <class Value>
-Value& at(void* settings, const AnyRow& row) {
-    return *reinterpret_cast<Value*>(static_cast<std::byte*>(settings) + row.offset);
-}
-
-std::unique_ptr<Knob> makeKnob(Demo* owner, const AnyRow& row, const void* initial) {
-    const void* value = &at<std::byte>(initial, row);
-    switch (row.kind) {
-        case AnyRow::Kind::number:
-            return std::make_unique<Real>(owner, row.name, at<double>(initial, row), row.range, row.help, row.unit);
-        case AnyRow::Kind::angle:
-            return std::make_unique<Angle>(owner, row.name, at<double>(initial, row), row.help);
-        case AnyRow::Kind::whole:
-            return std::make_unique<Whole>(owner, row.name, at<int>(initial, row), row.wholes, row.help, row.unit);
-        case AnyRow::Kind::word:
-            return std::make_unique<Word>(owner, row, row.index(value));
-        case AnyRow::Kind::oneOf:
-            return std::make_unique<NumberChoice>(owner, row.name, at<int>(initial, row), row.numbers, row.help);
-        case AnyRow::Kind::toggle:
-            return std::make_unique<Toggle>(owner, row.name, at<bool>(initial, row), row.help);
-        case AnyRow::Kind::points: {
-            const std::span<const vec2> places = row.places(value);
-            return std::make_unique<Points>(owner, row.name, std::vector<vec2>(places.begin(), places.end()),
-                                            row.limits, row.help, row.unit);
-        }
-        case AnyRow::Kind::file: {
-            auto knob = std::make_unique<FileKnob>(owner, row.name, *row.files, row.sample, row.help);
-            knob->parse(at<std::string>(initial, row));
-            return knob;
-        }
-    }
-    throw Error("row " + row.name, "must be of a kind that there is");
-}
-
-void storeValue(const AnyRow& row, const Knob& knob, void* settings) {
-    void* value = &at<std::byte>(settings, row);
-    switch (row.kind) {
-        case AnyRow::Kind::number:
-        case AnyRow::Kind::angle:
-            at<double>(settings, row) = static_cast<const Real&>(knob);
-            break;
-        case AnyRow::Kind::whole:
-            at<int>(settings, row) = static_cast<const Whole&>(knob);
-            break;
-        case AnyRow::Kind::word:
-            row.setIndex(value, static_cast<const Word&>(knob).index());
-            break;
-        case AnyRow::Kind::oneOf:
-            at<int>(settings, row) = static_cast<const NumberChoice&>(knob);
-            break;
-        case AnyRow::Kind::toggle:
-            at<bool>(settings, row) = static_cast<const Toggle&>(knob);
-            break;
-        case AnyRow::Kind::points:
-            row.setPlaces(value, static_cast<const Points&>(knob).points());
-            break;
-        case AnyRow::Kind::file:
-            at<std::string>(settings, row) = knob.text();
-            break;
-    }
-}
-
-}  // namespace
-
-void LessonBase::addRow(const AnyRow& row, const void* initial) {
-    bound_.push_back({&row, makeKnob(this, row, initial)});
-    if (row.startsOver) bound_.back().knob->beginsAnew();
+void LessonBase::addRow(const AnyRow& row, void* settings, const void* initial) {
+    made_.push_back(std::make_unique<Knob>(row, settings, initial));
+    add(made_.back().get());
 }
 
 void LessonBase::addControl(const Control& control) {
@@ -109,34 +32,26 @@ void LessonBase::addReadout(const Probe::Number& number) {
     told_.push_back(std::make_unique<Readout>(this, number.name, number.help, number.unit));
 }
 
-void LessonBase::store(void* settings) const {
-    for (const Bound& bound : bound_) storeValue(*bound.row, *bound.knob, settings);
-}
-
 void LessonBase::checkFiles() const {
-    for (const Bound& bound : bound_) {
-        if (bound.row->kind == AnyRow::Kind::file) static_cast<const FileKnob&>(*bound.knob).check();
+    for (const Knob* knob : knobs()) {
+        if (knob->kind() == Knob::Kind::file) knob->checkFile();
     }
 }
 
-std::vector<Real*> LessonBase::reals(const std::vector<Literal>& names) const {
-    std::vector<Real*> found;
+std::vector<Knob*> LessonBase::numbers(const std::vector<Literal>& names) const {
+    std::vector<Knob*> found;
     for (const Literal name : names) {
-        for (const Bound& bound : bound_) {
-            const bool isReal = bound.row->kind == AnyRow::Kind::number || bound.row->kind == AnyRow::Kind::angle;
-            if (bound.row->name == name && isReal) found.push_back(static_cast<Real*>(bound.knob.get()));
-        }
+        found.push_back(&knob(name));
+        const Knob::Kind kind = found.back()->kind();
+        if (kind != Knob::Kind::number && kind != Knob::Kind::angle)
+            throw Error("handle", "must name rows that are numbers", name);
     }
-    if (found.size() != names.size()) throw Error("handle", "must name rows that are numbers", names.front());
     return found;
 }
 
-Points& LessonBase::points(Literal name) const {
-    for (const Bound& bound : bound_) {
-        if (bound.row->name == name && bound.row->kind == AnyRow::Kind::points)
-            return static_cast<Points&>(*bound.knob);
-    }
-    throw Error("handle", "must name a row of points", name);
+Knob& LessonBase::points(Literal name) const {
+    if (knob(name).kind() != Knob::Kind::points) throw Error("handle", "must name a row of points", name);
+    return knob(name);
 }
 
 void Numbers::set(const char* name, double value) {

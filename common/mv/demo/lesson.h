@@ -124,23 +124,18 @@ struct Lesson {
 // What a lesson is as a Demo, but for the types of its settings.
 class LessonBase : public Demo {
   protected:
-    // Makes the knobs, with the values of `initial`.
-    void addRow(const AnyRow& row, const void* initial);
+    // Makes the knob of a row, over these settings.
+    void addRow(const AnyRow& row, void* settings, const void* initial);
     void addControl(const Control& control);
     void addReadout(const Probe::Number& number);
-    // Writes the knobs' values into settings.
-    void store(void* settings) const;
     // Error: a file that is set cannot be read.
     void checkFiles() const;
-    std::vector<Real*> reals(const std::vector<Literal>& names) const;
-    Points& points(Literal name) const;
+    // Error: one that is no number, or no row of points.
+    std::vector<Knob*> numbers(const std::vector<Literal>& names) const;
+    Knob& points(Literal name) const;
 
   private:
-    struct Bound {
-        const AnyRow* row;
-        std::unique_ptr<Knob> knob;
-    };
-    std::vector<Bound> bound_;
+    std::vector<std::unique_ptr<Knob>> made_;
     std::vector<std::unique_ptr<Readout>> told_;
 };
 
@@ -149,75 +144,60 @@ class LessonDemo final : public LessonBase {
   public:
     using Of = Lesson<Settings, Gpu, Kept>;
 
-    // `initial`: the values that the knobs have at first.
-    explicit LessonDemo(std::shared_ptr<const Of> lesson, const Settings& initial = {}) : lesson_(std::move(lesson)) {
+    explicit LessonDemo(std::shared_ptr<const Of> lesson, const Settings& initial = {})
+        : lesson_(std::move(lesson)), settings_(initial) {
         if (lesson_->step) remembered_.emplace(this);
-        for (const Row<Settings>& row : lesson_->rows) {
-            addRow(row, &initial);
-            for (const AnyRow::Condition& condition : row.conditions) {
-                knobs().back()->onlyWhen(
-                    [this, &condition] {
-                        const Settings now = settings();
-                        return condition.holds(&now);
-                    },
-                    condition.reason);
-            }
-        }
+        for (const Row<Settings>& row : lesson_->rows) addRow(row, &settings_, &row_detail::example<Settings>());
         for (const Probe::Number& number : lesson_->readouts) addReadout(number);
         for (const Control& control : lesson_->controls) addControl(control);
         for (const LessonHandle<Settings>& handle : lesson_->handles) addHandle(handle);
     }
 
-    Settings settings() const {
-        Settings now;
-        store(&now);
-        return now;
-    }
+    const Settings& settings() const { return settings_; }
 
     void init() override { gpu_.emplace(); }
     void draw(const Frame& frame) override {
-        const Settings now = settings();
-        paint(lesson_->draw, now, frame);
+        paint(lesson_->draw, frame);
         if (!lesson_->readOut || !frame.readouts()) return;
         Numbers numbers(*this);
         if constexpr (remembers)
-            lesson_->readOut(*gpu_, now, kept(), frame, numbers);
+            lesson_->readOut(*gpu_, settings_, kept(), frame, numbers);
         else
-            lesson_->readOut(*gpu_, now, frame, numbers);
+            lesson_->readOut(*gpu_, settings_, frame, numbers);
     }
     void annotate(const Frame& frame) override {
-        if (lesson_->figure) paint(lesson_->figure, settings(), frame);
+        if (lesson_->figure) paint(lesson_->figure, frame);
     }
     void check() const override {
         checkFiles();
-        if (lesson_->check) lesson_->check(settings());
+        if (lesson_->check) lesson_->check(settings_);
     }
     Scene scene(const FrameInfo& frame) const override {
-        return lesson_->scene ? lesson_->scene(settings(), frame) : Demo::scene(frame);
+        return lesson_->scene ? lesson_->scene(settings_, frame) : Demo::scene(frame);
     }
     void reset() override {
         if constexpr (remembers) {
-            if (lesson_->start) **remembered_ = lesson_->start(settings());
+            if (lesson_->start) **remembered_ = lesson_->start(settings_);
         }
     }
     void step(int index) override {
         if constexpr (remembers) {
-            if (lesson_->step) lesson_->step(**remembered_, settings(), index);
+            if (lesson_->step) lesson_->step(**remembered_, settings_, index);
         }
     }
-    int passes(const FrameInfo&) const override { return lesson_->passes ? lesson_->passes(settings()) : 0; }
+    int passes(const FrameInfo&) const override { return lesson_->passes ? lesson_->passes(settings_) : 0; }
     void refine(const FrameInfo& frame, int pass) override {
-        if constexpr (remembers) lesson_->refine(made_, settings(), frame, pass);
+        if constexpr (remembers) lesson_->refine(made_, settings_, frame, pass);
     }
     std::vector<double> values() const override {
-        return lesson_->values ? lesson_->values(settings()) : Demo::values();
+        return lesson_->values ? lesson_->values(settings_) : Demo::values();
     }
     std::vector<std::pair<std::string, double>> valueCounts() const override {
-        return lesson_->valueCounts ? lesson_->valueCounts(settings()) : Demo::valueCounts();
+        return lesson_->valueCounts ? lesson_->valueCounts(settings_) : Demo::valueCounts();
     }
     bool copySettings(const void* type, void* to) const override {
         if (type != &lesson_detail::typeTag<Settings>) return false;
-        *static_cast<Settings*>(to) = settings();
+        *static_cast<Settings*>(to) = settings_;
         return true;
     }
 
@@ -225,25 +205,26 @@ class LessonDemo final : public LessonBase {
     static constexpr bool remembers = !std::is_same_v<Kept, NothingKept>;
 
     const Kept& kept() const { return remembered_ ? **remembered_ : made_; }
-    void paint(typename Of::Functions::Draw function, const Settings& now, const Frame& frame) {
+    void paint(typename Of::Functions::Draw function, const Frame& frame) {
         if constexpr (remembers)
-            function(*gpu_, now, kept(), frame);
+            function(*gpu_, settings_, kept(), frame);
         else
-            function(*gpu_, now, frame);
+            function(*gpu_, settings_, frame);
     }
     void addHandle(const LessonHandle<Settings>& handle) {
         if (handle.where) {
-            bindHandle(handle.name, reals(handle.knobs),
-                       [this, &handle](const FrameInfo& frame) { return handle.where(settings(), frame); });
+            bindHandle(handle.name, numbers(handle.knobs),
+                       [this, &handle](const FrameInfo& frame) { return handle.where(settings_, frame); });
         } else {
-            bindHandle(handle.name, points(handle.knobs.front()),
+            bindPoints(handle.name, points(handle.knobs.front()),
                        [this, &handle](const FrameInfo& frame, const vec2& value) {
-                           return handle.wherePoint(settings(), frame, value);
+                           return handle.wherePoint(settings_, frame, value);
                        });
         }
     }
 
     std::shared_ptr<const Of> lesson_;
+    Settings settings_;
     std::optional<Gpu> gpu_;
     std::optional<Memory<Kept>> remembered_;
     Kept made_{};

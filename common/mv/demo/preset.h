@@ -1,7 +1,6 @@
 // Presets: settings of a demo that are worth a look, by a name and with a sentence. Buttons in the window, --preset NAME on
 // the command line, rows in the documentation, pictures in the tests.
 #pragma once
-#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,16 +23,6 @@ struct Preset {
     Literal lookFor;                           // one sentence
     std::vector<KnobSetting> settings = {};    // all other knobs are at their initial values
     std::vector<ExpectedReadout> expect = {};  // in frame 1; a test looks
-};
-// The same as a demo declares it.
-struct DeclaredPreset {
-    Literal name;
-    Literal lookFor;
-    std::initializer_list<DeclaredSetting> settings = {};
-    std::initializer_list<ExpectedReadout> expect = {};
-    operator Preset() const {
-        return {name, lookFor, {settings.begin(), settings.end()}, {expect.begin(), expect.end()}};
-    }
 };
 
 // Throws Error where presets are not as a demo's have to be: names in kebab-case, each once, each with its sentence, and

@@ -20,7 +20,6 @@
 
 #include "mv/demo/knob.h"
 #include "mv/demo/own_file.h"
-#include "mv/demo/points.h"
 #include "mv/demo/word_list.h"
 #include "mv/math/types.h"
 
@@ -77,30 +76,6 @@ Place<Settings, Value> within(Part Settings::*part, Value Part::*member) {
     return row_detail::placeAt<Settings>((row_detail::example<Settings>().*part).*member);
 }
 
-// A row without the type of its settings.
-struct AnyRow {
-    enum class Kind { number, angle, whole, word, oneOf, toggle, points, file } kind;
-    Literal name, help, unit = {};
-    std::size_t offset;
-    NumberRange range = {};                   // of a number
-    Whole::Range wholes = {};                 // of a whole number
-    std::vector<Option> options = {};         // of a word
-    std::vector<int> numbers = {};            // of one of a few
-    Points::Limits limits = {};               // of points
-    int (*index)(const void* value) = {};     // of a word: its place among the options
-    void (*setIndex)(void* value, int) = {};  //
-    std::span<const vec2> (*places)(const void* value) = {};
-    void (*setPlaces)(void* value, const std::vector<vec2>&) = {};
-    const FileKind* files = {};  // of a file; its value is the name, a std::string
-    Literal sample = {};
-    bool startsOver = false;
-    struct Condition {
-        std::function<bool(const void* settings)> holds;
-        Literal reason;
-    };
-    std::vector<Condition> conditions = {};
-};
-
 template <class Settings>
 struct Row : AnyRow {
     // The setting changes nothing in the picture where `holds` is false, because of `reason`, a clause.
@@ -139,7 +114,7 @@ auto angle(Literal name, Member member, Literal help) {
 }
 
 template <class Member>
-auto whole(Literal name, Member member, Whole::Range range, Literal help, Literal unit = {}) {
+auto whole(Literal name, Member member, WholeRange range, Literal help, Literal unit = {}) {
     const Place place = row_detail::placeOf(member);
     using In = decltype(place);
     static_assert(std::same_as<typename In::Type, int>);
@@ -182,14 +157,14 @@ auto word(Literal name, Member member, WordList words, Literal help) {
          .name = name,
          .help = help,
          .offset = place.offset,
-         .options = {words.begin(), words.end()},
+         .words = {words.begin(), words.end()},
          .index = [](const void* value) { return static_cast<int>(*static_cast<const Value*>(value)); },
          .setIndex = [](void* value, int index) { *static_cast<Value*>(value) = static_cast<Value>(index); }}};
 }
 
 // Points of a plane: a std::vector<vec2>, or a std::array<vec2, N> or a vec2 for always as many.
 template <class Member>
-auto points(Literal name, Member member, Points::Limits limits, Literal help, Literal unit = {}) {
+auto points(Literal name, Member member, PointLimits limits, Literal help, Literal unit = {}) {
     const Place place = row_detail::placeOf(member);
     using In = decltype(place);
     using Value = typename In::Type;

@@ -3,14 +3,14 @@
 #include <cstddef>
 #include <initializer_list>
 
-#include "mv/demo/panel.h"
+#include "mv/demo/knob.h"
 
 namespace mv {
 
 // In the order of the enumeration's values, which count from 0.
 //     enum class Cull { none, back };
 //     inline constexpr WordList cullWords{{"none"}, {"back", "what faces away"}};
-using WordList = std::initializer_list<DeclaredOption>;
+using WordList = std::initializer_list<Word>;
 
 template <class Enum>
 const char* wordOf(const WordList& words, Enum value) {

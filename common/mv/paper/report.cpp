@@ -75,7 +75,7 @@ std::string reportText(Stage& stage, int index, const FrameTimes& times) {
     for (const Knob* knob : stage.demo().knobs()) text += " " + knob->name() + "=" + knob->text();
     text += "\n";
     for (const Knob* knob : stage.demo().knobs()) {
-        const std::string reason = stage.demo().idleReason(*knob);
+        const std::string reason = knob->idleReason();
         if (!reason.empty()) text += "idle      " + knob->name() + " (" + reason + ")\n";
     }
     text += readoutLines(stage.demo());
@@ -111,7 +111,7 @@ std::string reportJson(Stage& stage, int index, const FrameTimes& times) {
     for (const Knob* knob : stage.demo().knobs()) json.add(knob->name(), knob->text());
     json.end().object("idle");
     for (const Knob* knob : stage.demo().knobs()) {
-        const std::string reason = stage.demo().idleReason(*knob);
+        const std::string reason = knob->idleReason();
         if (!reason.empty()) json.add(knob->name(), reason);
     }
     json.end().object("readouts");
@@ -171,7 +171,7 @@ std::string reportJson(Stage& stage, int index, const FrameTimes& times) {
 std::string knobsText(const Demo& demo) {
     std::vector<std::vector<std::string>> rows;
     for (const Knob* knob : demo.knobs()) {
-        const std::string idle = demo.idleReason(*knob);
+        const std::string idle = knob->idleReason();
         rows.push_back({"--" + knob->name(), knob->text(), knob->rangeInFull(),
                         "(" + knob->help() + ")" + (idle.empty() ? "" : " idle: " + idle)});
     }
@@ -194,7 +194,7 @@ std::string knobsJson(const DemoInfo& info, const Demo& demo) {
     for (const Knob* knob : demo.knobs()) {
         json.object().add("name", knob->name()).add("value", knob->text()).add("initial", knob->initialText());
         json.add("range", knob->range()).add("scale", knob->scale() == Scale::logarithmic ? "logarithmic" : "linear");
-        json.add("unit", knob->unit()).add("help", knob->help()).add("idle", demo.idleReason(*knob)).end();
+        json.add("unit", knob->unit()).add("help", knob->help()).add("idle", knob->idleReason()).end();
     }
     json.end().array("presets");
     for (const Preset& preset : info.presets) {

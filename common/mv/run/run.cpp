@@ -73,7 +73,7 @@ void noteIdleKnobs(const Command& command) {
         for (const std::string& value :
              command.compareKnob.empty() ? std::vector<std::string>{""} : command.compareValues) {
             if (!value.empty()) demo->knob(command.compareKnob).parse(value);
-            reason = demo->idleReason(knob);
+            reason = knob.idleReason();
             if (reason.empty()) break;
         }
         if (!reason.empty()) {

@@ -14,24 +14,6 @@ constexpr std::size_t mostRuns = 3;
 // So many frames of each are kept; beyond, every second one is forgotten.
 constexpr std::size_t mostKept = 64;
 
-// What is asked of the knobs here is no reason for a study to call them read.
-class UnreadKnobs {
-  public:
-    explicit UnreadKnobs(const Demo& demo) {
-        for (const Knob* knob : demo.knobs()) {
-            if (!knob->wasRead()) unread_.push_back(knob);
-        }
-    }
-    UnreadKnobs(const UnreadKnobs&) = delete;
-    UnreadKnobs& operator=(const UnreadKnobs&) = delete;
-    ~UnreadKnobs() {
-        for (const Knob* knob : unread_) knob->forgetRead();
-    }
-
-  private:
-    std::vector<const Knob*> unread_;
-};
-
 bool isEarlier(const TimedChange& a, const TimedChange& b) { return a.frame < b.frame; }
 
 // The first frame at which they differ, or one that never comes.
@@ -61,7 +43,6 @@ void Timeline::vary(std::optional<KnobSetting> other) {
 }
 
 Timeline::Texts Timeline::texts() const {
-    const UnreadKnobs unread(demo_);
     Texts all;
     for (const Knob* knob : demo_.knobs()) all.push_back(knob->text());
     return all;
@@ -77,7 +58,6 @@ void Timeline::setKnobs(const Texts& beginning, const std::vector<TimedChange>& 
             if (knobs[i]->name() == change.knob) wanted[i] = change.text;
         }
     }
-    const UnreadKnobs unread(demo_);
     for (std::size_t i = 0; i < knobs.size(); ++i) {
         if (knobs[i]->text() != wanted[i]) knobs[i]->parse(wanted[i]);
     }
@@ -137,8 +117,7 @@ void Timeline::change(const Told& told, int frame) {
     for (const TimedChange& change : told.changes) {
         if (change.frame != frame) continue;
         Knob& knob = demo_.knob(change.knob);
-        const UnreadKnobs unread(demo_);
-        const std::string before = knob.text();
+            const std::string before = knob.text();
         knob.parse(change.text);
         beginsAnew |= knob.doesBeginAnew() && knob.text() != before;
     }

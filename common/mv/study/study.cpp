@@ -184,12 +184,11 @@ KnownReference referenceHere(const Demo& demo, const Study& study, bool ownError
                              const std::function<void(double part)>& progress) {
     if (!study.makeReference) throw Error("study", "must say how its reference is made (Study::makeReference)");
     if (!study.ofValues) demo.check();  // as before each picture; values need none
-    for (Knob* knob : demo.knobs()) knob->forgetRead();
     KnownReference known;
     known.reference =
         study.makeReference(demo, {FrameInfo(study.frame, study.width, study.height), ownError}, progress);
     for (const Knob* knob : demo.knobs()) {
-        if (study.reads.empty() && knob->wasRead()) known.madeOf.push_back({knob->name(), knob->text()});
+        if (study.reads.empty()) known.madeOf.push_back({knob->name(), knob->text()});
     }
     for (const std::string& name : study.reads) known.madeOf.push_back({name, demo.word(name)});
     const std::size_t pixels = static_cast<std::size_t>(study.width) * static_cast<std::size_t>(study.height);
@@ -458,7 +457,7 @@ Study studyOf(const DemoInfo& info, const std::vector<KnobSetting>& knobs, const
     Knob& knob = demo->knob(name);
     const bool range = text.find("..") != std::string::npos && text.rfind(':') != std::string::npos;
     StudyLine line{.method = name, .settings = {}, .knob = name};
-    line.values = range ? valuesBetween(text, dynamic_cast<Whole*>(&knob) != nullptr) : listed(text);
+    line.values = range ? valuesBetween(text, knob.kind() == Knob::Kind::whole) : listed(text);
     for (const std::string& value : line.values) knob.parse(value);  // refused before anything is measured
     study.scenes = {{"as set", {}}};
     study.lines = {line};

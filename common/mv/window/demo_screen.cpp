@@ -8,7 +8,6 @@
 #include <cstdio>
 #include <iostream>
 
-#include "mv/demo/file_knob.h"
 #include "mv/gl/program.h"
 #include "mv/image/png.h"
 #include "mv/run/copyable.h"
@@ -150,10 +149,10 @@ void DemoScreen::handle(const Event& event) {
 // it is read anew: somebody may have painted in it.
 void DemoScreen::onDrop(const std::string& file) {
     dropError_ = "dropped file: must go to a demo with a knob that takes a picture, as texture-map has one";
-    const FileKnob* chosen = nullptr;
+    const Knob* chosen = nullptr;
     for (const Knob* knob : session_.demo().knobs()) {
-        const auto* const files = dynamic_cast<const FileKnob*>(knob);
-        if (files != nullptr && (chosen == nullptr || (files->takes(file) && !chosen->takes(file)))) chosen = files;
+        if (knob->kind() != Knob::Kind::file) continue;
+        if (chosen == nullptr || (knob->takes(file) && !chosen->takes(file))) chosen = knob;
     }
     if (chosen == nullptr) return;
     knobs_.closeField();

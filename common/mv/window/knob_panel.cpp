@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "mv/demo/file_knob.h"
 #include "mv/paper/tables.h"
 
 namespace mv {
@@ -94,8 +93,8 @@ bool KnobPanel::otherRow(const Demo& demo, Knob& knob, float labelWidth, Compari
 
 bool KnobPanel::row(const Demo& demo, Knob& knob, float labelWidth, const std::string& side) {
     const ImGuiStyle& style = ImGui::GetStyle();
-    const std::string idle = demo.idleReason(knob);
-    const bool isFile = dynamic_cast<const FileKnob*>(&knob) != nullptr;
+    const std::string idle = knob.idleReason();
+    const bool isFile = knob.kind() == Knob::Kind::file;
     const std::string tip =
         knobTip(knob) +
         (isFile ? "\nDrop one onto the window, or click and type its name.\nIt is " + knob.text() : "") +
@@ -115,7 +114,7 @@ bool KnobPanel::row(const Demo& demo, Knob& knob, float labelWidth, const std::s
     const float resetWidth = ImGui::CalcTextSize(resetSign).x + 2 * style.FramePadding.x;
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - resetWidth - style.ItemSpacing.x);
     const bool typing = typed_ == rowName_;
-    bool moved = typing ? field(knob) : knob.widget(*this);
+    bool moved = typing ? field(knob) : widget(knob);
     if (!typing) tooltip(tip);
     ImGui::EndDisabled();
 
@@ -139,19 +138,45 @@ bool KnobPanel::row(const Demo& demo, Knob& knob, float labelWidth, const std::s
     return moved;
 }
 
-bool KnobPanel::slider(const Knob& knob, double& value, const NumberRange& range) {
+bool KnobPanel::widget(Knob& knob) {
+    switch (knob.kind()) {
+        case Knob::Kind::number:
+        case Knob::Kind::angle:
+        case Knob::Kind::whole: {
+            double value = knob.number();
+            const bool moved = slider(knob, value);
+            if (moved) knob.setNumber(value);
+            return moved;
+        }
+        case Knob::Kind::toggle: {
+            bool value = knob.isOn();
+            const bool moved = checkbox(value);
+            if (moved) knob.setOn(value);
+            return moved;
+        }
+        case Knob::Kind::oneOf:
+        case Knob::Kind::word: {
+            int index = knob.index();
+            const bool moved = choose(index, knob.options());
+            if (moved) knob.choose(index);
+            return moved;
+        }
+        case Knob::Kind::points:
+            return points(knob);
+        case Knob::Kind::file:
+            return file(knob);
+    }
+    return false;
+}
+
+bool KnobPanel::slider(const Knob& knob, double& value) {
+    const NumberRange range = knob.numbers();
+    if (knob.kind() == Knob::Kind::whole) return bar(knob, value, range.low, range.high, 0);
     if (range.scale == Scale::logarithmic) return logarithmicBar(knob, value, range);
     const double low = range.low, high = range.high;
     // As fine as a hand can choose on a bar of some 200 pixels; finer values are typed.
     const double digits = high > low ? -std::floor(std::log10((high - low) / 500)) : 0;
     return bar(knob, value, low, high, digits);
-}
-
-bool KnobPanel::slider(const Knob& knob, int& value, int low, int high) {
-    double number = value;
-    const bool moved = bar(knob, number, low, high, 0);
-    value = static_cast<int>(number);
-    return moved;
 }
 
 // The bar goes by the logarithm, and over its first twentieth it is 0 where that is allowed.
@@ -213,13 +238,14 @@ bool KnobPanel::field(Knob& knob) {
     return knob.text() != before;
 }
 
-bool KnobPanel::checkbox(const Knob&, bool& value) {
+bool KnobPanel::checkbox(bool& value) {
     const bool moved = ImGui::Checkbox("##box", &value);
     notePlace(rowName_);
     return moved;
 }
 
-bool KnobPanel::words(const Knob& knob) {
+// As words, which are edited when they are clicked.
+bool KnobPanel::points(Knob& knob) {
     // What does not fit is in the tip; buttons come after it
     const float width = ImGui::CalcItemWidth() - 2 * (ImGui::GetFrameHeight() + ImGui::GetStyle().ItemSpacing.x);
     ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_FrameBg));
@@ -227,7 +253,12 @@ bool KnobPanel::words(const Knob& knob) {
     ImGui::PopStyleColor();
     notePlace(rowName_);
     tooltip(knob.text());
-    return false;
+    if (knob.isFixedNumber()) return false;
+    const std::size_t last = knob.points().size() - 1;
+    bool moved = false;
+    if (button("+", knob.canAddPoint())) moved |= knob.addPoint(last);
+    if (button("-", knob.canRemovePoint())) moved |= knob.removePoint(last);
+    return moved;
 }
 
 // The end of a long path says more than its beginning.
@@ -243,7 +274,7 @@ bool KnobPanel::file(const Knob& knob) {
     return false;
 }
 
-bool KnobPanel::button(const Knob&, const std::string& label, bool enabled) {
+bool KnobPanel::button(const std::string& label, bool enabled) {
     ImGui::SameLine();
     ImGui::BeginDisabled(!enabled);
     const bool pressed = ImGui::Button(label.c_str(), {ImGui::GetFrameHeight(), 0});
@@ -252,7 +283,7 @@ bool KnobPanel::button(const Knob&, const std::string& label, bool enabled) {
     return pressed;
 }
 
-bool KnobPanel::choose(const Knob&, int& index, const std::vector<Option>& options) {
+bool KnobPanel::choose(int& index, const std::vector<Option>& options) {
     const Option& present = options[static_cast<std::size_t>(index)];
     bool moved = false;
     const bool open = ImGui::BeginCombo("##choice", present.word.c_str());

@@ -10,21 +10,13 @@
 
 namespace mv {
 
-class KnobPanel final : public Panel {
+class KnobPanel {
   public:
     KnobPanel(Gui& gui, Session& session) : gui_(gui), session_(session) {}
 
     // A row for each knob: name, widget, unit, and a button that sets it back; a second row for the other value of the
     // one that is compared. True when one was moved.
     bool show(Comparison& comparison);
-
-    bool slider(const Knob& knob, double& value, const NumberRange& range) override;
-    bool slider(const Knob& knob, int& value, int low, int high) override;
-    bool checkbox(const Knob& knob, bool& value) override;
-    bool words(const Knob& knob) override;
-    bool button(const Knob& knob, const std::string& label, bool enabled) override;
-    bool choose(const Knob& knob, int& index, const std::vector<Option>& options) override;
-    bool file(const Knob& knob) override;
 
     // A field for a value to be typed hangs open in the place of a bar; closing it leaves the value as it was.
     bool fieldOpen() const { return !typed_.empty(); }
@@ -33,6 +25,14 @@ class KnobPanel final : public Panel {
   private:
     bool row(const Demo& demo, Knob& knob, float labelWidth, const std::string& side);
     bool otherRow(const Demo& demo, Knob& knob, float labelWidth, Comparison& comparison);
+    // What a knob is set by. True when it was moved.
+    bool widget(Knob& knob);
+    bool slider(const Knob& knob, double& value);
+    bool checkbox(bool& value);
+    bool points(Knob& knob);
+    bool button(const std::string& label, bool enabled);
+    bool choose(int& index, const std::vector<Option>& options);
+    bool file(const Knob& knob);
     bool bar(const Knob& knob, double& value, double low, double high, double digits);
     bool logarithmicBar(const Knob& knob, double& value, const NumberRange& range);
     bool field(Knob& knob);
