@@ -1,6 +1,5 @@
 // A knob that is a file of the user's own: by its flag, dropped onto the window, chosen in the page.
 #pragma once
-#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -40,24 +39,6 @@ class FileKnob : public Knob {
     const FileKind& kind_;
     Literal sample_;
     std::string file_ = none;
-};
-
-// The same as a member of a demo of the old shape, for pictures.
-class PictureFile final : public FileKnob {
-  public:
-    static constexpr std::string_view none = "none";
-    PictureFile(Demo* owner, Literal name, Literal sample, Literal help)
-        : FileKnob(owner, name, fileKind<Picture>(), sample, help) {}
-    bool isSet() const { return file().isSet(); }
-    int version() const { return file().version(); }
-    const Picture& picture() const {
-        kept_ = file().content();
-        return *kept_;
-    }
-
-  private:
-    OwnFile<Picture> file() const { return {text()}; }
-    mutable std::shared_ptr<const Picture> kept_;
 };
 
 }  // namespace mv

@@ -1,4 +1,4 @@
-#include "shared/relief_patches.h"
+#include "relief_patches.h"
 
 #include <algorithm>
 #include <cmath>

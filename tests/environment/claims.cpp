@@ -1,3 +1,12 @@
+// What environment claims, and a test for each.
+//
+// - [rays-are-right] By rays each pixel of the sphere is what double precision finds, for each material.
+// - [off-by-distance] Looked up by direction alone, of the error a room of twice the size leaves half, up to 0.71 of it.
+// - [walls-corrected] Looked up where the ray meets the room's walls, the mirrored walls are right; balls before them are not.
+// - [no-seams] Nothing jumps where a reflection crosses the cube's edges, which are seen where each face ends by itself.
+// - [kept] While nothing moves no face is drawn; where the ball moves only those are in which it is or was.
+// - [total-reflection] In a bubble, beyond the limiting angle, everything is mirrored, and nothing shines through.
+// - [no-surface] Glass with the index of what is around it is not to be seen.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,10 +16,10 @@
 #include <string>
 #include <vector>
 
+#include "environment/shiny_sphere.h"
 #include "mv/gl/functions.h"
 #include "mv/math/reflect.h"
 #include "mv/paper/audit.h"
-#include "shared/shiny_sphere.h"
 #include "support/demo_run.h"
 
 using namespace mv;

@@ -1,5 +1,5 @@
-// What measures bump-map: its pictures against lines of sight to the displaced surface.
-#include <algorithm>
+// What bump-map tells in numbers, and what measures it: its pictures against lines of sight to the displaced surface.
+#include <array>
 #include <cmath>
 #include <functional>
 #include <glm/geometric.hpp>
@@ -9,28 +9,42 @@
 #include <thread>
 #include <vector>
 
-#include "mv/demo/demo.h"
-#include "mv/demo/file_knob.h"
+#include "bump-map.h"
+#include "mv/demo/lesson.h"
 #include "mv/math/color.h"
 #include "shared/in_rows.h"
-#include "shared/relief.h"
 #include "shared/relief_rays.h"
 
-using namespace mv;
-using namespace mv::claims;
+namespace mv::bump_map {
+
+using namespace claims;
+
+void readOut(Gpu& gpu, const Settings& s, const Frame& frame, Numbers& numbers) {
+    if (s.method == Method::displaced) {
+        const auto [first, last] = piecesInView(s, leftPane(s, frame).aspect());
+        numbers.set("triangles", (last - first + 1) * gpu.real.count() / 3.0);
+        return numbers.set("lookups", 1);
+    }
+    constexpr std::array<int, 5> lookupsOf{1, 5, 2, 3, 3};
+    numbers.set("triangles", gpu.flat.count() / 3.0);
+    numbers.set("lookups",
+                lookupsOf.at(static_cast<std::size_t>(s.method)) + (s.method == Method::occlusion ? s.layers : 0));
+}
+
+// Of the orange a ring is measured, 5 degrees wide: the sines of its edges.
+vec2 measuredBand(const Settings& s) {
+    if (s.body == ReliefBody::wall) return {-1, 1e9};
+    return {s.angle < 2.5 ? -1 : std::sin(radians(s.angle - 2.5)), std::sin(radians(s.angle + 2.5))};
+}
 
 namespace {
 
 // The luminance of the displaced surface along lines of sight; of the background beside the orange.
 class Seen {
   public:
-    Seen(const Demo& demo, const FrameInfo& frame)
-        : relief_{demo.word("body") == "wall" ? ReliefBody::wall : ReliefBody::orange, demo.number("depth")},
-          width_(frame.width()),
-          height_(frame.height()),
-          angle_(demo.number("angle")) {
-        if (relief_.body == ReliefBody::wall) relief_.isMirrored = demo.word("mirrored") == "on";
-        const Scene scene = demo.scene(frame);
+    Seen(const Settings& s, const FrameInfo& frame)
+        : relief_{s.body, s.depth, isMirrored(s)}, width_(frame.width()), height_(frame.height()), angle_(s.angle) {
+        const Scene scene = sceneOf(s, frame);
         worldFromClip_ = glm::inverse(scene.clipFromWorld());
         light_ = vec3(scene.lights.front().position);
         way_ = glm::normalize(vec3(worldFromClip_ * vec4(0, 0, 1, 0)));
@@ -93,15 +107,16 @@ double rmsBetween(const std::vector<double>& a, const std::vector<double>& b) {
 }
 
 // Lines of sight along each side of a pixel: of the orange some thousand pixels count, and many are at its outline.
-int sideOf(const Demo& demo) { return demo.word("body") == "wall" ? 2 : 6; }
+int sideOf(const Settings& s) { return s.body == ReliefBody::wall ? 2 : 6; }
 
 // What is painted and how high are formulas, which a picture of the user's own is not.
-bool isMeasured(const Demo& demo) { return demo.word("picture") == PictureFile::none; }
+bool isMeasured(const Settings& s) { return !s.picture.isSet(); }
 
 Reference reference(const Demo& demo, const ReferenceFrame& frame, const std::function<void(double)>& progress) {
-    if (!isMeasured(demo)) throw Error("--picture", "must be none to be measured", demo.word("picture"));
-    const Seen seen(demo, frame);
-    const int side = sideOf(demo);
+    const auto s = settingsOf<Settings>(demo);
+    if (!isMeasured(s)) throw Error("--picture", "must be none to be measured", s.picture.name);
+    const Seen seen(s, frame);
+    const int side = sideOf(s);
     Reference right{.values = seen.means(side, progress)};
     for (const double value : right.values) right.regions.push_back(value < 0 ? -1 : 0);
     if (frame.ownError) right.ownError = rmsBetween(right.values, seen.means(2 * side, progress));
@@ -111,21 +126,20 @@ Reference reference(const Demo& demo, const ReferenceFrame& frame, const std::fu
 
 // Of the present settings, in few pixels.
 std::vector<double> errorNow(Probing& probing) {
-    if (!isMeasured(probing.demo())) return {};
+    const auto s = settingsOf<Settings>(probing.demo());
+    if (!isMeasured(s)) return {};
     constexpr int width = 80, height = 60;
     const std::vector<float> shown = probing.measured(width, height);
     if (shown.empty()) return {};
-    const Seen seen(probing.demo(), {probing.frame().index(), width, height});
+    const Seen seen(s, {probing.frame().index(), width, height});
     return {rmsBetween({shown.begin(), shown.end()}, seen.means(2))};
 }
 
 // How far the normals of the normal map are from the true ones, before any filter: the root mean square, in degrees.
 std::vector<double> errorOfMap(Probing& probing) {
-    const Demo& demo = probing.demo();
-    if (!isMeasured(demo)) return {};
-    const Relief relief{demo.word("body") == "wall" ? ReliefBody::wall : ReliefBody::orange, demo.number("depth")};
-    const int size = static_cast<int>(demo.number("map-size"));
-    return {normalMapError(relief, size, demo.word("texels") == "8-bit")};
+    const auto s = settingsOf<Settings>(probing.demo());
+    if (!isMeasured(s)) return {};
+    return {normalMapError({s.body, s.depth}, s.mapSize, s.texels == Kept::bytes)};
 }
 
 Study study() {
@@ -134,6 +148,7 @@ Study study() {
     study.reference =
         "the mean of 4 lines of sight a pixel to the displaced wall, 36 to the orange, marched in double precision";
     study.makeReference = reference;
+    study.reads = {"body", "depth", "angle", "mirrored", "picture", "lamp-turn", "lamp-height", "spin-x", "spin-y"};
     study.scenes = {{"wall", {{"body", "wall"}}}, {"orange", {{"body", "orange"}, {"depth", "0.04"}}}};
     for (const std::string method : {"smooth", "height", "normal", "parallax", "occlusion", "displaced"}) {
         StudyLine line{method, {{"method", method}, {"beside", "off"}}, "angle", {"0", "20", "40", "60", "80", "85"}};
@@ -189,3 +204,4 @@ const bool probed = addProbes(
       errorOfMap}});
 
 }  // namespace
+}  // namespace mv::bump_map

@@ -1,4 +1,4 @@
-// How finely a patch is cut. demos/shared/relief_patches.h has the same rule in C++.
+// How finely a patch is cut. demos/displacement/relief_patches.h has the same rule in C++.
 #include "tessellation.glsl"
 layout(vertices = 4) out;
 uniform mat4 clipFromBody;

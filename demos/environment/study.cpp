@@ -1,36 +1,35 @@
-// What measures environment: its sphere against rays in double precision.
+// What environment tells in numbers, and what measures it: its sphere against rays in double precision.
 #include <cmath>
 #include <string>
 #include <vector>
 
-#include "mv/demo/demo.h"
-#include "mv/demo/file_knob.h"
-#include "shared/shiny_sphere.h"
+#include "environment.h"
+#include "mv/demo/lesson.h"
+#include "mv/math/color.h"
+#include "shiny_sphere.h"
 
-using namespace mv;
-using namespace mv::claims;
+namespace mv::environment {
+
+using namespace claims;
+
+void readOut(Gpu& gpu, const Settings& s, const Frame& frame, Numbers& numbers) {
+    if (!frame.measuring()) numbers.set("faces-drawn", gpu.facesDrawn);
+    numbers.set("head-on", luminance(coatingOf(s).reflected(1)));
+    if (s.material == Material::glass && s.index < 1) numbers.set("limit", degrees(std::asin(s.index)));
+}
 
 namespace {
 
-ShinySphere sphereOf(const Demo& demo, const FrameInfo& frame) {
-    const std::string material = demo.word("material");
-    return {.room = {demo.number("room"), demo.number("ball") + (demo.word("moving") == "on" ? frame.index() : 0)},
-            .coating = {.kind = material == "mirror"  ? Coating::Kind::mirror
-                                : material == "glass" ? Coating::Kind::glass
-                                                      : Coating::Kind::metal,
-                        .metal = material == "copper" ? copper : gold,
-                        .index = demo.number("index")},
-            .innerReflections = 100};
+ShinySphere sphereOf(const Settings& s, const FrameInfo& frame) {
+    return {.room = roomOf(s, frame), .coating = coatingOf(s), .innerReflections = 100};
 }
 
 // The sphere, in the room.
-bool isMeasured(const Demo& demo) {
-    return demo.word("body") == "sphere" && demo.word("around") == "room" && demo.word("picture") == PictureFile::none;
-}
+bool isMeasured(const Settings& s) { return s.body == Body::sphere && inRoom(s); }
 
-Reference byRays(const Demo& demo, const FrameInfo& frame) {
-    if (!isMeasured(demo)) throw Error("--body", "must be the sphere, in the room, to be measured", demo.word("body"));
-    Reference reference{.values = sphereOf(demo, frame).picture(demo.scene(frame), frame.width(), frame.height())};
+Reference byRays(const Settings& s, const FrameInfo& frame) {
+    if (!isMeasured(s)) throw Error("--body", "must be the sphere, in the room, to be measured", nameOf(s.body));
+    Reference reference{.values = sphereOf(s, frame).picture(sceneOf(s, frame), frame.width(), frame.height())};
     reference.regions.reserve(reference.values.size());
     for (const double value : reference.values) {
         reference.regions.push_back(value < 0 ? -1 : 0);
@@ -40,13 +39,13 @@ Reference byRays(const Demo& demo, const FrameInfo& frame) {
 }
 
 std::vector<double> errorNow(Probing& probing) {
-    const Demo& demo = probing.demo();
-    if (!isMeasured(demo)) return {};
+    const auto s = settingsOf<Settings>(probing.demo());
+    if (!isMeasured(s)) return {};
     constexpr int side = 120;
     const std::vector<float> shown = probing.measured(side, side);
     if (shown.empty()) return {};
     const FrameInfo frame(probing.frame().index(), side, side);
-    const std::vector<double> exact = sphereOf(demo, frame).picture(demo.scene(frame), side, side);
+    const std::vector<double> exact = sphereOf(s, frame).picture(sceneOf(s, frame), side, side);
     double squares = 0, count = 0;
     for (std::size_t i = 0; i < exact.size(); ++i) {
         if (exact[i] < 0 || shown[i] < 0) continue;
@@ -62,8 +61,10 @@ Study study() {
     study.quantity = "luminance of the sphere, 0..1, up to 0.95 of its radius from its middle";
     study.reference = "a ray a pixel to the exact sphere and from there on, in double precision";
     study.makeReference = [](const Demo& demo, const ReferenceFrame& frame, const auto&) {
-        return byRays(demo, frame);
+        return byRays(settingsOf<Settings>(demo), frame);
     };
+    study.reads = {"around", "body",    "material", "index",  "room",    "ball",
+                   "moving", "picture", "spin-x",   "spin-y", "distance"};
     study.width = 320;
     study.height = 320;
     study.problem = "room";
@@ -120,3 +121,4 @@ const bool probed = addProbes(
     {{{{"error", "root mean square of the sphere's luminance, against rays in double precision"}}, errorNow}});
 
 }  // namespace
+}  // namespace mv::environment

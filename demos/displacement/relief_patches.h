@@ -42,7 +42,7 @@ struct LevelRule {
     vec3 eye{0};            // in the body's space
     bool leavesOut = true;  // a patch that nothing is seen of gets level 0
 };
-// The same rule in shaders/displacement.patch.tesc.
+// The same rule in shaders/displacement/patch.tesc.
 PatchLevels patchLevels(const Relief& relief, const ReliefPatch& patch, const LevelRule& rule,
                         const mat4& clipFromBody);
 

@@ -1,4 +1,4 @@
-#include "shared/reflectance_plot.h"
+#include "reflectance_plot.h"
 
 #include <algorithm>
 #include <array>

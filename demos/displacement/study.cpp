@@ -1,4 +1,4 @@
-// What measures displacement: which pixels it covers, against lines of sight to the true relief; and holes.
+// What displacement tells in numbers, and what measures it: which pixels it covers, against lines of sight to the true relief; and holes.
 #include <cmath>
 #include <functional>
 #include <glm/geometric.hpp>
@@ -7,25 +7,28 @@
 #include <utility>
 #include <vector>
 
-#include "mv/demo/demo.h"
-#include "shared/relief.h"
-#include "shared/relief_patches.h"
+#include "displacement.h"
+#include "mv/demo/lesson.h"
 #include "shared/relief_rays.h"
 
-using namespace mv;
-using namespace mv::claims;
+namespace mv::displacement {
+
+using namespace claims;
+
+void readOut(Gpu& gpu, const Settings& s, const Frame&, Numbers& numbers) {
+    if (gpu.rasterized) numbers.set("triangles", *gpu.rasterized);
+    if (!isTessellated(s)) return;
+    numbers.set("patches", double(gpu.counted.patches - gpu.counted.leftOut));
+    numbers.set("left-out", double(gpu.counted.leftOut));
+}
 
 namespace {
-
-Relief reliefOf(const Demo& demo) {
-    return {demo.word("body") == "wall" ? ReliefBody::wall : ReliefBody::orange, demo.number("depth")};
-}
 
 // Which lines of sight meet the relief, in double precision.
 class Seen {
   public:
-    Seen(const Demo& demo, const FrameInfo& frame) : relief_(reliefOf(demo)), frame_(frame) {
-        const Scene scene = demo.scene(frame);
+    Seen(const Settings& s, const FrameInfo& frame) : relief_{s.body, s.depth}, frame_(frame) {
+        const Scene scene = sceneOf(s, frame);
         worldFromClip_ = glm::inverse(scene.clipFromWorld());
         eye_ = vec3(glm::inverse(scene.viewFromWorld)[3]);
     }
@@ -58,7 +61,7 @@ class Seen {
 };
 
 Reference reference(const Demo& demo, const ReferenceFrame& frame, const std::function<void(double)>& progress) {
-    const Seen seen(demo, frame);
+    const Seen seen(settingsOf<Settings>(demo), frame);
     Reference right;
     right.values.reserve(static_cast<std::size_t>(frame.width()) * static_cast<std::size_t>(frame.height()));
     for (int row = 0; row < frame.height(); ++row) {
@@ -102,9 +105,9 @@ std::vector<double> holesNow(Probing& probing) {
 
 // The processor's mesh asks no map.
 std::vector<double> errorOfMap(Probing& probing) {
-    const Demo& demo = probing.demo();
-    if (demo.word("method") == "prepared") return {};
-    return {1000 * heightMapError(reliefOf(demo), static_cast<int>(demo.number("map-size")))};
+    const auto s = settingsOf<Settings>(probing.demo());
+    if (s.method == Method::prepared) return {};
+    return {1000 * heightMapError({s.body, s.depth}, s.mapSize)};
 }
 
 Study study() {
@@ -112,6 +115,7 @@ Study study() {
     study.quantity = "whether the surface covers the middle of a pixel";
     study.reference = "a line of sight through it to the relief, marched in double precision";
     study.makeReference = reference;
+    study.reads = {"body", "depth", "distance", "angle", "spin-x", "spin-y"};
     study.scenes = {{"wall"}, {"orange", {{"body", "orange"}}}};
     const std::vector<std::string> cells{"4", "8", "16", "32", "64"};
     study.lines = {
@@ -183,3 +187,4 @@ const bool probed =
                 errorOfMap}});
 
 }  // namespace
+}  // namespace mv::displacement

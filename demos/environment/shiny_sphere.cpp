@@ -1,4 +1,4 @@
-#include "shared/shiny_sphere.h"
+#include "shiny_sphere.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>

@@ -1,4 +1,4 @@
-#include "shared/surroundings.h"
+#include "surroundings.h"
 
 #include <algorithm>
 #include <cmath>

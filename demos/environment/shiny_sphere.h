@@ -7,7 +7,7 @@
 
 #include "mv/geometry/scene.h"
 #include "shared/fresnel.h"
-#include "shared/surroundings.h"
+#include "surroundings.h"
 
 namespace mv {
 
