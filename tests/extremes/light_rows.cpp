@@ -5,7 +5,7 @@
 #include "extremes/measure.h"
 #include "extremes/row.h"
 #include "mv/math/transform.h"
-#include "shared/lamp_light.h"
+#include "lights/lamp_light.h"
 
 using namespace mv;
 using namespace mv::test;

@@ -8,7 +8,7 @@
 #include "mv/math/projection.h"
 #include "mv/math/shadow.h"
 #include "mv/math/transform.h"
-#include "shared/mirrors.h"
+#include "mirror/mirrors.h"
 #include "support/random.h"
 
 using namespace mv;

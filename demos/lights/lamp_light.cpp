@@ -1,4 +1,4 @@
-#include "shared/lamp_light.h"
+#include "lamp_light.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,6 @@
-// What measures lights: the light that arrives, against lamps that are balls and light by all of their surface.
+// What lights tells in numbers, and what measures it: the light that arrives, against lamps that are balls and light by all
+// of their surface.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -7,15 +9,40 @@
 #include <string>
 #include <vector>
 
+#include "lights.h"
 #include "mv/demo/demo.h"
 #include "mv/geometry/check.h"
 #include "mv/geometry/ray_caster.h"
+#include "mv/math/color.h"
 #include "mv/math/transform.h"
 
-using namespace mv;
-using namespace mv::claims;
+namespace mv::lights {
+
+double lightAtMark(const Settings& s) {
+    vec3 sum(0);
+    for (std::size_t i = 0; i < lightCount; ++i) sum += arriving(s, i, marked(s), {0, 1, 0});
+    return (sum.x + sum.y + sum.z) / 3;
+}
+double stored(double light) { return 255 * std::min(1.0, srgbFromLinear(light)); }
+
+void tell(const Settings& s, const Scene& scene, const std::vector<std::size_t>& sent, const Frame& frame) {
+    for (const std::size_t i : sent) {
+        if (!reaches(s, scene, i))
+            frame.needless("light " + std::to_string(i + 1) +
+                           (hasPlace(s.kinds[i]) ? ", which reaches nothing" : ", which is off"));
+    }
+    frame.count("lights asked for each pixel", double(sent.size()));
+}
+
+void readOut(Gpu&, const Settings& s, const Frame& frame, Numbers& numbers) {
+    numbers.set("lights-sent", double(sentLights(s, sceneOf(s, frame)).size()));
+    numbers.set("mark", lightAtMark(s));
+    numbers.set("mark-stored", stored(lightAtMark(s)));
+}
 
 namespace {
+
+using namespace mv::claims;
 
 // The interpolated normal of what a ray has hit, as a shader gets it.
 vec3 smoothNormal(const SceneObject& object, const std::array<std::uint32_t, 3>& corners, const vec3& point) {
@@ -108,7 +135,7 @@ std::vector<KnobSetting> points(int count) {
     return settings;
 }
 
-std::vector<KnobSetting> falloff(const std::string& constant, const std::string& linear, const std::string& quadratic) {
+std::vector<KnobSetting> fallsBy(const std::string& constant, const std::string& linear, const std::string& quadratic) {
     return {{"constant", constant}, {"linear", linear}, {"quadratic", quadratic}};
 }
 
@@ -127,15 +154,17 @@ Study study() {
     };
     auto one = points(1), eight = points(8);
     for (auto* settings : {&one, &eight}) settings->push_back({"power", "0.1"});
+    study.reads = {"light-1", "light-2", "light-3", "light-4", "light-5", "light-6",
+                   "light-7", "light-8", "places",  "height",  "power",   "lamp-size"};
     study.scenes = {{"one lamp", one}, {"eight lamps", eight}};
     const std::vector<std::string> sizes{"0.02", "0.1", "0.2", "0.5"};
-    study.lines = {{"1/d^2", falloff("0", "0", "1"), "lamp-size", sizes},
-                   {"1/d", falloff("0", "1", "0"), "lamp-size", sizes},
-                   {"constant", falloff("1", "0", "0"), "lamp-size", sizes},
-                   {"1/d^2, all asked", withAll(falloff("0", "0", "1")), "lamp-size", sizes},
-                   {"1/(1 + d + d^2)", falloff("1", "1", "1"), "lamp-size", sizes},
+    study.lines = {{"1/d^2", fallsBy("0", "0", "1"), "lamp-size", sizes},
+                   {"1/d", fallsBy("0", "1", "0"), "lamp-size", sizes},
+                   {"constant", fallsBy("1", "0", "0"), "lamp-size", sizes},
+                   {"1/d^2, all asked", withAll(fallsBy("0", "0", "1")), "lamp-size", sizes},
+                   {"1/(1 + d + d^2)", fallsBy("1", "1", "1"), "lamp-size", sizes},
                    {"1/d^2, cut off",
-                    falloff("0", "0", "1"),
+                    fallsBy("0", "0", "1"),
                     "cut-off",
                     {"0.1", "0.03", "0.01", "0.0039215686", "0.001", "0.0001"}}};
     study.problem = "lamp-size";
@@ -176,3 +205,4 @@ Study study() {
 const bool studied = addStudy("lights", study());
 
 }  // namespace
+}  // namespace mv::lights

@@ -2,10 +2,10 @@
 #pragma once
 #include <vector>
 
+#include "mirrors.h"
 #include "mv/geometry/plot.h"
 #include "mv/geometry/scene.h"
 #include "mv/gl/drawing.h"
-#include "shared/mirrors.h"
 
 namespace mv {
 

@@ -1,3 +1,16 @@
+// What lights claims, and a test for each.
+//
+// - [adds] Linear light adds: several lights give the sum of what each gives alone. Numbers that are not encoded do not add
+//   on the screen, where encoded ones are expected.
+// - [falloff-exponents] A constant, linear or quadratic term alone falls as d^0, d^-1 or d^-2, read from the picture.
+// - [ambient-is-everywhere] Ambient light is the same on every surface, whichever way it faces.
+// - [directional-is-far] Directional light does not depend on the place, only on the way a surface faces.
+// - [behind-lights-nothing] A light behind a surface lights nothing of it.
+// - [cone] A spot lights nothing outside of its outer cone, as much as a point within the inner one, and its edge has no
+//   step where the inner one is smaller.
+// - [finite] A lamp on a surface, and a spot with one cone, give finite light.
+// - [off-costs-nothing] A light that is off, or cannot reach what is seen, is not sent, and the picture is the same.
+// - [as-in-double] The shader gives what the same formulas give in double.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -5,10 +18,10 @@
 #include <string>
 #include <vector>
 
+#include "lights/lamp_light.h"
 #include "mv/geometry/ray_caster.h"
 #include "mv/math/transform.h"
 #include "mv/paper/audit.h"
-#include "shared/lamp_light.h"
 #include "support/demo_run.h"
 
 using namespace mv;

@@ -1,4 +1,4 @@
-#include "shared/mirrors.h"
+#include "mirrors.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>

@@ -1,4 +1,4 @@
-#include "shared/mirror_room.h"
+#include "mirror_room.h"
 
 #include <algorithm>
 #include <array>

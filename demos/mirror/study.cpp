@@ -1,4 +1,4 @@
-// What measures mirror: each pixel against a ray that the mirrors turn round.
+// What mirror tells in numbers and in a plan, and what measures it: each pixel against a ray that the mirrors turn round.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -7,17 +7,59 @@
 #include <string>
 #include <vector>
 
+#include "mirror.h"
 #include "mv/demo/demo.h"
 #include "mv/geometry/bounds.h"
 #include "mv/geometry/check.h"
 #include "mv/geometry/ray_caster.h"
 #include "mv/image/picture.h"
-#include "shared/mirror_room.h"
+#include "mv/math/shadow.h"
 
-using namespace mv;
-using namespace mv::claims;
+namespace mv::mirror {
+
+static bool showsFirst(const Sight& sight) { return !sight.chains.empty() && sight.chains.front().front().which == 0; }
+
+// Steps of a depth buffer of 24 bits from the ball's front to its back, as the eye sees them in the first mirror.
+static double depthSteps(const Settings& s, const Sight& sight) {
+    const View view = viewAfter(s, sight, 0, 1);
+    const vec3 imagedEye(reflection(view.before) * vec4(s.eye, 1)), ball = roomOf(s).ball;
+    const vec3 along = MirrorRoom::ballRadius * glm::normalize(ball - imagedEye);
+    const vec4 front = view.clipFromWorld * vec4(ball - along, 1), back = view.clipFromWorld * vec4(ball + along, 1);
+    return 0.5 * (back.z / back.w - front.z / front.w) * (std::exp2(24) - 1);
+}
+
+void tell(const Settings& s, const Sight& sight, const Frame& frame) {
+    for (const auto& chain : sight.chains)
+        frame.show("worldFromImage" + std::to_string(chain[0].which + 1), chain[0].worldFromShown);
+    if (lightSide(vec4(s.eye, 1), sight.mirrors.front().plane()) <= 0)
+        frame.say("The eye is not in front of the first mirror: nothing is seen in it.");
+    if (!showsFirst(sight) || nearBy(s) != Near::oblique) return;
+    const double steps = depthSteps(s, sight);
+    if (steps < 256)
+        frame.say(rounded("So near the mirror's plane the oblique near plane leaves %.0f steps of depth ", steps) +
+                  "from the ball's front to its back; --near clip-distance leaves as many as ever.");
+}
+
+void readOut(Gpu& gpu, const Settings& s, const Frame& frame, Numbers& numbers) {
+    const Sight sight = sightOf(s, frame);
+    const Gpu::Work work = sight.chains.empty() ? Gpu::Work() : gpu.work;
+    numbers.set("passes", work.passes);
+    numbers.set("drawn", work.drawn);
+    numbers.set("left-out", work.leftOut);
+    numbers.set("eye-distance", glm::dot(sight.mirrors.front().plane(), vec4(s.eye, 1)));
+    if (showsFirst(sight)) numbers.set("depth-steps", depthSteps(s, sight));
+}
+
+void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
+    const Sight sight = sightOf(s, frame);
+    gpu.drawing.begin(frame);
+    drawPlan(gpu.drawing, frame, roomOf(s), sight.scene, sight.chains);
+    gpu.drawing.draw(frame);
+}
 
 namespace {
+
+using namespace mv::claims;
 
 constexpr double wrongBeyond = 0.02;  // of an object's brightness; another object is off by 0.1 at least
 
@@ -137,7 +179,6 @@ class TracedMirrors {
         return color * (0.3 + 0.7 * std::max(glm::dot(normal, towardsLight), 0.0));
     }
 
-    static constexpr vec3 sky{0.80, 0.88, 0.95};
     Scene scene_;
     RayCaster caster_;
     mat4 worldFromClip_;
@@ -217,6 +258,8 @@ Study study() {
     study.makeReference = [](const Demo& demo, const ReferenceFrame& frame, const auto&) {
         return traced(demo, frame);
     };
+    study.reads = {"mirrors", "bounces",    "reflectance", "mirror-turn", "eye-x",
+                   "eye-z",   "eye-height", "ball-x",      "ball-z"};
     study.scenes = {{"one mirror", {}}, {"two mirrors", {{"mirrors", "two"}}}};
     study.lines = {{.method = "stencil, oblique", .settings = {{"method", "stencil"}}},
                    {.method = "stencil, clip distance", .settings = {{"method", "stencil"}, {"near", "clip-distance"}}},
@@ -275,3 +318,4 @@ const bool probed =
                           wrongPixels}});
 
 }  // namespace
+}  // namespace mv::mirror
