@@ -1,4 +1,4 @@
-#include "shared/key_curve.h"
+#include "key_curve.h"
 
 #include <algorithm>
 #include <cmath>
@@ -72,40 +72,6 @@ constexpr int jumps = 5;  // of the ease by steps
 
 }  // namespace
 
-KeyCurve::KeyCurve(Demo* owner)
-    : kind(owner, "curve", Kind::linear,
-           {{"linear", "straight from key to key"},
-            {"ease", "the same, but not evenly"},
-            {"lagrange", "one polynomial"},
-            {"natural", "cubic spline, without acceleration at its ends"},
-            {"clamped", "cubic spline with given velocities at its ends"},
-            {"periodic", "cubic spline that is closed"},
-            {"catmull-rom", "with uniform knots, the textbook's"},
-            {"centripetal", "Catmull-Rom, with the roots of the distances for knots"},
-            {"b-spline", "cubic, not through its keys"},
-            {"bezier", "one curve for all keys, not through them"}},
-           "what goes through the keys, or near them"),
-      ease(owner, "ease", Ease::logistic,
-           {{"root", "at once, then slower"},
-            {"quadratic", "from rest, faster and faster"},
-            {"logistic", "from rest to rest"},
-            {"bezier", "by its handles"},
-            {"cubic", "a third power to the middle, and the same back"},
-            {"sine", "half a wave"},
-            {"back", "first back, and in the end beyond"},
-            {"elastic", "comes to rest as on a spring"},
-            {"bounce", "as a ball that falls"},
-            {"steps", "five jumps"}},
-           "how a part of the time becomes a part of the way"),
-      steepness(owner, "steepness", 10, {1, 30}, "of the logistic ease"),
-      handles(owner, "handles", {{0.4, 0}, {0.6, 1}},
-              {.low = vec2(0.05, -0.5), .high = vec2(0.95, 1.5), .least = 2, .most = 2, .grid = 0.05},
-              "the two of the Bezier ease, dragged in its graph") {
-    ease.onlyWhen([this] { return isEased(); }, "only --curve ease does not go evenly");
-    steepness.onlyWhen([this] { return isEased() && ease == Ease::logistic; }, "no logistic ease is used");
-    handles.onlyWhen([this] { return isBezierEase(); }, "no Bezier ease is used");
-}
-
 template <class P>
 Motion<P> KeyCurve::through(const std::vector<Keyframe<P>>& keys, const P& startVelocity, const P& endVelocity) const {
     switch (kind) {
@@ -113,7 +79,8 @@ Motion<P> KeyCurve::through(const std::vector<Keyframe<P>>& keys, const P& start
             break;
         case Kind::ease:
             return {Curve<P>::linear(keys),
-                    {[this](double part) { return eased(part); }, [this](double part) { return slope(part); }}};
+                    {[curve = *this](double part) { return curve.eased(part); },
+                     [curve = *this](double part) { return curve.slope(part); }}};
         case Kind::lagrange:
             return Motion<P>(Curve<P>::lagrange(keys));
         case Kind::natural:

@@ -1,4 +1,4 @@
-#include "shared/pose_sphere.h"
+#include "pose_sphere.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,11 +23,6 @@ std::vector<vec3> circleOf(const mat4& worldFromRing, double radius, double heig
 }
 
 }  // namespace
-
-PoseKnobs::PoseKnobs(Demo* owner, const std::array<Literal, 3>& names, const YawPitchRoll& initial)
-    : yaw(owner, names[0], initial.yaw, "the pose: turned to the left"),
-      pitch(owner, names[1], initial.pitch, {-90, 90}, "the pose: nose up", "deg"),
-      roll(owner, names[2], initial.roll, "the pose: leaning to the left") {}
 
 Turning turningOf(const std::function<quat(double t)>& poseAt) {
     Turning turning;

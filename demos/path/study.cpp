@@ -1,4 +1,4 @@
-// What measures path: the turn of carried frames after a lap, and the length of a lap.
+// What path tells in numbers, and what measures it: the turn of carried frames after a lap, and the length of a lap.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,22 +7,67 @@
 #include <string>
 #include <vector>
 
-#include "mv/demo/demo.h"
-#include "mv/motion/minimizing_frame.h"
+#include "mv/demo/lesson.h"
 #include "mv/motion/ode_adaptive.h"
-#include "shared/track.h"
+#include "path.h"
 
-using namespace mv;
-using namespace mv::claims;
+namespace mv::path {
+namespace {
+
+void tellTrack(const Gpu& gpu, const Settings& s, const FrameInfo& frame, Numbers& numbers) {
+    const double part = lapPart(s, frame), exact = pathOf(s.ride).way.length();
+    const PathSample now = motionAt(s.ride, parameterAt(s.ride, part));
+    const PathFrame axes = frameAt(gpu.lap, part, now.velocity);
+    numbers.set("car-speed", glm::length(now.velocity));
+    if (std::abs(axes.forward.y) < 0.999) numbers.set("lean", closingAngle(frameByUp(now.velocity, worldUp), axes));
+    numbers.set("flips", double(gpu.lap.flips.size()));
+    numbers.set("vanished", double(gpu.vanishedAt.size()));
+    const auto [least, most] = std::ranges::minmax(gpu.lap.turns);
+    numbers.set("most-turn", std::max(-least, most));
+    if (s.ride.up == Up::minimizing)
+        numbers.set("closing-angle", closingAngle(gpu.lap.frames.front(), gpu.lap.frames.back()));
+    numbers.set("length", lengthOf(s.ride));
+    numbers.set("length-off", lengthOf(s.ride) - exact);
+}
+
+void tellPoses(const Settings& s, const FrameInfo& frame, Numbers& numbers) {
+    static constexpr std::array turnedBy{"turned-angles", "turned-slerp", "turned-nlerp"};
+    static constexpr std::array unevenBy{"uneven-angles", "uneven-slerp", "uneven-nlerp"};
+    const Turnings turnings = turningsOf(s.poses);
+    for (std::size_t way = 0; way < turnings.size(); ++way) {
+        const Turning& turning = turnings.at(way);
+        numbers.set(turnedBy.at(way), turning.whole);
+        if (turning.slowest > 1e-9) numbers.set(unevenBy.at(way), turning.fastest / turning.slowest);
+    }
+    const vec3 angles = anglesAt(s.poses, betweenAt(s, frame)), ahead(0, 0, -1);
+    numbers.set("axes-apart", 90 - std::abs(s.poses.order == EulerOrder::yxz ? angles.x : angles.y));
+    const quat from = orientationOf(s.poses.from), to = orientationOf(s.poses.to);
+    const AxisAngle turn = axisAngleOf(to * inverse(from));
+    numbers.set("axis-x", turn.axis.x);
+    numbers.set("axis-y", turn.axis.y);
+    numbers.set("axis-z", turn.axis.z);
+    numbers.set("nose-turn", axisAngleOf(turnBetween(turned(from, ahead), turned(to, ahead))).degrees);
+}
+
+}  // namespace
+
+void readOut(Gpu& gpu, const Settings& s, const Frame& frame, Numbers& numbers) {
+    if (s.show == Show::track)
+        tellTrack(gpu, s, frame, numbers);
+    else
+        tellPoses(s, frame, numbers);
+}
+
+// The frame's turn about the path after a lap, or the lap's length.
+std::vector<double> values(const Settings& s) {
+    if (s.ride.lengthBy != LengthBy::adaptive) return {lengthOf(s.ride)};
+    const auto frames = minimizingFrames(samplesOf(s.ride), worldUp, s.ride.transport);
+    return {closingAngle(frames.front(), frames.back())};
+}
 
 namespace {
 
-const TrackPath& pathOf(const Demo& demo) {
-    const std::array<std::string, 4> words{"park", "eight", "ring", "knot"};
-    const auto found = std::find(words.begin(), words.end(), demo.word("track"));
-    return trackPath(static_cast<Track>(found - words.begin()),
-                     demo.word("curve") == "spline" ? Through::spline : Through::catmullRom);
-}
+using namespace mv::claims;
 
 // What is carried is the solution of u' = -(u . T') T, T being the tangent; the way is that of s' = |velocity|. Both by
 // Dormand-Prince, from key to key, since what is between is smooth.
@@ -55,10 +100,11 @@ Carried carriedRound(const Curve<vec3>& curve, const vec3& firstUp, double toler
 }
 
 double quantityOf(const Demo& demo, double tolerance) {
-    const Curve<vec3>& curve = pathOf(demo).curve;
+    const Ride ride = settingsOf<Settings>(demo).ride;
+    const Curve<vec3>& curve = pathOf(ride).curve;
     const PathFrame first = frameByUp(curve.at(0).velocity, {0, 1, 0});
     const Carried carried = carriedRound(curve, first.up, tolerance);
-    if (demo.word("length-by") != "adaptive") return carried.way;
+    if (ride.lengthBy != LengthBy::adaptive) return carried.way;
     return closingAngle(first, frameByUp(curve.at(1).velocity, carried.up));
 }
 
@@ -137,6 +183,7 @@ Study study() {
         note(
             "The steps off the keys are 13 more than a multiple of the 36 spans, so that each key is at the same place "
             "between two samples every time; at other numbers the error goes up and down about the same slope.")};
+    study.reads = {"track", "curve", "length-by"};
     study.ofValues = true;
     return study;
 }
@@ -144,3 +191,4 @@ Study study() {
 const bool studied = addStudy("path", study());
 
 }  // namespace
+}  // namespace mv::path

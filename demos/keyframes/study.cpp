@@ -1,20 +1,84 @@
-// What measures keyframes: how near polynomials and curves through nodes come to a function, and how long a value takes.
+// What keyframes tells in numbers, and what measures it: how near polynomials and curves through nodes come to a function,
+// and how long a value takes.
+#include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <string>
 #include <vector>
 
-#include "mv/demo/demo.h"
+#include "keyframes.h"
+#include "mv/demo/lesson.h"
+#include "mv/geometry/closest.h"
+#include "mv/motion/arc_length.h"
 
-using namespace mv;
-using namespace mv::claims;
+namespace mv::keyframes {
+namespace {
+
+// To the nearest of the straight lines from key to key.
+double distanceToPolygon(const std::vector<vec2>& keys, const vec3& place) {
+    double least = HUGE_VAL;
+    for (std::size_t i = 1; i < keys.size(); ++i) {
+        const vec3 foot = closestOnSegment(place, vec3(keys[i - 1], 0), vec3(keys[i], 0));
+        least = std::min(least, glm::distance(place, foot));
+    }
+    return least;
+}
+
+void tellPlaces(const Settings& s, const Motion<vec3>& motion, Numbers& numbers) {
+    vec2 low = s.keys[0], high = s.keys[0];
+    for (const vec2& key : s.keys) {
+        low = glm::min(low, key);
+        high = glm::max(high, key);
+    }
+    double out = 0, off = 0;
+    for (int i = 0; i <= std::lround(60 * motion.end()); ++i) {
+        const vec2 place(motion.position(i / 60.0)), beyond = glm::max(low - place, place - high);
+        out = std::max({out, beyond.x, beyond.y});
+        off = std::max(off, distanceToPolygon(s.keys, vec3(place, 0)));
+    }
+    numbers.set("overshoot", out);
+    numbers.set("off-polygon", off);
+}
+
+void tellBall(const Settings& s, Numbers& numbers) {
+    const Motion<vec3> motion = ballMotion(s);
+    tellPlaces(s, motion, numbers);
+    if (!s.curve.isEased()) numbers.set("curve-length", ArcLength(motion.curve()).length());
+    if (s.curve.startsAtOnce()) return;
+    const Jumps jumps = jumpsOf(motion, timesOf(s.keys.size()));
+    numbers.set("velocity-jump", jumps.velocity);
+    numbers.set("end-jump", jumps.end);
+    if (!s.curve.isStraight()) numbers.set("acceleration-jump", jumps.acceleration);
+}
+
+void tellCamera(const Settings& s, double time, Numbers& numbers) {
+    const View view = viewAt(s.camera, s.curve, std::fmod(time, lap), s.camera.zoom);
+    numbers.set("subject-size", view.sizeOf(figureHeight));
+    numbers.set("door-size", view.sizeOf(doorHeight, doorBehindFigure));
+}
+
+}  // namespace
+
+void readOut(Gpu& gpu, const Settings& s, const Frame& frame, Numbers& numbers) {
+    if (s.which == Which::ball) return tellBall(s, numbers);
+    if (s.which == Which::camera) return tellCamera(s, frame.time(), numbers);
+    numbers.set("polynomial-error", gpu.sampled.polynomialError());
+    numbers.set("curve-error", gpu.sampled.curveError());
+}
+
+// The polynomial is taken by its form.
+std::vector<double> values(const Settings& s) {
+    return s.curve.kind == KeyCurve::Kind::lagrange ? polynomialValues(s) : curveValues(s);
+}
 
 namespace {
 
-constexpr int samples = 1000;  // as the demo's values()
+using namespace mv::claims;
 
 // The function itself, in long double.
 Reference exactValues(const Demo& demo) {
-    const bool isRunge = demo.word("function") == "runge";
+    const bool isRunge = settingsOf<Settings>(demo).nodes.function == FunctionNodes::Function::runge;
     Reference right;
     for (int i = 0; i < samples; ++i) {
         const long double x = static_cast<long double>(2 * i + 1) / samples - 1;
@@ -86,6 +150,7 @@ Study study() {
               "From 41 nodes on a spline takes less than half of the time of the polynomial's barycentric form.",
               {ratio(of::time, rows("clamped spline").from(41), rows("polynomial, even"), 0, 0.5)}),
         note("A millisecond for 1000 values is a microsecond for each, and the curve is made in this time, too.")};
+    study.reads = {"function"};
     study.ofValues = true;
     return study;
 }
@@ -93,3 +158,4 @@ Study study() {
 const bool studied = addStudy("keyframes", study());
 
 }  // namespace
+}  // namespace mv::keyframes

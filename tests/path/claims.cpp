@@ -1,3 +1,15 @@
+// What path claims, and a test for each.
+//
+// - [forward-is-velocity] The car looks where it goes, by every rule, and its frame is orthonormal and right-handed.
+// - [on-its-side] On a flat bend up by the acceleration lays the car on its side; minus gravity it leans by atan(v^2/(rg)).
+// - [flips-at-inflections] On the flat figure of eight the acceleration's up turns over at both inflections; that of the
+//   banked and of the minimizing frame nowhere.
+// - [no-turn-about-the-path] The minimizing frame does not turn about the path. On a flat curve it closes; in space it does
+//   not, and spread over the lap its closing angle is gone.
+// - [equal-ways] By arc length equal times are equal ways; by the parameter they are not.
+// - [chase-keeps-car] The chase camera keeps the car in the same place of its picture.
+// - [shortest-turn] Slerp takes the shortest turn at constant speed, nlerp the same at another, three angles neither.
+// - [gimbal-lock] Where the nose points straight up, yaw and roll are one turn: other angles, the same pose, another way.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,7 +20,7 @@
 #include <vector>
 
 #include "mv/math/transform.h"
-#include "shared/track.h"
+#include "path/track.h"
 #include "support/demo_run.h"
 
 using namespace mv;

@@ -1,20 +1,10 @@
-#include "shared/function_nodes.h"
+#include "function_nodes.h"
 
 #include <cmath>
 
 #include "mv/motion/nodes.h"
 
 namespace mv {
-
-FunctionNodes::FunctionNodes(Demo* owner)
-    : function(owner, "function", Function::runge, {{"runge", "1/(1 + 25 x^2)"}, {"sine", "sin 3x"}},
-               "what the nodes are of"),
-      count(owner, "nodes", 21, {5, 81}, "how many, from x = -1 to 1"),
-      spread(owner, "nodes-at", Spread::even, {{"even", "equally far apart"}, {"chebyshev", "denser to the ends"}},
-             "where they are"),
-      form(owner, "form", Form::barycentric,
-           {{"barycentric"}, {"textbook", "a product for each node"}, {"float", "the textbook's, in float"}},
-           "how the polynomial through them is computed") {}
 
 double FunctionNodes::valueAt(double x) const {
     return function == Function::runge ? 1 / (1 + 25 * x * x) : std::sin(3 * x);

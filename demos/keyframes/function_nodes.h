@@ -3,7 +3,6 @@
 #include <functional>
 #include <vector>
 
-#include "mv/demo/demo.h"
 #include "mv/motion/curve.h"
 
 namespace mv {
@@ -23,13 +22,16 @@ double textbookPolynomial(const std::vector<Keyframe<double>>& keys, double time
     return double(sum);
 }
 
-// A member of a demo. Adds the knobs function, nodes, nodes-at and form to it.
+// The function, its nodes and the polynomial's form: a part of a lesson's settings.
 struct FunctionNodes {
     enum class Function { runge, sine };
     enum class Spread { even, chebyshev };
     enum class Form { barycentric, textbook, inFloat };
 
-    explicit FunctionNodes(Demo* owner);
+    Function function = Function::runge;
+    int count = 21;
+    Spread spread = Spread::even;
+    Form form = Form::barycentric;
 
     double valueAt(double x) const;
     double slopeAt(double x) const;
@@ -38,10 +40,7 @@ struct FunctionNodes {
     // The polynomial through all of the nodes, by the present form.
     std::function<double(double)> polynomial() const;
 
-    Choice<Function> function;
-    Whole count;
-    Choice<Spread> spread;
-    Choice<Form> form;
+    bool operator==(const FunctionNodes&) const = default;
 };
 
 }  // namespace mv

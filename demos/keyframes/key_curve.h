@@ -1,10 +1,10 @@
 // A motion through keys, or near them, by the kind of curve that somebody chooses.
 #pragma once
+#include <array>
 #include <functional>
 #include <utility>
 #include <vector>
 
-#include "mv/demo/demo.h"
 #include "mv/motion/curve.h"
 
 namespace mv {
@@ -54,12 +54,15 @@ struct Jumps {
 };
 Jumps jumpsOf(const Motion<vec3>& motion, const std::vector<double>& times);
 
-// A member of a demo. Adds the knobs curve, ease, steepness and handles to it.
+// What goes through the keys, or near them: a part of a lesson's settings.
 struct KeyCurve {
     enum class Kind { linear, ease, lagrange, natural, clamped, periodic, catmullRom, centripetal, bSpline, bezier };
     enum class Ease { root, quadratic, logistic, bezier, cubic, sine, back, elastic, bounce, steps };
 
-    explicit KeyCurve(Demo* owner);
+    Kind kind = Kind::linear;
+    Ease ease = Ease::logistic;
+    double steepness = 10;                                    // of the logistic ease
+    std::array<vec2, 2> handles{vec2(0.4, 0), vec2(0.6, 1)};  // of the Bezier ease
 
     // Refused: as by the functions of Curve; keys of a periodic spline end with the first key's value.
     // The velocities are for the clamped spline.
@@ -71,16 +74,14 @@ struct KeyCurve {
     double slope(double part) const;
 
     bool isEased() const { return kind == Kind::ease; }
+    bool isLogistic() const { return isEased() && ease == Ease::logistic; }
     bool isBezierEase() const { return isEased() && ease == Ease::bezier; }
     // Whether it leaves each key at infinite speed.
     bool startsAtOnce() const { return isEased() && ease == Ease::root; }
     // Whether it is straight from key to key.
     bool isStraight() const { return kind == Kind::linear || isEased(); }
 
-    Choice<Kind> kind;
-    Choice<Ease> ease;
-    Real steepness;
-    Points handles;
+    bool operator==(const KeyCurve&) const = default;
 };
 
 }  // namespace mv

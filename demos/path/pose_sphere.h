@@ -4,22 +4,10 @@
 #include <functional>
 #include <vector>
 
-#include "mv/demo/demo.h"
 #include "mv/gl/drawing.h"
 #include "mv/motion/orientation.h"
 
 namespace mv {
-
-// A member of a demo: adds three knobs to it, named in the order of yaw, pitch and roll.
-struct PoseKnobs {
-    PoseKnobs(Demo* owner, const std::array<Literal, 3>& names, const YawPitchRoll& initial);
-    YawPitchRoll angles() const { return {yaw, pitch, roll}; }
-    quat orientation() const { return quatFromYawPitchRoll(yaw, pitch, roll); }
-
-    Angle yaw;
-    Real pitch;
-    Angle roll;
-};
 
 // A turn for t from 0 to 1, by 180 equal steps of t.
 struct Turning {

@@ -1,4 +1,4 @@
-#include "shared/lap.h"
+#include "lap.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "shared/track.h"
+#include "track.h"
 
 #include <array>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "shared/street.h"
+#include "street.h"
 
 #include <string>
 #include <utility>
