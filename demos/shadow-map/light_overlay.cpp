@@ -1,4 +1,4 @@
-#include "shared/light_overlay.h"
+#include "shadow-map/light_overlay.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "shared/depth_raster.h"
+#include "ray-cast/depth_raster.h"
 
 #include <algorithm>
 #include <array>
