@@ -40,7 +40,7 @@ bool hasRounds(const Settings& s) {
 }
 
 std::vector<Row<Settings>> rows() {
-    const Points::Limits two{{-3, -2.6}, {3, 2.6}, 2, 2, gridStep};
+    const PointLimits two{{-3, -2.6}, {3, 2.6}, 2, 2, gridStep};
     return together(
         word("subject", &Settings::subject,
              {{"point"}, {"segment"}, {"polygon"}, {"space", "a segment in space, seen by an eye"}}, "what is clipped"),

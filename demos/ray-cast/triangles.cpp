@@ -4,12 +4,12 @@
 #include <glm/geometric.hpp>
 #include <string>
 
+#include "depth_raster.h"
 #include "mv/demo/seen.h"
 #include "mv/gl/gl.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
 #include "ray-cast.h"
-#include "shared/depth_raster.h"
 
 namespace mv::ray_cast {
 

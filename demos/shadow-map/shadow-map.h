@@ -1,4 +1,5 @@
 #pragma once
+#include "light_overlay.h"
 #include "mv/demo/frame.h"
 #include "mv/demo/made_for.h"
 #include "mv/geometry/light_view.h"
@@ -6,7 +7,6 @@
 #include "mv/gl/drawing.h"
 #include "mv/gl/program.h"
 #include "mv/gl/scene_meshes.h"
-#include "shared/light_overlay.h"
 #include "shared/orbit.h"
 
 namespace mv::shadow_map {

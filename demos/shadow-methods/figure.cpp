@@ -21,8 +21,8 @@ Scene sceneOf(const Settings& s, const FrameInfo& frame) {
 // Draws where the lit fractions by the two methods differ, or those by one and by rays.
 void drawDifference(Gpu& gpu, const Settings& s, const Scene& scene, const Frame& frame) {
     const auto lit = [&](Method by) { return [&gpu, &scene, by] { drawScene(gpu, scene, by); }; };
-    const std::optional<Method> other = secondOf(s);
-    gpu.found = gpu.difference.show(scene, frame, lit(s.method), other ? lit(*other) : std::function<void()>());
+    const std::function<void()> byRays = {};
+    gpu.found = gpu.difference.show(scene, frame, lit(s.method), s.against == Against::off ? byRays : lit(secondOf(s)));
 }
 
 static void drawNames(const Settings& s, const Frame& frame, const std::string& first, const std::string& second) {

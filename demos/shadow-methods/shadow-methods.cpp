@@ -23,10 +23,7 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     // Make the map and the volumes, where a method needs them. A study measures the first method alone
     const bool isAlone = frame.measuring() || s.against == Against::off;
     const Method beside = isAlone ? s.method : secondOf(s);
-    if (usesMap(s.method) || usesMap(beside)) {
-        makeMap(gpu, s, scene);
-        frame.bindTarget();
-    }
+    if ((usesMap(s.method) || usesMap(beside)) && makeMap(gpu, s, scene)) frame.bindTarget();
     if (s.method == Method::volume || beside == Method::volume) {
         if (!s.keep) gpu.volumes.forget();
         gpu.volumes.follow(scene, scene.lights[0].position);
@@ -150,10 +147,10 @@ void drawByMap(Gpu& gpu, const Scene& scene, Method by) {
     }
 }
 
-// Draws the map as the light sees the scene, and keeps it while the light and what casts rest.
-void makeMap(Gpu& gpu, const Settings& s, const Scene& scene) {
+// Draws the map as the light sees the scene, unless it is kept: while the light and what casts rest.
+bool makeMap(Gpu& gpu, const Settings& s, const Scene& scene) {
     const bool isStale = gpu.mapFor.changed(s.scene, s.resolution, s.receiver, s.slopeBias);
-    if (!isStale && s.keep) return;
+    if (!isStale && s.keep) return false;
     if (gpu.map.size() != s.resolution) gpu.map = DepthMap(s.resolution, "shadow map");
     if (gpu.lightViewFor.changed(s.scene)) gpu.lightView = fitLightView(scene.lights[0].position, casterPoints(scene));
     gpu.map.bindForDrawing();
@@ -171,6 +168,7 @@ void makeMap(Gpu& gpu, const Settings& s, const Scene& scene) {
     }
     glDisable(GL_POLYGON_OFFSET_FILL);
     if (!s.receiver) glCullFace(GL_BACK);
+    return true;
 }
 
 // The program that knows no shadow, with the whole light.

@@ -64,7 +64,7 @@ void drawByMatrix(Gpu& gpu, const Scene& scene);
 void drawFlattened(Gpu& gpu, const Scene& scene);
 void drawByVolumes(Gpu& gpu, const Scene& scene);
 void drawByMap(Gpu& gpu, const Scene& scene, Method by);
-void makeMap(Gpu& gpu, const Settings& s, const Scene& scene);
+bool makeMap(Gpu& gpu, const Settings& s, const Scene& scene);
 const Program& useLight(Gpu& gpu, const Scene& scene);
 bool usesMap(Method method);
 int looksAlong(Method method);

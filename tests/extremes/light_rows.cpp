@@ -4,8 +4,8 @@
 
 #include "extremes/measure.h"
 #include "extremes/row.h"
+#include "lights/lamp_light.h"
 #include "mv/math/transform.h"
-#include "shared/lamp_light.h"
 
 using namespace mv;
 using namespace mv::test;

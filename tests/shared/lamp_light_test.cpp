@@ -1,4 +1,4 @@
-#include "shared/lamp_light.h"
+#include "lights/lamp_light.h"
 
 #include <gtest/gtest.h>
 

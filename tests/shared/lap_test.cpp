@@ -1,4 +1,4 @@
-#include "shared/lap.h"
+#include "path/lap.h"
 
 #include <gtest/gtest.h>
 

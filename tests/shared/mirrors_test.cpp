@@ -1,4 +1,4 @@
-#include "shared/mirrors.h"
+#include "mirror/mirrors.h"
 
 #include <array>
 #include <glm/geometric.hpp>

@@ -1,4 +1,4 @@
-#include "shared/pose_sphere.h"
+#include "path/pose_sphere.h"
 
 #include <gtest/gtest.h>
 

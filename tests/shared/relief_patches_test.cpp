@@ -1,4 +1,4 @@
-#include "shared/relief_patches.h"
+#include "displacement/relief_patches.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "shared/street.h"
+#include "keyframes/street.h"
 
 #include <gtest/gtest.h>
 

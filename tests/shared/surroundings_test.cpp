@@ -1,14 +1,14 @@
-#include "shared/surroundings.h"
+#include "environment/surroundings.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "environment/shiny_sphere.h"
 #include "mv/error.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
-#include "shared/shiny_sphere.h"
 #include "support/random.h"
 
 using namespace mv;

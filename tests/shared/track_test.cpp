@@ -1,4 +1,4 @@
-#include "shared/track.h"
+#include "path/track.h"
 
 #include <gtest/gtest.h>
 

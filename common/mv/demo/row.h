@@ -70,6 +70,12 @@ Place<Settings, double> z(Vector Settings::*member) {
     return row_detail::placeAt<Settings>((row_detail::example<Settings>().*member).z);
 }
 
+// An element of a member that is an array.
+template <class Settings, class Array>
+auto element(Array Settings::*member, std::size_t index) {
+    return row_detail::placeAt<Settings>((row_detail::example<Settings>().*member).at(index));
+}
+
 // A member of a part, which is a member.
 template <class Settings, class Part, class Value>
 Place<Settings, Value> within(Part Settings::*part, Value Part::*member) {

@@ -1,0 +1,141 @@
+// bump-map: a smooth wall and a smooth ball that are lit as bricks and as an orange, beside the really displaced surface.
+#include "bump-map.h"
+
+#include <cmath>
+
+#include "mv/geometry/mesh_tangents.h"
+#include "mv/gl/beyond_es.h"
+#include "mv/gl/gl.h"
+#include "mv/image/mipmap.h"
+#include "mv/math/transform.h"
+#include "shared/own_picture.h"
+
+namespace mv::bump_map {
+
+void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
+    bindMaps(gpu, s);
+    glEnable(GL_DEPTH_TEST);
+
+    // Draw the smooth surface, bumped by the method's program
+    const Program& program = programOf(gpu, s);
+    const Pane left = leftPane(s, frame);
+    glViewport(left.x, left.y, left.width, left.height);
+    setLight(program, s, frame);
+    if (s.method == Method::displaced)
+        drawReal(gpu, s, left);
+    else
+        drawMapped(gpu, program, s, left);
+
+    // Draw the displaced surface beside it
+    if (!showsBoth(s) || frame.measuring()) return;
+    const Pane right = rightPane(frame);
+    glViewport(right.x, right.y, right.width, right.height);
+    if (&program != &*gpu.smooth) setLight(*gpu.smooth, s, frame);
+    drawReal(gpu, s, right);
+}
+
+// The programs differ in how a pixel finds its normal and its place in the texture.
+const Program& programOf(Gpu& gpu, const Settings& s) {
+    switch (s.method) {
+        case Method::smooth:
+        case Method::displaced:
+            return *gpu.smooth;
+        case Method::height:
+            return *gpu.byHeight;
+        case Method::normal:
+            return *gpu.byNormal;
+        case Method::parallax:
+            return *gpu.byParallax;
+        case Method::occlusion:
+            break;
+    }
+    return *gpu.byOcclusion;
+}
+bool usesFrames(Method method) { return method != Method::smooth && method != Method::displaced; }
+bool usesNormals(Method method) { return usesFrames(method) && method != Method::height; }
+
+// Set what holds for all that a program draws in this frame. Light and eye are told in the body's space.
+void setLight(const Program& program, const Settings& s, const Frame& frame) {
+    const mat3 bodyFromWorld = glm::transpose(mat3(worldFromBody(s)));
+    program.use();
+    program.set("light", bodyFromWorld * towardsLamp(s));
+    program.set("view", bodyFromWorld * towardsEye(s));
+    program.set("band", frame.measuring() ? measuredBand(s) : vec2(-1, 1e9));
+}
+
+// The smooth surface: each vertex has a frame of its tangent, its bitangent and its normal, in which the maps' normals are told.
+void drawMapped(Gpu& gpu, const Program& program, const Settings& s, const Pane& pane) {
+    if (gpu.flatFor.changed(s.body, isMirrored(s))) {
+        const MeshTangents made =
+            meshTangents(s.body == ReliefBody::orange ? sphere(1, 256, 128)
+                                                      : wallPiece(reliefOf(gpu, s), -wallEnd, wallEnd, 128, 2));
+        gpu.flat = Mesh(made.mesh, "smooth surface");
+        gpu.tangents = attachTangents(made.tangents, "smooth surface");
+    }
+    program.set("clipFromBody", sceneAt(s, pane.aspect()).clipFromWorld());
+    if (usesFrames(s.method)) program.set("keepsSign", s.sign || !isMirrored(s));
+    if (usesNormals(s.method)) program.set("normals", 1);
+    if (usesFrames(s.method) && s.method != Method::normal) {
+        program.set("depth", s.depth);
+        program.set("unitsOfRepeat", unitsOfRepeat(s.body));
+        program.set("isRound", s.body == ReliefBody::orange);
+        program.set("leastCosine", std::sin(pi / s.mapSize));
+    }
+    if (s.method == Method::occlusion) program.set("layers", s.layers);
+    gpu.flat.draw();
+}
+
+// The displaced surface, with its own normals; of the wall as many pieces as are in view.
+void drawReal(Gpu& gpu, const Settings& s, const Pane& pane) {
+    constexpr int tileCells = 160;   // of 2 units of the wall, each way
+    constexpr int orangeRows = 320;  // from pole to pole
+    if (gpu.realFor.changed(s.body, s.picture.version(), s.picture.isSet() ? s.mapSize : 0, s.depth, isMirrored(s))) {
+        const Relief relief = reliefOf(gpu, s);
+        gpu.real = Mesh(displaced(relief, s.body == ReliefBody::orange ? sphere(1, 2 * orangeRows, orangeRows)
+                                                                       : wallPiece(relief, 0, 2, tileCells, tileCells)),
+                        "displaced surface");
+        if (isMirrored(s))
+            gpu.turned = Mesh(displaced(relief, wallPiece(relief, -2, 0, tileCells, tileCells)), "mirrored piece");
+    }
+    const mat4 clipFromWorld = sceneAt(s, pane.aspect()).clipFromWorld();
+    const auto [first, last] = piecesInView(s, pane.aspect());
+    for (int i = first; i <= last; ++i) {
+        const bool isTurned = isMirrored(s) && i < 0;
+        gpu.smooth->set("clipFromBody", clipFromWorld * translate(isTurned ? 2 * i + 2 : 2 * i, 0, 0));
+        (isTurned ? gpu.turned : gpu.real).draw();
+    }
+}
+
+// Make the maps that have changed: heights with what is painted, and the normals that follow from the heights.
+void bindMaps(Gpu& gpu, const Settings& s) {
+    const auto upload = [&](const FloatPicture& map, int unit, const char* label) {
+        Texture made(mipmaps(map), {.texels = formatOf(s), .label = label});
+        made.filterBy({.minify = GL_LINEAR_MIPMAP_LINEAR, .magnify = GL_LINEAR, .wrap = GL_REPEAT}, unit);
+        if (s.body == ReliefBody::orange)  // beyond its north pole there is no south
+            glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+        return made;
+    };
+    if (gpu.heightsFor.changed(s.body, s.mapSize, s.picture.version())) gpu.heights = heightMap(s);
+    if (usesNormals(s.method)) {
+        if (gpu.normalsFor.changed(s.body, s.mapSize, s.picture.version(), formatOf(s), s.depth)) {
+            gpu.normals = upload(reliefNormals(reliefOf(gpu, s), gpu.heights), 1, "normals");
+            gpu.paintedFor.forget();  // its unit was used
+        } else {
+            gpu.normals.bind(1);
+        }
+    }
+    if (gpu.paintedFor.changed(s.body, s.mapSize, s.picture.version(), formatOf(s)))
+        gpu.painted = upload(gpu.heights, 0, "painted");
+    else
+        gpu.painted.bind(0);
+}
+FloatPicture heightMap(const Settings& s) {
+    if (!s.picture.isSet()) return paintedMap(s.body, s.mapSize);
+    return ownHeights(*s.picture.content(), s.body == ReliefBody::orange ? 2 * s.mapSize : s.mapSize, s.mapSize);
+}
+Texels formatOf(const Settings& s) {
+    if (s.texels == Kept::bytes) return Texels::bytes;
+    return has(beyond_es::floatFiltering) ? Texels::floats : Texels::halfFloats;
+}
+
+}  // namespace mv::bump_map

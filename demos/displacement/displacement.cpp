@@ -1,0 +1,130 @@
+// displacement: a wall of bricks and an orange whose vertices are really moved, by tessellation stages or by the processor.
+#include "displacement.h"
+
+#include <string>
+
+#include "mv/gl/beyond_es.h"
+#include "mv/gl/feedback.h"
+#include "mv/gl/gl.h"
+#include "mv/image/mipmap.h"
+
+namespace mv::displacement {
+
+void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
+    if (frame.measuring()) {  // which pixels are covered: those beside the surface count, too
+        glClearColor(0, 0, 0, 0);
+        glClear(GL_COLOR_BUFFER_BIT);
+    }
+    glEnable(GL_DEPTH_TEST);
+    glEnable(GL_CULL_FACE);  // the wall's back and the orange's inside are seen through cracks only
+
+    // Draw patches, which the tessellator cuts and its shader moves, or triangles that the processor has cut and moved
+    bindMap(gpu, s);
+    const Program& program = programOf(gpu, s, frame);
+    program.use();
+    setLight(program, s, frame);
+    if (isTessellated(s))
+        drawPatches(gpu, program, s, frame);
+    else
+        drawPrepared(gpu, program, s, frame);
+}
+
+void drawPatches(Gpu& gpu, const Program& program, const Settings& s, const Frame& frame) {
+    // Count by the rule that the control shader follows, too: nobody is told what that does
+    const LevelRule rule = ruleOf(s, frame);
+    if (gpu.patchesFor.changed(s.body)) gpu.patches = reliefPatches(s.body);
+    gpu.counted = countPatches(gpu.patches, {s.body, s.depth}, rule, sceneOf(s, frame).clipFromWorld());
+    if (const int parts = gpu.counted.partsToDraw(); gpu.cornersFor.changed(s.body, parts)) {
+        gpu.corners.clear();
+        for (const MeshData& part : patchCorners(gpu.patches, parts)) gpu.corners.emplace_back(part, "patches");
+    }
+    tell(gpu.counted, s, frame);
+
+    setTessellator(program, s, rule);
+    glPatchParameteri(GL_PATCH_VERTICES, 4);
+    drawAll(gpu, gpu.corners, GL_PATCHES, frame);
+}
+
+// What the control shader asks for the levels, and the evaluation shader for the places.
+void setTessellator(const Program& program, const Settings& s, const LevelRule& rule) {
+    program.set("eye", rule.eye);
+    program.set("fixedLevel", double(s.level));
+    program.set("fineness", rule.fineness);
+    program.set("byDistance", isByDistance(s));
+    program.set("agrees", rule.agrees);
+    program.set("leavesOut", rule.leavesOut);
+    program.set("depth", s.depth);
+    program.set("moved", s.method == Method::bumped ? 0.0 : s.depth);
+    program.set("texel", unitsOfRepeat(s.body).y / s.mapSize);
+    program.set("isRound", s.body == ReliefBody::orange);
+}
+LevelRule ruleOf(const Settings& s, const FrameInfo& frame) {
+    return {.fixedLevel = isByDistance(s) ? 0.0 : double(s.level),
+            .fineness = s.fineness,
+            .agrees = s.agree,
+            .eye = eyeOf(s, frame),
+            .leavesOut = s.cull};
+}
+
+void drawPrepared(Gpu& gpu, const Program& program, const Settings& s, const Frame& frame) {
+    const bool isMoved = s.method != Method::bumped;
+    if (gpu.preparedFor.changed(s.body, s.depth, s.level, isMoved)) {
+        const MeshData smooth = cutPatches(s.body, s.level);
+        MeshData made = displaced({s.body, s.depth}, smooth);
+        if (!isMoved) made.positions = smooth.positions;
+        gpu.prepared.clear();
+        gpu.prepared.emplace_back(made, "prepared mesh");
+    }
+    frame.count("triangles made", gpu.prepared.front().count() / 3.0);
+    program.set("cells", double(s.level));
+    drawAll(gpu, gpu.prepared, GL_TRIANGLES, frame);
+}
+
+// Count the triangles that reach the rasterizer, where somebody reads their number.
+void drawAll(Gpu& gpu, const std::vector<Mesh>& meshes, GLenum mode, const Frame& frame) {
+    const auto draw = [&] {
+        for (const Mesh& mesh : meshes) mesh.drawAs(mode);
+    };
+    gpu.rasterized.reset();
+    if (!frame.readouts() || !has(beyond_es::countingQueries)) return draw();
+    gpu.rasterized = double(countedBy(GL_PRIMITIVES_GENERATED, draw));
+}
+
+// A program a kind: with tessellation, with lines.
+const Program& programOf(Gpu& gpu, const Settings& s, const Frame& frame) {
+    const std::pair<bool, bool> kind(isTessellated(s), hasLines(s, frame));
+    const auto known = gpu.programs.find(kind);
+    if (known != gpu.programs.end()) return known->second;
+    std::vector<std::string> files{"displacement.vert"};
+    if (kind.first) files = {"patch.vert", "patch.tesc", "patch.tese"};
+    if (kind.second) files.emplace_back("lines.geom");
+    files.emplace_back(kind.second ? "lines.frag" : "displacement.frag");
+    for (std::string& file : files) file.insert(0, "displacement/");
+    return gpu.programs.emplace(kind, Program::fromFiles(files.front() + "...", files)).first->second;
+}
+void setLight(const Program& program, const Settings& s, const Frame& frame) {
+    const Scene scene = sceneOf(s, frame);
+    program.set("clipFromBody", scene.clipFromWorld());
+    program.set("light", vec3(scene.lights.front().position));
+    program.set("view", towardsEye(s));
+    if (hasLines(s, frame)) program.set("halfPicture", 0.5 * vec2(frame.width(), frame.height()));
+    program.set("showsLevels", s.paint == Paint::levels);
+    if (s.paint == Paint::levels) program.set("levelColors", levelColors());
+}
+
+// The height map, with what is painted.
+void bindMap(Gpu& gpu, const Settings& s) {
+    if (!gpu.paintedFor.changed(s.body, s.mapSize)) return gpu.painted.bind(0);
+    const Texels texels = has(beyond_es::floatFiltering) ? Texels::floats : Texels::halfFloats;
+    gpu.painted = Texture(mipmaps(paintedMap(s.body, s.mapSize)), {.texels = texels, .label = "painted"});
+    gpu.painted.filterBy({.minify = GL_LINEAR_MIPMAP_LINEAR, .magnify = GL_LINEAR, .wrap = GL_REPEAT});
+    if (s.body == ReliefBody::orange) glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+}
+
+bool isTessellated(const Settings& s) { return s.method != Method::prepared && has(beyond_es::tessellation); }
+bool isByDistance(const Settings& s) { return s.method != Method::prepared && s.levels == Levels::distance; }
+bool hasLines(const Settings& s, const Frame& frame) {
+    return s.wireframe && !frame.measuring() && has(beyond_es::geometryShaders);
+}
+
+}  // namespace mv::displacement

@@ -1,0 +1,93 @@
+// environment: bodies that mirror and refract what is around them, looked up in a cube map as if it were infinitely far.
+#include "environment.h"
+
+#include <glm/matrix.hpp>
+
+#include "mv/demo/seen.h"
+#include "mv/gl/gl.h"
+#include "mv/math/transform.h"
+#include "shared/own_picture.h"
+
+namespace mv::environment {
+
+void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
+    const Scene scene = seen(sceneOf(s, frame), frame);
+    glEnable(GL_DEPTH_TEST);
+    if (s.seamless && !isEs()) glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+    if (!s.seamless && isEs()) frame.say("OpenGL ES always filters across the edges of a cube.");
+
+    // 1. Draw what is around into a cube
+    gpu.facesDrawn = inRoom(s) && looksUp(s) ? drawFaces(gpu, s, frame) : 0;  // room.cpp
+    bindCube(gpu, s);
+
+    // 2. Draw the body, which looks it up
+    drawBody(gpu, s, scene, frame);
+
+    // 3. Draw what is around, as the eye sees it
+    if (!frame.measuring()) drawAround(gpu, s, scene, frame);  // room.cpp
+}
+
+// The cube of the room has been drawn; the cubes of a sky and of a picture are computed.
+void bindCube(Gpu& gpu, const Settings& s) {
+    if (!inRoom(s) && gpu.skyFor.changed(s.cubeSize, s.picture.version()))
+        gpu.skyMap =
+            CubeMap(s.picture.isSet() ? ownCube(*s.picture.content(), s.cubeSize) : skyCube(s.cubeSize), "sky");
+    const CubeMap& cube = !looksUp(s) ? *gpu.noCube : inRoom(s) ? gpu.roomMap : gpu.skyMap;
+    cube.bind(0);
+}
+
+// In each pixel of the body, the shader reflects and refracts the line of sight at the surface, asks the cube for what comes from
+// there, and mixes both by Fresnel's equations.
+void drawBody(Gpu& gpu, const Settings& s, const Scene& scene, const Frame& frame) {
+    const Pane pane = paneOf(frame);
+    glViewport(pane.x, pane.y, pane.width, pane.height);
+    const Program& program = gpu.program;
+    program.use();
+    program.set("clipFromBody", scene.clipFromWorld() * worldFromBody(s.body));
+    program.set("worldFromBody", worldFromBody(s.body));
+    program.set("worldFromNormal", normalMatrix(worldFromBody(s.body)));
+    program.set("eye", eyeOf(scene));
+    setSurface(program, s);
+
+    // Say where the walls and the balls are: to look up where a ray meets them, and for rays, right of the line
+    program.set("lookup", inRoom(s) ? static_cast<int>(s.lookup) : 0);
+    program.set("raysFrom", splits(s) && !frame.measuring() ? 0.5 * pane.width : 1e9);
+    if (inRoom(s)) setRoom(program, roomOf(s, frame));
+    (s.body == Body::sphere ? *gpu.round : *gpu.teapotMesh).draw();
+}
+
+void setSurface(const Program& program, const Settings& s) {
+    const Coating surface = coatingOf(s);
+    program.set("material", static_cast<int>(surface.kind));
+    program.set("index", surface.index);
+    program.set("metalIndex", surface.metal.n);
+    program.set("metalAbsorption", surface.metal.k);
+    program.set("bySchlick", s.fresnel == Curve::schlick);
+    program.set("isSphere", s.body == Body::sphere);
+    program.set("waysOut", waysOut(s));
+}
+
+// At how many surfaces light may leave the glass: by formula, that is known of a sphere alone.
+int waysOut(const Settings& s) {
+    if (s.body != Body::sphere || s.refract == Through::first) return 0;
+    return s.refract == Through::both ? 1 : 5;
+}
+
+Coating coatingOf(const Settings& s) {
+    using Kind = Coating::Kind;
+    return {.kind = s.material == Material::mirror  ? Kind::mirror
+                    : s.material == Material::glass ? Kind::glass
+                                                    : Kind::metal,
+            .metal = s.material == Material::copper ? copper : gold,
+            .index = s.index};
+}
+
+mat4 worldFromBody(Body body) { return body == Body::sphere ? mat4(1) : scale(0.36) * translate(-0.25, -1.55, 0); }
+vec3 eyeOf(const Scene& scene) { return vec3(glm::inverse(scene.viewFromWorld)[3]); }
+
+// A picture of the user's own stands in the place of the sky. Rays ask no cube.
+bool inRoom(const Settings& s) { return s.around == Around::room && !s.picture.isSet(); }
+bool looksUp(const Settings& s) { return !inRoom(s) || s.lookup != Lookup::rays; }
+bool splits(const Settings& s) { return inRoom(s) && s.split; }
+
+}  // namespace mv::environment

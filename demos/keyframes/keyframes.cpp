@@ -1,0 +1,63 @@
+// keyframes: what moves between keys that somebody has set: a ball, the value of a function, a camera.
+#include "keyframes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "mv/motion/nodes.h"
+
+namespace mv::keyframes {
+
+void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
+    static constexpr std::array scenes{drawBall, drawRunge, drawCamera};
+    gpu.drawing.begin(frame);
+    scenes.at(static_cast<std::size_t>(s.which))(gpu, s, frame);
+    gpu.drawing.draw(frame);
+}
+
+void drawBall(Gpu& gpu, const Settings& s, const Frame& frame) {
+    // Lay a curve through the keys, and find where the ball is on it
+    const Motion<vec3> motion = ballMotion(s);
+    const double now = momentOf(motion, frame.time());
+    const vec2 ball(motion.position(std::clamp(now, 0.0, motion.end())));
+
+    // Draw the way and the ball, and beside them its speed and its acceleration over time
+    const Pane pane = leftPane(frame);
+    showWay(gpu.drawing, s, motion, now, pane);
+    showBall(gpu.drawing, ball, velocityShown(motion, now), pane);
+    showGraphs(gpu.drawing, s, motion, now, frame);
+
+    // Warn of curves that are not what they seem
+    if (s.curve.startsAtOnce()) frame.say("the root leaves each key at infinite speed, which the graph cuts off");
+    const auto warning = swingWarning(timesOf(s.keys.size()));
+    if (warning && s.curve.kind == KeyCurve::Kind::lagrange) frame.say(*warning);
+}
+
+// A key a second. A closed curve comes back to the first key.
+Motion<vec3> ballMotion(const Settings& s) {
+    std::vector<Keyframe<vec3>> through;
+    for (const vec2& key : s.keys) through.push_back({double(through.size()), vec3(key, 0)});
+    if (s.curve.kind == KeyCurve::Kind::periodic) through.push_back({double(through.size()), through[0].value});
+    return s.curve.through(through, vec3(0), vec3(0));
+}
+
+// The time of the motion: before 0 and after its end the ball rests, and then begins again. A closed curve has no end.
+double momentOf(const Motion<vec3>& motion, double time) {
+    if (motion.curve().isClosed()) return std::fmod(time, motion.end());
+    return std::fmod(time, motion.end() + 2 * rest) - rest;
+}
+
+// Metres a second, halfway to the next picture; none where the ball rests.
+std::optional<vec2> velocityShown(const Motion<vec3>& motion, double now) {
+    if (now < 0 || now >= motion.end()) return std::nullopt;
+    return vec2(motion.at(std::min(now + 1 / 120.0, motion.end())).velocity);
+}
+
+std::vector<double> timesOf(std::size_t count) {
+    std::vector<double> times;
+    for (std::size_t i = 0; i < count; ++i) times.push_back(double(i));
+    return times;
+}
+
+}  // namespace mv::keyframes

@@ -1,0 +1,113 @@
+// lights: ambient, directional, point and spot, up to eight of them, on surfaces that only scatter.
+#include "lights.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <string>
+
+#include "mv/gl/gl.h"
+#include "mv/math/color.h"
+#include "mv/math/transform.h"
+#include "shared/lamp_reach.h"
+
+namespace mv::lights {
+
+void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
+    const Scene scene = sceneOf(s, frame);
+    const std::vector<std::size_t> sent = sentLights(s, scene);
+    const Pane pane = frame.measuring() ? Pane{0, 0, frame.width(), frame.height()} : paneOf(frame);
+    gpu.meshes.follow(scene);
+    glViewport(pane.x, pane.y, pane.width, pane.height);
+    glEnable(GL_DEPTH_TEST);
+
+    // Draw the scene once. The shader adds up the lights for each pixel
+    gpu.program.use();
+    setLights(gpu.program, s, sent);
+    for (const auto& [object, mesh] : gpu.meshes.of(scene)) {
+        gpu.program.set("clipFromObject", scene.clipFromWorld() * object.worldFromObject);
+        gpu.program.set("worldFromObject", object.worldFromObject);
+        gpu.program.set("worldFromNormal", normalMatrix(object.worldFromObject));
+        gpu.program.set("color", s.encode ? linearFromSrgb(object.color) : object.color);
+        mesh.draw();
+    }
+    glViewport(0, 0, frame.width(), frame.height());
+    tell(s, scene, sent, frame);
+}
+
+// Leave out lights that are off, and those that reach nothing. Ambient lights are a sum, which is sent apart.
+std::vector<std::size_t> sentLights(const Settings& s, const Scene& scene) {
+    std::vector<std::size_t> sent;
+    for (std::size_t i = 0; i < lightCount; ++i) {
+        if (s.kinds[i] != Kind::ambient && (s.ask == Ask::all || reaches(s, scene, i))) sent.push_back(i);
+    }
+    return sent;
+}
+bool reaches(const Settings& s, const Scene& scene, std::size_t light) {
+    const bool isEndless = !isLamp(s.kinds[light]) || std::isinf(reach(s));
+    return hasPlace(s.kinds[light]) &&
+           (isEndless || canReach(scene, scene.clipFromWorld(), placeOf(s, light), reach(s)));
+}
+
+// Set all that the shader asks of the lights.
+static void setLight(const Program& program, const Settings& s, std::size_t light, std::size_t place) {
+    const auto element = [&](const char* name) { return name + ("[" + std::to_string(place) + "]"); };
+    const Kind kind = s.kinds[light];
+    const Kind model = kind == Kind::off ? Kind::point : kind;
+    program.set(element("power").c_str(), strength(s, light));
+    program.set(element("kind").c_str(), static_cast<int>(model) - static_cast<int>(Kind::directional));
+    program.set(element("place").c_str(), kind == Kind::directional ? towardsSun(s, light) : placeOf(s, light));
+    if (kind == Kind::spot) program.set(element("axis").c_str(), axisOf(s, light));
+}
+void setLights(const Program& program, const Settings& s, const std::vector<std::size_t>& sent) {
+    program.set("ambient", ambient(s));
+    program.set("falloff", vec3(s.constant, s.linear, s.quadratic));
+    program.set("size", s.size);
+    program.set("reach", std::isfinite(reach(s)) ? reach(s) : 0.0);
+    program.set("encode", s.encode);
+    if (isOn(s, Kind::spot)) {
+        program.set("innerCosine", std::cos(radians(s.inner)));
+        program.set("outerCosine", std::cos(radians(s.outer)));
+    }
+    for (std::size_t i = 0; i < sent.size(); ++i) setLight(program, s, sent[i], i);
+    program.set("count", static_cast<int>(sent.size()));
+}
+
+// The light that arrives at a point from one light. The shader computes the same in float.
+vec3 arriving(const Settings& s, std::size_t light, const vec3& point, const vec3& normal) {
+    const Kind kind = s.kinds[light];
+    if (kind == Kind::off || kind == Kind::ambient) return strength(s, light);
+    if (kind == Kind::directional) return strength(s, light) * std::max(glm::dot(normal, towardsSun(s, light)), 0.0);
+    const vec3 toLamp = placeOf(s, light) - point;
+    const double d = glm::length(toLamp);
+    if (d > reach(s)) return vec3(0);
+    const vec3 towards = toLamp / std::max(d, s.size);
+    const double edge = kind == Kind::point ? 1
+                                            : spotEdge(glm::dot(-towards, axisOf(s, light)), std::cos(radians(s.inner)),
+                                                       std::cos(radians(s.outer)));
+    return strength(s, light) * std::max(glm::dot(normal, towards), 0.0) * falloff(s).at(d) * edge;
+}
+
+// A lamp gives its power at 1 m. Ambient and directional lights give the same everywhere.
+vec3 strength(const Settings& s, std::size_t light) {
+    const std::array<double, 5> powers{0, 0.06, 0.25, s.power, s.power};  // in the order of Kind
+    return powers.at(static_cast<std::size_t>(s.kinds[light])) * hues.at(light);
+}
+vec3 ambient(const Settings& s) {
+    vec3 sum(0);
+    for (std::size_t i = 0; i < lightCount; ++i) {
+        if (s.kinds[i] == Kind::ambient) sum += strength(s, i);
+    }
+    return sum;
+}
+Falloff falloff(const Settings& s) { return {s.constant, s.linear, s.quadratic, s.size}; }
+double reach(const Settings& s) { return falloff(s).reach(s.power, s.cutOff); }
+
+vec3 placeOf(const Settings& s, std::size_t light) { return {s.places.at(light).x, s.height, s.places.at(light).y}; }
+// A directional light shines to this point below the middle of the scene.
+vec3 towardsSun(const Settings& s, std::size_t light) {
+    return glm::normalize(placeOf(s, light) - vec3(0.35, -1, -0.4));
+}
+vec3 axisOf(const Settings& s, std::size_t light) { return glm::normalize(aim(s) - placeOf(s, light)); }
+
+}  // namespace mv::lights

@@ -1,0 +1,94 @@
+#pragma once
+#include <array>
+#include <vector>
+
+#include "mirror_room.h"
+#include "mirrors.h"
+#include "mv/demo/frame.h"
+#include "mv/demo/made_for.h"
+#include "mv/demo/numbers.h"
+#include "mv/geometry/scene.h"
+#include "mv/geometry/shapes.h"
+#include "mv/gl/drawing.h"
+#include "mv/gl/mesh.h"
+#include "mv/gl/on_demand.h"
+#include "mv/gl/program.h"
+#include "mv/gl/scene_meshes.h"
+#include "mv/gl/target.h"
+
+namespace mv::mirror {
+
+enum class Method { stencil, texture };
+enum class Near { oblique, clipDistance, none };
+enum class Count { one, two };
+
+constexpr vec3 sky(0.80, 0.88, 0.95);
+
+struct Settings {
+    Method method = Method::stencil;
+    Near near = Near::oblique;
+    Count count = Count::one;
+    int bounces = 8;
+    double reflectance = 0.85;
+    int coarser = 1;  // pixels of the picture along a texel
+    bool keep = true;
+    double turn = 0;  // degrees
+    vec3 eye{0.9, 1.7, 2.9};
+    vec2 ball{-0.35, -0.35};  // x and z
+    bool winding = true, leaveOut = true;
+    bool operator==(const Settings&) const = default;
+};
+
+// In one picture: the scene, and the mirrors that are seen through one another.
+struct Sight {
+    Scene scene;
+    std::vector<Mirror> mirrors;
+    std::vector<std::vector<SeenMirror>> chains;
+    std::vector<std::array<vec4, 8>> boxes;  // round each object, in world space
+    int length(std::size_t chain) const { return static_cast<int>(chains[chain].size()); }
+};
+
+// The world as it is seen after some reflections.
+struct View {
+    int bounce = 0;
+    mat4 clipFromWorld{1};
+    std::vector<vec4> edges = {};  // in clip space: between them all lies that is seen
+    vec4 before{0};                // half space in world space: the last mirror hides the rest,
+    ObjectId frame{0};             // and its own frame
+};
+
+struct Gpu {
+    Program world{"mirror"};
+    OnDemand<Program> plain{"mirror", "surface"}, textured{"mirror", "texture"};
+    Mesh rectangle{positionsOnly(square()), "mirror"};
+    SceneMeshes meshes;
+    std::array<std::array<Target, 2>, 2> textures;  // of each chain of mirrors, for even and odd bounces
+    MadeFor<Scene, Settings, int, int, bool> texturesFor;
+    struct Work {
+        int passes = 0, drawn = 0, leftOut = 0;
+    } work;  // for all mirrors, when their images were drawn last
+    Drawing drawing;
+};
+
+// The technique: mirror.cpp, and by textures texture.cpp.
+void draw(Gpu& gpu, const Settings& s, const Frame& frame);
+void drawWhereMarked(Gpu& gpu, const Settings& s, const Sight& sight, const vec2& size);
+void drawTextures(Gpu& gpu, const Settings& s, const Sight& sight, const Frame& frame);
+Target& textureOf(Gpu& gpu, std::size_t chain, int bounce);
+void drawMirror(Gpu& gpu, const Settings& s, const Sight& sight, std::size_t chain, int bounce, const vec2& size);
+void drawWorld(Gpu& gpu, const Settings& s, const Sight& sight, const View& view, double part);
+View viewAfter(const Settings& s, const Sight& sight, std::size_t chain, int bounce);
+Near nearBy(const Settings& s);
+
+// What is shown and what is left out: sight.cpp.
+MirrorRoom roomOf(const Settings& s);
+Scene sceneOf(const Settings& s, const FrameInfo& frame);
+Sight sightOf(const Settings& s, const Frame& frame);
+std::vector<std::size_t> shownIn(Gpu& gpu, const Settings& s, const Sight& sight, const View& view);
+
+// study.cpp.
+void tell(const Settings& s, const Sight& sight, const Frame& frame);
+void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame);
+void readOut(Gpu& gpu, const Settings& s, const Frame& frame, Numbers& numbers);
+
+}  // namespace mv::mirror

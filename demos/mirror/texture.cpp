@@ -1,0 +1,40 @@
+// Mirrors by textures: the mirrored world is drawn into a texture, which the mirror shows.
+#include "mirror.h"
+#include "mv/gl/gl.h"
+
+namespace mv::mirror {
+
+Target& textureOf(Gpu& gpu, std::size_t chain, int bounce) {
+    return gpu.textures.at(chain).at(static_cast<std::size_t>(bounce % 2));
+}
+
+static void drawTexture(Gpu& gpu, const Settings& s, const Sight& sight, std::size_t chain, int bounce,
+                        const Frame& frame) {
+    const int width = (frame.width() + s.coarser - 1) / s.coarser;
+    const int height = (frame.height() + s.coarser - 1) / s.coarser;
+    Target& target = textureOf(gpu, chain, bounce);
+    const auto format = static_cast<GLenum>(frame.measuring() ? GL_R32F : GL_RGBA8);
+    if (!target.fit(width, height, {.depth = true, .color = format, .texture = true}, "mirrored")) target.bind();
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    drawWorld(gpu, s, sight, viewAfter(s, sight, chain, bounce), 1);
+    if (bounce < sight.length(chain)) drawMirror(gpu, s, sight, chain, bounce, vec2(width, height));
+}
+
+// Draw from the last bounce to the first: the world in a mirror shows the other mirror, with the texture made before. The
+// textures are kept while eye and world rest: unlike a shadow map they are made for one eye.
+void drawTextures(Gpu& gpu, const Settings& s, const Sight& sight, const Frame& frame) {
+    if (sight.chains.empty()) return;
+    const bool isStale = gpu.texturesFor.changed(sight.scene, s, frame.width(), frame.height(), frame.measuring());
+    if (!isStale && s.keep) return;
+    gpu.work = {};
+    const fvec3 clear(frame.measuring() ? vec3(0.3 * (sky.x + sky.y + sky.z)) : sky);
+    glClearColor(clear.x, clear.y, clear.z, 1);
+    for (int bounce = s.bounces; bounce >= 1; --bounce) {
+        for (std::size_t chain = 0; chain < sight.chains.size(); ++chain) {
+            if (bounce <= sight.length(chain)) drawTexture(gpu, s, sight, chain, bounce, frame);
+        }
+    }
+    frame.bindTarget();
+}
+
+}  // namespace mv::mirror

@@ -1,0 +1,243 @@
+// What keyframes claims, and a test for each.
+//
+// - [through-its-keys] Every kind of curve is at every key at its time, but for the B-spline and the Bezier curve.
+// - [speed-jumps] Straight from key to key the speed is constant, and jumps at the keys. A spline's does not; that of a
+//   uniform Catmull-Rom curve does not either, but its acceleration does.
+// - [ends] Where it rests before and after, all kinds leave with a jump, but what is eased at both ends and the clamped
+//   spline.
+// - [who-feels-a-key] Who moves a key moves four spans of a Catmull-Rom curve or a B-spline, more of a spline, and all of
+//   one polynomial.
+// - [swings] Through more and more even nodes of Runge's function one polynomial swings more and more, and says so from 13
+//   on; through as many of Chebyshev's, or in a spline, it comes nearer and nearer.
+// - [float-swings-too] Even where the polynomial comes near, at sin 3x, 41 even nodes are too many for the textbook's form
+//   in float.
+// - [dolly-zoom] The angle of view computed from the distance keeps the subject's size; an angle with keys of its own has it
+//   at the keys, and less between them. What is behind the subject swells.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "mv/demo/demo.h"
+#include "support/demo_run.h"
+
+using namespace mv;
+using namespace mv::test;
+
+namespace {
+
+const std::vector<std::string> kinds{"linear",   "ease",        "lagrange",    "natural",  "clamped",
+                                     "periodic", "catmull-rom", "centripetal", "b-spline", "bezier"};
+
+const std::vector<vec2> initialKeys{{0.5, 2}, {1.5, 7.5}, {4, 9}, {5, 4.5}, {8, 1}, {9.5, 7}};
+
+// Whether the orange ball, 12 pixels in radius, has its middle within a pixel of that place, of 12.5 m over 560 pixels: then
+// it covers what is 11 pixels away on four sides.
+bool isBallAt(const Picture& picture, const vec2& place) {
+    const vec2 at = vec2(280) + 560 / 12.5 * (place - vec2(5));
+    return std::ranges::all_of(std::array{vec2(11, 0), vec2(-11, 0), vec2(0, 11), vec2(0, -11)}, [&](const vec2& side) {
+        const vec2 there = at + side;
+        const Pixel pixel = picture.at(static_cast<int>(there.x), picture.height - 1 - static_cast<int>(there.y));
+        return std::abs(pixel.red - 230) < 12 && std::abs(pixel.green - 128) < 12 && pixel.blue < 60;
+    });
+}
+
+// The lines above the picture's middle with a pixel of the figure's body or head, in the column through it.
+int subjectLines(const Picture& picture) {
+    int lines = 0;
+    for (int y = 0; y < picture.height / 2; ++y) {
+        const Pixel pixel = picture.at(280, y);
+        lines += pixel.red > 130 && pixel.red > pixel.blue + 45 && pixel.red > pixel.green + 25;
+    }
+    return lines;
+}
+
+double errorOf(DemoRun& run, int nodes, const char* readout) {
+    (void)run.set("nodes", nodes).picture();
+    return run.readout(readout);
+}
+
+}  // namespace
+
+TEST(Keyframes, through_its_keys) {
+    DemoRun run("keyframes", 960, 560);
+    for (const std::string& kind : kinds) {
+        SCOPED_TRACE(kind);
+        run.set("curve", kind);
+        const bool passesBy = kind == "b-spline" || kind == "bezier";
+        for (std::size_t i = 0; i < initialKeys.size(); ++i) {
+            const bool isEnd = i == 0 || i + 1 == initialKeys.size();
+            const int frame = static_cast<int>(60 * i) + (kind == "periodic" ? 0 : 30);  // a key a second, after a rest
+            EXPECT_EQ(isBallAt(run.picture(frame), initialKeys[i]), isEnd || !passesBy) << "key " << i;
+        }
+        // Half a second later it is elsewhere.
+        EXPECT_FALSE(isBallAt(run.picture(120), initialKeys[1]));
+        // Within the hull of its keys
+        EXPECT_TRUE(!passesBy || run.readout("overshoot") < 1e-12);
+    }
+}
+
+TEST(Keyframes, speed_jumps) {
+    DemoRun run("keyframes", 240, 140);
+    const auto jump = [&](const std::string& kind, const char* readout) {
+        (void)run.set("curve", kind).picture();
+        return run.readout(readout);
+    };
+    // Of keys a second apart
+    double largest = 0;
+    for (std::size_t i = 1; i + 1 < initialKeys.size(); ++i) {
+        largest = std::max(largest, glm::length(initialKeys[i + 1] - 2.0 * initialKeys[i] + initialKeys[i - 1]));
+    }
+    EXPECT_NEAR(jump("linear", "velocity-jump"), largest, 1e-12);
+    // Roundings of velocities of 10 m/s and accelerations of 50 m/s^2, and the step to the side of a key, 1e-15 s.
+    for (const std::string kind : {"natural", "clamped", "periodic", "lagrange", "bezier", "b-spline"}) {
+        EXPECT_LT(jump(kind, "velocity-jump"), 1e-12) << kind;
+        EXPECT_LT(jump(kind, "acceleration-jump"), 1e-11) << kind;
+    }
+    EXPECT_LT(jump("catmull-rom", "velocity-jump"), 1e-12);
+    EXPECT_GT(jump("catmull-rom", "acceleration-jump"), 1);
+    // Its knots are not the keys' times, so that its velocity keeps the direction alone.
+    EXPECT_GT(jump("centripetal", "velocity-jump"), 0.1);
+    // What ends at 0 and starts at 0 jumps nowhere: the quadratic ease does not end so.
+    run.set("ease", "bezier");
+    EXPECT_LT(jump("ease", "velocity-jump"), 1e-12);
+    run.set("ease", "quadratic");
+    EXPECT_GT(jump("ease", "velocity-jump"), 1);
+}
+
+TEST(Keyframes, ends) {
+    DemoRun run("keyframes", 240, 140);
+    for (const std::string& kind : kinds) {
+        SCOPED_TRACE(kind);
+        (void)run.set("curve", kind).set("ease", "bezier").picture();
+        if (kind == "clamped" || kind == "ease" || kind == "periodic") {
+            EXPECT_LT(run.readout("end-jump"), 1e-12);
+        } else {
+            EXPECT_GT(run.readout("end-jump"), 1);
+        }
+    }
+    run.set("curve", "ease");
+    for (const char* ease : {"quadratic", "logistic"}) {
+        (void)run.set("ease", ease).picture();
+        EXPECT_GT(run.readout("end-jump"), 0.1) << ease;
+    }
+    // The root starts at infinite speed, which no readout has and a sentence says.
+    (void)run.set("ease", "root").picture();
+    EXPECT_FALSE(run.measured("end-jump"));
+    EXPECT_FALSE(run.measured("velocity-jump"));
+    EXPECT_EQ(run.messages().size(), 1U);
+}
+
+// Moves the fifth of keys 0 to 9 and looks in which spans the way differs; key i is at x = i.
+TEST(Keyframes, who_feels_a_key) {
+    DemoRun run("keyframes", 960, 560);
+    const auto felt = [&](const char* kind) {
+        std::array<Picture, 2> pictures;
+        for (const bool isMoved : {false, true}) {
+            std::string keys;
+            for (int i = 0; i < 10; ++i) {
+                const double y = i == 5 && isMoved ? 5.5 : 5 + (i % 2) * 0.3;
+                keys += (i > 0 ? "/" : "") + std::to_string(i) + "," + numberText(y);
+            }
+            pictures.at(isMoved) = run.set("curve", kind).set("points", keys).picture(10);
+        }
+        int first = 10, last = -1;
+        for (int span = 0; span < 9; ++span) {
+            // Between two keys' discs of 20 pixels, which are 45 apart
+            const double metre = 560 / 12.5;
+            const int middle = static_cast<int>(280 + metre * (span + 0.5 - 5));
+            bool differs = false;
+            for (int x = middle - 2; x <= middle + 2; ++x) {
+                for (int y = 60; y < 560; ++y) differs |= pictures[0].at(x, y) != pictures[1].at(x, y);
+            }
+            if (!differs) continue;
+            first = std::min(first, span);
+            last = std::max(last, span);
+        }
+        return std::array{first, last};
+    };
+    EXPECT_EQ(felt("linear"), (std::array{4, 5}));
+    EXPECT_EQ(felt("catmull-rom"), (std::array{3, 6}));
+    EXPECT_EQ(felt("b-spline"), (std::array{3, 6}));
+    EXPECT_EQ(felt("lagrange"), (std::array{0, 8}));
+    // Of a spline it fades, by a factor of 3.7 a key, and so below what a pixel shows.
+    EXPECT_LT(felt("natural")[0], 3);
+    EXPECT_GT(felt("natural")[1], 6);
+}
+
+TEST(Keyframes, swings) {
+    DemoRun run("keyframes", 240, 140);
+    run.set("scene", "runge").set("curve", "natural");
+    double last = 0;
+    for (const int nodes : {5, 7, 9, 11, 13, 21, 31, 41, 61, 81}) {
+        const double error = errorOf(run, nodes, "polynomial-error");
+        EXPECT_TRUE(nodes == 5 || error > last) << nodes;
+        last = error;
+        EXPECT_EQ(run.messages().size(), nodes >= 13 ? 1U : 0U) << nodes;
+    }
+    EXPECT_NEAR(errorOf(run, 21, "polynomial-error"), 60, 0.5);  // as the literature has it
+    EXPECT_NEAR(last, 5e11, 0.6e11);                             // to one digit
+    // Both come nearer with each node that is added.
+    for (const char* spread : {"even", "chebyshev"}) {
+        run.set("nodes-at", spread);
+        const char* readout = std::string(spread) == "even" ? "curve-error" : "polynomial-error";
+        double before = 1;
+        for (const int nodes : {5, 11, 21, 41, 81}) {
+            const double error = errorOf(run, nodes, readout);
+            EXPECT_LT(error, before) << readout << " " << nodes;
+            before = error;
+        }
+        EXPECT_LT(before, 1e-4);
+        EXPECT_EQ(run.messages().empty(), std::string(spread) == "chebyshev");
+    }
+}
+
+TEST(Keyframes, float_swings_too) {
+    DemoRun run("keyframes", 240, 140);
+    run.set("scene", "runge").set("function", "sine").set("curve", "natural");
+    // In double the nodes' roundings of 1e-16, 41 nodes' constant of 1e10 at most: 1e-5.
+    EXPECT_LT(errorOf(run, 41, "polynomial-error"), 1e-5);
+    EXPECT_LT(errorOf(run.set("form", "textbook"), 41, "polynomial-error"), 1e-5);
+    // In float 6e-8 of them: larger than the function.
+    EXPECT_GT(errorOf(run.set("form", "float"), 41, "polynomial-error"), 1);
+    EXPECT_LT(errorOf(run, 21, "polynomial-error"), 0.01);
+}
+
+TEST(Keyframes, dolly_zoom) {
+    DemoRun run("keyframes", 960, 560);
+    run.set("scene", "camera");
+    for (const char* kind : {"linear", "ease", "natural", "clamped", "periodic", "catmull-rom", "bezier"}) {
+        SCOPED_TRACE(kind);
+        run.set("curve", kind);
+        (void)run.set("zoom", "computed").picture(0);
+        const double size = run.readout("subject-size");
+        double door = run.readout("door-size"), smallest = size;
+        for (int frame = 20; frame <= 180; frame += 20) {
+            (void)run.set("zoom", "computed").picture(frame);
+            EXPECT_NEAR(run.readout("subject-size"), size, 1e-14) << frame;
+            EXPECT_GE(run.readout("door-size"), door) << frame;
+            door = run.readout("door-size");
+            (void)run.set("zoom", "keys").picture(frame);
+            smallest = std::min(smallest, run.readout("subject-size"));
+        }
+        EXPECT_GT(door, 2 * size * 3 / 2 * 4 / 24) << "from 4 m and 24 m away to more than twice that";
+        if (std::string(kind) == "bezier") continue;  // which is at no key but the first and the last
+        (void)run.set("zoom", "keys").picture(0);
+        EXPECT_NEAR(run.readout("subject-size"), size, 1e-12);
+        (void)run.set("zoom", "keys").picture(180);
+        EXPECT_NEAR(run.readout("subject-size"), size, 1e-12);
+        EXPECT_LT(smallest, 0.6 * size);
+    }
+    // The same in pixels, of the half of the figure that is above the camera: a line or two more than its axis has, since a
+    // ball of 0.35 m is seen from 4 m (1 % of 150 lines), less those of the line drawn over its top.
+    run.set("curve", "linear").set("zoom", "computed");
+    for (const int frame : {0, 45, 90, 135, 180}) {
+        const Picture picture = run.picture(frame);
+        EXPECT_NEAR(subjectLines(picture), run.readout("subject-size") * 560 / 2, 3) << frame;
+    }
+    const int lines = subjectLines(run.picture(0));
+    EXPECT_LT(subjectLines(run.set("zoom", "keys").picture(90)), 0.6 * lines);
+}
