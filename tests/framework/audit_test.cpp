@@ -10,6 +10,7 @@
 #include "mv/gl/gl.h"
 #include "mv/image/mipmap.h"
 #include "mv/math/transform.h"
+#include "support/demo_of.h"
 #include "support/demo_run.h"
 
 using namespace mv;
@@ -24,47 +25,50 @@ const char* const mapFragment =
     "uniform sampler2D map;\nout vec4 color;\nvoid main() { color = texelFetch(map, ivec2(0), 0); }\n";
 
 // Draws a square; told to, wastes work in one way.
-struct Wasteful final : Demo {
-    enum class Kind {
-        none,
-        state,
-        initial,
-        uniform,
-        twice,
-        upload,
-        refill,
-        sample,
-        outside,
-        buffer,
-        texture,
-        pass,
-        repeated,
-        object,
-        attribute,
-        work,
-        levels
-    };
-    Choice<Kind> kind{this,
-                      "kind",
-                      Kind::none,
-                      {{"none"},
-                       {"state-again"},
-                       {"initial-state"},
-                       {"uniform-again"},
-                       {"uniform-twice"},
-                       {"upload-again"},
-                       {"refill"},
-                       {"no-sample"},
-                       {"outside-view"},
-                       {"unused-buffer"},
-                       {"unsampled-texture"},
-                       {"unread-pass"},
-                       {"repeated-pass"},
-                       {"unused-object"},
-                       {"unread-part"},
-                       {"needless-work"},
-                       {"unread-levels"}},
-                      ""};
+enum class Waste {
+    none,
+    state,
+    initial,
+    uniform,
+    twice,
+    upload,
+    refill,
+    sample,
+    outside,
+    buffer,
+    texture,
+    pass,
+    repeated,
+    object,
+    attribute,
+    work,
+    levels
+};
+struct Wasting {
+    Waste kind = Waste::none;
+};
+struct Wasteful final : DemoOf<Wasting> {
+    using Kind = Waste;
+    Wasteful()
+        : DemoOf({mv::word("kind", &Wasting::kind,
+                           {{"none"},
+                            {"state-again"},
+                            {"initial-state"},
+                            {"uniform-again"},
+                            {"uniform-twice"},
+                            {"upload-again"},
+                            {"refill"},
+                            {"no-sample"},
+                            {"outside-view"},
+                            {"unused-buffer"},
+                            {"unsampled-texture"},
+                            {"unread-pass"},
+                            {"repeated-pass"},
+                            {"unused-object"},
+                            {"unread-part"},
+                            {"needless-work"},
+                            {"unread-levels"}},
+                           "")}) {}
     Program program, reader, viewer;
     Mesh plate;
     std::optional<Mesh> spare;
@@ -83,15 +87,15 @@ struct Wasteful final : Demo {
     void draw(const Frame& frame) override {
         glClearColor(0, 0, 0, 1);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-        if (kind != Kind::buffer) glEnable(GL_DEPTH_TEST);
-        if (kind == Kind::initial) glDisable(GL_BLEND);
+        if (s.kind != Kind::buffer) glEnable(GL_DEPTH_TEST);
+        if (s.kind == Kind::initial) glDisable(GL_BLEND);
         const mat4 upright = rotateX(90) * scale(1.5);
         program.use();
-        if (kind == Kind::state) glEnable(GL_DEPTH_TEST);
+        if (s.kind == Kind::state) glEnable(GL_DEPTH_TEST);
         program.set("paint", vec4(1, 0, 0, 1));
-        if (kind == Kind::uniform) program.set("paint", vec4(1, 0, 0, 1));
-        if (kind == Kind::twice) program.set("paint", vec4(1, 1, 0, 1));
-        if (kind == Kind::pass || kind == Kind::repeated) {
+        if (s.kind == Kind::uniform) program.set("paint", vec4(1, 0, 0, 1));
+        if (s.kind == Kind::twice) program.set("paint", vec4(1, 1, 0, 1));
+        if (s.kind == Kind::pass || s.kind == Kind::repeated) {
             if (!map) map = DepthMap(8, "map");
             map->bindForDrawing();
             glClear(GL_DEPTH_BUFFER_BIT);
@@ -100,32 +104,32 @@ struct Wasteful final : Demo {
         }
         drawPlate(upright);
         const mat4 inFront = translate(0, 0, -0.5) * scale(0.3) * upright;
-        if (kind == Kind::upload) {  // made for each frame
+        if (s.kind == Kind::upload) {  // made for each frame
             MeshData corner;
             corner.positions = {{-0.5F, 0, -0.5F}, {0.5F, 0, -0.5F}, {-0.5F, 0, 0.5F}};
             program.set("clipFromModel", inFront);
             Mesh(corner, "corner").draw();
         }
-        if (kind == Kind::refill) {  // one object, filled for each frame
+        if (s.kind == Kind::refill) {  // one object, filled for each frame
             if (!filled.id()) filled = makeBuffer();
             glBindBuffer(GL_ARRAY_BUFFER, filled.id());
             const float bytes[2] = {1, 2};
             glBufferData(GL_ARRAY_BUFFER, sizeof bytes, bytes, GL_STATIC_DRAW);
         }
-        if (kind == Kind::sample) drawPlate(translate(0, 0, 0.5) * upright);  // behind the first
-        if (kind == Kind::outside) drawPlate(translate(9, 0, 0) * upright);
-        if (kind == Kind::texture) {
+        if (s.kind == Kind::sample) drawPlate(translate(0, 0, 0.5) * upright);  // behind the first
+        if (s.kind == Kind::outside) drawPlate(translate(9, 0, 0) * upright);
+        if (s.kind == Kind::texture) {
             if (!picture) picture = Texture(Picture(2, 2), GL_NEAREST, "picture");
             picture->bind(1);
         }
-        if (kind == Kind::object && !spare) spare = Mesh(wireCube(), "spare");
-        if (kind == Kind::attribute) {  // it has normals, of which the program knows nothing
+        if (s.kind == Kind::object && !spare) spare = Mesh(wireCube(), "spare");
+        if (s.kind == Kind::attribute) {  // it has normals, of which the program knows nothing
             if (!spare) spare = Mesh(withoutTexCoords(sphere(0.2, 8, 4)), "ball");
             program.set("clipFromModel", translate(0, 0, -0.5));
             spare->draw();
         }
-        if (kind == Kind::work) frame.needless("a light that is off");
-        if (kind == Kind::levels) {
+        if (s.kind == Kind::work) frame.needless("a light that is off");
+        if (s.kind == Kind::levels) {
             if (!viewer.id()) viewer = Program::fromText("viewer", plainVertex, mapFragment);
             if (levelled) {
                 levelled->bind(0);
@@ -138,7 +142,7 @@ struct Wasteful final : Demo {
             viewer.set("clipFromModel", inFront);
             plate.draw();
         }
-        if (kind == Kind::repeated) {
+        if (s.kind == Kind::repeated) {
             if (!reader.id()) reader = Program::fromText("reader", plainVertex, mapFragment);
             reader.use();
             map->bind(0, DepthLookup::depth);
@@ -331,7 +335,8 @@ TEST(Audit, two_that_hold_the_same_are_two) {
 
 // What ES lacks is named where it is not declared.
 TEST(Audit, what_es_lacks_is_declared) {
-    struct Cutting final : Demo {
+    struct Nothing {};
+    struct Cutting final : DemoOf<Nothing> {
         Program program;
         Mesh plate;
         void init() override {

@@ -1,23 +1,28 @@
 #include <gtest/gtest.h>
 
-#include "mv/demo/demo.h"
+#include "support/demo_of.h"
 
 using namespace mv;
+using namespace mv::test;
 
 namespace {
 
-struct Controls : Demo {
-    Real distance{this, "distance", -4, {-10, 10}, ""};
-    Angle across{this, "across", 0, ""}, down{this, "down", 0, ""};
-    Whole view{this, "view", 1, {1, 9}, ""};
-    Controls() {
+struct Values {
+    double distance = -4, across = 0, down = 0;
+    int view = 1;
+};
+
+struct Controls : DemoOf<Values> {
+    Controls()
+        : DemoOf(together(mv::number("distance", &Values::distance, {-10, 10}, ""),
+                          angle("across", &Values::across, ""), angle("down", &Values::down, ""),
+                          whole("view", &Values::view, {1, 9}, ""))) {
         bindKeys(Key::down, Key::up, distance, 0.2);
-        bindKey(key('3'), view, "3");
+        bindKey(key('3'), knob("view"), "3");
         bindDrag(across, 1, down, -1);
         bindWheel(distance, -0.1);
     }
-    void init() override {}
-    void draw(const Frame&) override {}
+    Knob &distance = knob("distance"), &across = knob("across"), &down = knob("down");
 };
 
 }  // namespace
@@ -29,7 +34,7 @@ TEST(Bindings, gestures_move_their_knobs) {
     EXPECT_TRUE(demo.press(Key::down));
     EXPECT_EQ(demo.distance.text(), "-4");
     EXPECT_TRUE(demo.press(key('3')));
-    EXPECT_EQ(int(demo.view), 3);
+    EXPECT_EQ(demo.s.view, 3);
     EXPECT_FALSE(demo.press(key('3'))) << "already there: nothing to draw anew";
     EXPECT_FALSE(demo.press(key('Q'))) << "a key of no binding";
     EXPECT_TRUE(demo.drag(40, 10));

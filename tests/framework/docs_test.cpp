@@ -78,7 +78,7 @@ TEST(Docs, a_chapter_that_is_none_is_refused) {
     info.name = "stray";
     info.chapter = "Shadow";
     try {
-        addDemo(info, nullptr);
+        addDemo(info, {}, "", nullptr);
         FAIL() << "there is no such chapter";
     } catch (const Error& error) {
         EXPECT_EQ(

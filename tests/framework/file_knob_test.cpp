@@ -1,4 +1,4 @@
-#include "mv/demo/file_knob.h"
+#include "mv/demo/own_file.h"
 
 #include <gtest/gtest.h>
 
@@ -146,23 +146,9 @@ TEST(FileKnob, reads_what_is_written_anew) {
 // What a window goes by, where a demo has knobs of two kinds.
 TEST(FileKnob, takes_files_of_its_endings) {
     const auto made = taking();
-    const auto& knob = dynamic_cast<const FileKnob&>(made->knob("picture"));
+    const Knob& knob = made->knob("picture");
     for (const char* name : {"a.png", "b.JPG", "c.Jpeg", ".png"}) EXPECT_TRUE(knob.takes(name)) << name;
     for (const char* name : {"", "png", "a.png.txt", "a.obj", "png.d/a"}) EXPECT_FALSE(knob.takes(name)) << name;
-}
-
-TEST(FileKnob, is_noted_as_read_by_every_way_to_it) {
-    const auto made = taking();
-    Demo& demo = *made;
-    const auto notes = [&](const auto& read) {
-        demo.knob("picture").forgetRead();
-        read();
-        return demo.knob("picture").wasRead();
-    };
-    EXPECT_TRUE(notes([&] { (void)chosen(demo); }));
-    EXPECT_TRUE(notes([&] { (void)demo.knob("picture").text(); }));
-    EXPECT_TRUE(notes([&] { demo.check(); }));
-    EXPECT_FALSE(notes([&] { choose(demo, "x.png"); }));
 }
 
 TEST(FileKnob, is_in_what_is_printed_of_a_demo) {

@@ -6,44 +6,50 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "mv/demo/demo.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
+#include "support/demo_of.h"
 
 using namespace mv;
+using namespace mv::test;
 
 namespace {
 
-struct Hands : Demo {
-    Real x{this, "x", 0, {-2, 2}, ""}, y{this, "y", 1, {-1, 3}, ""}, z{this, "z", 0.5, {-2, 2}, ""};
-    Real flatX{this, "flat-x", 0.25, {0, 1}, ""}, flatY{this, "flat-y", 0.5, {0, 1}, ""};
-    Real height{this, "height", 1, {0.5, 2}, ""};
-    Angle turn{this, "turn", 350, ""};
-    Real coarse{this, "coarse", 0.5, {0, 1}, ""}, fine{this, "fine", 0, {0, 10}, ""};
-    Real unseen{this, "unseen", 1, {0, 2}, ""};
+struct Values {
+    double x = 0, y = 1, z = 0.5, flatX = 0.25, flatY = 0.5, height = 1, turn = 350, coarse = 0.5, fine = 0, unseen = 1;
+};
 
+struct Hands : DemoOf<Values> {
     static mat4 clipFromWorld(double aspect) {
         return perspective(60, aspect, 0.2, 100) * lookAt(vec3(1, 2, 6), vec3(0, 0, 0), vec3(0, 1, 0));
     }
     static std::optional<vec2> placeOf(const FrameInfo& frame, const vec3& point) {
         return pictureFromPane({0, 0, frame.width(), frame.height()}, clipFromWorld(frame.aspect()), point);
     }
-    Hands() {
-        bindHandle("in space", {&x, &y, &z}, [this](const FrameInfo& f) { return placeOf(f, vec3(x, y, z)); });
-        bindHandle("on a line", {&height}, [this](const FrameInfo& f) { return placeOf(f, vec3(-1, height, 0)); });
-        bindHandle("in a pane", {&flatX, &flatY},
-                   [this](const FrameInfo& f) { return pictureFromPane(f.panes(2)[1], 100.0 * vec2(flatX, flatY)); });
-        bindHandle("on a circle", {&turn}, [this](const FrameInfo& f) {
-            return placeOf(f, vec3(std::sin(radians(turn)), 0, std::cos(radians(turn))));
+    Hands()
+        : DemoOf(together(
+              mv::number("x", &Values::x, {-2, 2}, ""), mv::number("y", &Values::y, {-1, 3}, ""),
+              mv::number("z", &Values::z, {-2, 2}, ""), mv::number("flat-x", &Values::flatX, {0, 1}, ""),
+              mv::number("flat-y", &Values::flatY, {0, 1}, ""), mv::number("height", &Values::height, {0.5, 2}, ""),
+              angle("turn", &Values::turn, ""), mv::number("coarse", &Values::coarse, {0, 1}, ""),
+              mv::number("fine", &Values::fine, {0, 10}, ""), mv::number("unseen", &Values::unseen, {0, 2}, ""))) {
+        bindHandle("in space", numbers({"x", "y", "z"}),
+                   [this](const FrameInfo& f) { return placeOf(f, vec3(s.x, s.y, s.z)); });
+        bindHandle("on a line", numbers({"height"}),
+                   [this](const FrameInfo& f) { return placeOf(f, vec3(-1, s.height, 0)); });
+        bindHandle("in a pane", numbers({"flat-x", "flat-y"}), [this](const FrameInfo& f) {
+            return pictureFromPane(f.panes(2)[1], 100.0 * vec2(s.flatX, s.flatY));
         });
-        bindHandle("nowhere", {&unseen}, [this](const FrameInfo&) -> std::optional<vec2> {
-            if (unseen < 0.9) throw Error("--unseen", "must be above 0.9");
-            return vec2(100 * unseen, 0);
+        bindHandle("on a circle", numbers({"turn"}), [this](const FrameInfo& f) {
+            return placeOf(f, vec3(std::sin(radians(s.turn)), 0, std::cos(radians(s.turn))));
         });
-        bindHandle("uneven", {&coarse, &fine}, [this](const FrameInfo&) { return vec2(100 * coarse + 5 * fine, 0); });
+        bindHandle("nowhere", numbers({"unseen"}), [this](const FrameInfo&) -> std::optional<vec2> {
+            if (s.unseen < 0.9) throw Error("--unseen", "must be above 0.9");
+            return vec2(100 * s.unseen, 0);
+        });
+        bindHandle("uneven", numbers({"coarse", "fine"}),
+                   [this](const FrameInfo&) { return vec2(100 * s.coarse + 5 * s.fine, 0); });
     }
-    void init() override {}
-    void draw(const Frame&) override {}
 
     FrameInfo frame{1, 400, 300};
     vec2 at(std::size_t handle) const { return *handles()[handle].where(frame, 0); }
@@ -72,7 +78,7 @@ TEST(Handles, come_to_the_pointer) {
 
 TEST(Handles, in_space_they_move_across_the_line_of_sight) {
     Hands demo;
-    const auto fromEye = [&] { return glm::length(vec3(demo.x, demo.y, demo.z) - vec3(1, 2, 6)); };
+    const auto fromEye = [&] { return glm::length(vec3(demo.s.x, demo.s.y, demo.s.z) - vec3(1, 2, 6)); };
     const double before = fromEye();
     demo.drag(0, demo.at(0) + vec2(20, -12));
     // 23 pixels are 0.5 there; a straight step across the line is 0.5^2 / 2d = 0.02 farther from the eye
@@ -82,28 +88,28 @@ TEST(Handles, in_space_they_move_across_the_line_of_sight) {
 TEST(Handles, on_a_line_they_come_as_near_as_they_can) {
     Hands demo;
     const vec2 low = demo.at(1);
-    demo.height.parse("1.5");
+    demo.knob("height").parse("1.5");
     const vec2 along = glm::normalize(demo.at(1) - low), aside(-along.y, along.x);
     const vec2 wanted = low + 30.0 * along + 25.0 * aside;
     demo.drag(1, wanted);
     EXPECT_NEAR(glm::dot(demo.at(1) - wanted, along), 0, 0.5);
     // And stop at the ends of the range, exactly
     demo.drag(1, low + 4000.0 * along);
-    EXPECT_EQ(double(demo.height), 2);
+    EXPECT_EQ(demo.s.height, 2);
     demo.drag(1, low - 4000.0 * along);
-    EXPECT_EQ(double(demo.height), 0.5);
+    EXPECT_EQ(demo.s.height, 0.5);
     EXPECT_FALSE(demo.drag(1, low - 4100.0 * along));
 }
 
 TEST(Handles, one_end_does_not_stop_the_others) {
     Hands demo;
     demo.drag(2, vec2(201 + 500, 30));
-    EXPECT_EQ(double(demo.flatX), 1);
-    EXPECT_NEAR(double(demo.flatY), 0.3, 1e-3);
+    EXPECT_EQ(demo.s.flatX, 1);
+    EXPECT_NEAR(demo.s.flatY, 0.3, 1e-3);
     // Nor when the one that is at its end would have made nearly all of the way
     demo.drag(5, vec2(130, 0));
-    EXPECT_EQ(double(demo.coarse), 1);
-    EXPECT_NEAR(double(demo.fine), 6, 0.01);
+    EXPECT_EQ(demo.s.coarse, 1);
+    EXPECT_NEAR(demo.s.fine, 6, 0.01);
 }
 
 TEST(Handles, angles_turn_past_their_ends) {
@@ -114,19 +120,19 @@ TEST(Handles, angles_turn_past_their_ends) {
         demo.drag(3, wanted);
         EXPECT_LT(glm::length(demo.at(3) - wanted), 2) << angle;
     }
-    EXPECT_LT(std::abs(double(demo.turn)), 360);
-    demo.turn.parse("360");  // where a slider ends
+    EXPECT_LT(std::abs(demo.s.turn), 360);
+    demo.knob("turn").parse("360");  // where a slider ends
     EXPECT_TRUE(demo.drag(3, *Hands::placeOf(demo.frame, vec3(std::sin(0.2), 0, std::cos(0.2)))));
 }
 
 TEST(Handles, settings_without_a_picture_are_no_place) {
     Hands demo;
     EXPECT_TRUE(demo.drag(4, vec2(-50, 0)));
-    EXPECT_GE(double(demo.unseen), 0.9);
-    EXPECT_LT(double(demo.unseen), 1);
-    demo.unseen.parse("0.2");
+    EXPECT_GE(demo.s.unseen, 0.9);
+    EXPECT_LT(demo.s.unseen, 1);
+    demo.knob("unseen").parse("0.2");
     EXPECT_FALSE(demo.drag(4, vec2(150, 0)));
-    EXPECT_EQ(demo.unseen.text(), "0.2");
+    EXPECT_EQ(demo.knob("unseen").text(), "0.2");
     // Behind the eye there is none either
     EXPECT_FALSE(Hands::placeOf(demo.frame, vec3(2, 4, 12)));
     EXPECT_FALSE(Hands::placeOf(demo.frame, vec3(1, 2, 6)));

@@ -33,7 +33,7 @@ struct Gpu {};
 bool hasWater(const Settings& s) { return s.water > 0; }
 bool burns(const Fire& fire) { return fire.logs > 0; }
 
-constexpr Points::Limits few{{0, 0}, {10, 10}, 1, 3, 1};
+constexpr PointLimits few{{0, 0}, {10, 10}, 1, 3, 1};
 
 std::vector<std::string> calls;
 void check(const Settings& s) {
@@ -127,15 +127,15 @@ TEST(Lessons, rows_are_knobs_of_the_settings) {
 
 TEST(Lessons, conditions_are_asked_of_the_settings_and_of_the_part) {
     Kettle demo(shared());
-    EXPECT_EQ(demo.idleReason(demo.knob("tea")), "");
-    EXPECT_EQ(demo.idleReason(demo.knob("heat")), "");
+    EXPECT_EQ(demo.knob("tea").idleReason(), "");
+    EXPECT_EQ(demo.knob("heat").idleReason(), "");
     demo.knob("logs").parse("0");
-    EXPECT_EQ(demo.idleReason(demo.knob("heat")), "there is no wood");
-    EXPECT_EQ(demo.idleReason(demo.knob("logs")), "");
+    EXPECT_EQ(demo.knob("heat").idleReason(), "there is no wood");
+    EXPECT_EQ(demo.knob("logs").idleReason(), "");
     demo.knob("water").parse("0");
-    EXPECT_EQ(demo.idleReason(demo.knob("tea")), "it is dry");
-    EXPECT_EQ(demo.idleReason(demo.knob("logs")), "an empty kettle is not put on the fire");
-    EXPECT_EQ(demo.idleReason(demo.knob("heat")), "an empty kettle is not put on the fire")
+    EXPECT_EQ(demo.knob("tea").idleReason(), "it is dry");
+    EXPECT_EQ(demo.knob("logs").idleReason(), "an empty kettle is not put on the fire");
+    EXPECT_EQ(demo.knob("heat").idleReason(), "an empty kettle is not put on the fire")
         << "the first reason, though there is no wood either";
 }
 

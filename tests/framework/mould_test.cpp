@@ -7,6 +7,7 @@
 
 #include "mv/demo/demo.h"
 #include "mv/demo/made_for.h"
+#include "mv/demo/seen.h"
 #include "mv/geometry/shapes.h"
 #include "mv/gl/audit.h"
 #include "mv/gl/gl.h"
@@ -17,6 +18,7 @@
 #include "mv/show/stage.h"
 #include "shared/lit_difference.h"
 #include "shared/scenes.h"
+#include "support/demo_of.h"
 #include "support/demo_run.h"
 
 using namespace mv;
@@ -32,17 +34,20 @@ const char* const flatFragment =
     "void main() { show(vec3(level), level, true); }\n";
 
 // A cube on a plane, all of one brightness, which is also what is measured; and a white mark that is not.
-struct Flat final : Demo {
-    Real level{this, "level", 0.25, {0, 1}, "brightness"};
+struct Brightness {
+    double level = 0.25;
+};
+struct Flat final : DemoOf<Brightness> {
+    Flat() : DemoOf({mv::number("level", &Brightness::level, {0, 1}, "brightness")}) {}
     Program program;
     SceneMeshes meshes;
     void init() override { program = Program::fromText("flat", flatVertex, flatFragment); }
     Scene scene(const FrameInfo& frame) const override { return cubeOnPlane(frame.aspect()); }
     void draw(const Frame& frame) override {
-        const Scene now = seen(frame);
+        const Scene now = mv::seen(scene(frame), frame);
         meshes.follow(now);
         program.use();
-        program.set("level", level);
+        program.set("level", s.level);
         for (const auto& [object, mesh] : meshes.of(now)) {
             program.set("clipFromObject", now.clipFromWorld() * object.worldFromObject);
             mesh.draw();
@@ -164,8 +169,11 @@ TEST(SceneMeshes, upload_what_has_changed_and_nothing_else) {
 }
 
 // The plane, with the cube or without it, all in full light and compared with rays.
-struct Unshaded final : Demo {
-    Toggle cube{this, "cube", true, "a cube stands on the plane"};
+struct WithCube {
+    bool cube = true;
+};
+struct Unshaded final : DemoOf<WithCube> {
+    Unshaded() : DemoOf({toggle("cube", &WithCube::cube, "a cube stands on the plane")}) {}
     Readout different{this, "different", "pixels that rays find in shadow", "%"};
     Program program;
     SceneMeshes meshes;
@@ -173,7 +181,7 @@ struct Unshaded final : Demo {
     void init() override { program = Program::fromText("flat", flatVertex, flatFragment); }
     void draw(const Frame& frame) override {
         Scene now = cubeOnPlane(frame.aspect());
-        if (!cube) now.objects.erase(now.objects.begin() + static_cast<std::ptrdiff_t>(cubeOnThePlane.index));
+        if (!s.cube) now.objects.erase(now.objects.begin() + static_cast<std::ptrdiff_t>(cubeOnThePlane.index));
         meshes.follow(now);
         const auto lit = [&] {
             glEnable(GL_DEPTH_TEST);

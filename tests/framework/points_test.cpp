@@ -1,41 +1,37 @@
 // Points: a list of points as a setting, and as handles.
-#include "mv/demo/points.h"
-
 #include <gtest/gtest.h>
 
+#include <array>
 #include <glm/geometric.hpp>
 
-#include "mv/demo/demo.h"
+#include "support/demo_of.h"
 
 using namespace mv;
+using namespace mv::test;
 
 namespace {
 
-struct Dots : Demo {
-    Points dots{this,
-                "dots",
-                {{0, 0}, {1, -0.5}},
-                {.low = vec2(-1, -1), .high = vec2(3, 1), .least = 1, .most = 4, .grid = 0.1},
-                "where they are"};
-    Dots() {
-        bindHandle("dot", dots, [](const FrameInfo& f, const vec2& value) -> std::optional<vec2> {
+constexpr PointLimits within(std::size_t least, std::size_t most) {
+    return {.low = vec2(-1, -1), .high = vec2(3, 1), .least = least, .most = most, .grid = 0.1};
+}
+
+struct Values {
+    std::vector<vec2> dots{{0, 0}, {1, -0.5}};
+    vec2 one{0, 0};
+    std::array<vec2, 2> ends{vec2(0, 0), vec2(1, 0)};
+};
+
+struct Dots : DemoOf<Values> {
+    Dots()
+        : DemoOf(together(mv::points("dots", &Values::dots, within(1, 4), "where they are"),
+                          mv::points("one", &Values::one, within(1, 1), "where it is"),
+                          mv::points("ends", &Values::ends, within(2, 2), "where they are"))) {
+        bindPoints("dot", dots, [](const FrameInfo& f, const vec2& value) -> std::optional<vec2> {
             return pictureFromPane(f.panes(2)[1], 50.0 * (value + 1.0));
         });
-        bindHandle("end", ends, [](const FrameInfo&, const vec2& value) { return value; });
+        bindPoints("end", ends, [](const FrameInfo&, const vec2& value) { return value; });
     }
-    void init() override {}
-    void draw(const Frame&) override {}
-
-    Points one{this,
-               "one",
-               {{0, 0}},
-               {.low = vec2(-1, -1), .high = vec2(3, 1), .least = 1, .most = 1, .grid = 0.1},
-               "where it is"};
-    Points ends{this,
-                "ends",
-                {{0, 0}, {1, 0}},
-                {.low = vec2(-1, -1), .high = vec2(3, 1), .least = 2, .most = 2, .grid = 0.1},
-                "where they are"};
+    Knob &dots = knob("dots"), &one = knob("one"), &ends = knob("ends");
 
     FrameInfo frame{1, 401, 200};  // the second pane begins at 201
     const Handle& handle() const { return handles().front(); }
@@ -67,9 +63,9 @@ TEST(PointsKnob, prints_and_parses) {
     EXPECT_EQ(demo.dots.sweep().back(), "-1,-1/0.3,-0.3/1.7,0.3/3,1");
     demo.dots.parse("+2.9999999999,0.3/0,-0");
     EXPECT_EQ(demo.dots.text(), "3,0.3/0,0") << "a rounding of the text is no other value";
-    EXPECT_EQ(demo.dots[0].x, 3);
+    EXPECT_EQ(demo.s.dots[0].x, 3);
     demo.dots.reset();
-    EXPECT_EQ(demo.dots.size(), 2U);
+    EXPECT_EQ(demo.s.dots.size(), 2U);
 }
 
 TEST(PointsKnob, refuses_what_is_outside_beside_the_grid_or_no_point) {
@@ -119,13 +115,10 @@ TEST(PointsKnob, of_a_fixed_number_offers_no_other) {
     EXPECT_EQ(demo.one.sweep(), (std::vector<std::string>{"-1,-1", "0,0", "-1,-1"}));
 }
 
-TEST(PointsKnob, steps_and_notes_that_it_was_read) {
+TEST(PointsKnob, steps) {
     Dots demo;
     EXPECT_TRUE(demo.dots.step(0.5));
     EXPECT_EQ(demo.dots.text(), "0.5,0/1.5,-0.5");
     EXPECT_TRUE(demo.dots.step(100));
     EXPECT_FALSE(demo.dots.step(100));
-    demo.dots.forgetRead();
-    (void)demo.dots[0];
-    EXPECT_TRUE(demo.dots.wasRead());
 }

@@ -4,24 +4,31 @@
 
 #include <memory>
 
-#include "mv/demo/demo.h"
 #include "mv/paper/report.h"
 #include "mv/run/command_line.h"
+#include "support/demo_of.h"
 
 using namespace mv;
+using namespace mv::test;
 
 namespace {
 
-struct Kettle : Demo {
-    Real water{this, "water", 0.5, {0, 2}, "how much", "l"};
-    Toggle lid{this, "lid", true, "on it"};
-    Real heat{this, "heat", 1, {0, 3}, "of the fire"};
-    Kettle() {
-        heat.onlyWhen([this] { return water > 0; }, "an empty kettle is not put on the fire");
-        heat.onlyWhen([this] { return lid; }, "it is not heated without its lid");
-    }
-    void init() override {}
-    void draw(const Frame&) override {}
+struct Values {
+    double water = 0.5;
+    bool lid = true;
+    double heat = 1;
+};
+bool hasWater(const Values& s) { return s.water > 0; }
+bool hasLid(const Values& s) { return s.lid; }
+
+struct Kettle : DemoOf<Values> {
+    Kettle()
+        : DemoOf(together(mv::number("water", &Values::water, {0, 2}, "how much", "l"),
+                          toggle("lid", &Values::lid, "on it"),
+                          mv::number("heat", &Values::heat, {0, 3}, "of the fire")
+                              .when(hasWater, "an empty kettle is not put on the fire")
+                              .when(hasLid, "it is not heated without its lid"))) {}
+    Knob &water = knob("water"), &lid = knob("lid"), &heat = knob("heat");
 };
 
 DemoInfo kettle(const std::vector<Preset>& presets) {
@@ -35,7 +42,7 @@ DemoInfo kettle(const std::vector<Preset>& presets) {
 const Preset half{"half-full", "It sings."};
 const Preset empty{"empty", "It is silent.", {{"water", "0"}, {"lid", "off"}}};
 const std::vector<Preset> both{half, empty};
-constexpr Declaration withoutInitial{.name = "kettle", .presets = {{"empty", "It is silent.", {{"water", "0"}}}}};
+constexpr Declaration declaration{.name = "kettle"};
 
 std::string refusalOf(const std::function<void()>& act) {
     try {
@@ -82,7 +89,9 @@ TEST(Presets, are_refused_where_they_are_no_presets) {
             "preset '" + std::string(name) + "' of kettle: must have a name of small letters, digits and single -");
     }
     // A demo is added with its presets checked.
-    EXPECT_EQ(refusalOf([] { addDemo<Kettle, withoutInitial>(); }).substr(0, 24), "preset 'empty' of kettle");
+    EXPECT_EQ(
+        refusalOf([] { addDemo(declaration, {empty}, "", [] { return std::make_unique<Kettle>(); }); }).substr(0, 24),
+        "preset 'empty' of kettle");
     // What a preset sets is a knob, and a value of it.
     Kettle demo;
     EXPECT_EQ(refusalOf([&] {
@@ -143,19 +152,15 @@ TEST(Presets, originals_are_kept) {
     }
 }
 
-// Why a knob does nothing, in the order in which the reasons were given; and nobody has read a knob for it.
+// Why a knob does nothing, in the order in which the reasons were given.
 TEST(IdleKnobs, say_why) {
     Kettle demo;
-    for (const Knob* knob : demo.knobs()) knob->forgetRead();
-    (void)demo.lid.text();
-    EXPECT_EQ(demo.idleReason(demo.water), "");
-    EXPECT_EQ(demo.idleReason(demo.heat), "");
-    EXPECT_FALSE(demo.water.wasRead()) << "a study would take it for what its reference depends on";
-    EXPECT_TRUE(demo.lid.wasRead()) << "somebody else has";
+    EXPECT_EQ(demo.water.idleReason(), "");
+    EXPECT_EQ(demo.heat.idleReason(), "");
     demo.lid.parse("off");
-    EXPECT_EQ(demo.idleReason(demo.heat), "it is not heated without its lid");
+    EXPECT_EQ(demo.heat.idleReason(), "it is not heated without its lid");
     demo.water.parse("0");
-    EXPECT_EQ(demo.idleReason(demo.heat), "an empty kettle is not put on the fire");
+    EXPECT_EQ(demo.heat.idleReason(), "an empty kettle is not put on the fire");
     const std::string text = knobsText(demo), json = knobsJson(kettle({}), demo);
     EXPECT_NE(text.find("(of the fire) idle: an empty kettle is not put on the fire"), std::string::npos) << text;
     EXPECT_NE(json.find("\"idle\": \"an empty kettle is not put on the fire\""), std::string::npos) << json;

@@ -8,6 +8,7 @@
 
 #include "mv/gl/gl.h"
 #include "mv/paper/report.h"
+#include "support/demo_of.h"
 #include "support/demo_run.h"
 
 using namespace mv;
@@ -30,15 +31,17 @@ Picture drawn(const std::string& demo, const std::vector<KnobSetting>& knobs, in
 }
 
 // Four passes, each of which makes the picture whiter by a quarter of `level`; and what it was asked for.
-struct Refining final : Demo {
-    Real level{this, "level", 1, {0, 1}, "how white"};
+struct White {
+    double level = 1;
+};
+struct Refining final : DemoOf<White> {
+    Refining() : DemoOf({mv::number("level", &White::level, {0, 1}, "how white")}) {}
     std::vector<int> asked;
     double sum = 0;
-    void init() override {}
     int passes(const FrameInfo&) const override { return 4; }
     void refine(const FrameInfo&, int pass) override {
         asked.push_back(pass);
-        sum = (pass == 0 ? 0 : sum) + double(level) / 4;
+        sum = (pass == 0 ? 0 : sum) + s.level / 4;
     }
     void draw(const Frame&) override {
         const auto grey = static_cast<float>(sum);

@@ -12,6 +12,7 @@
 #include "mv/gl/gl.h"
 #include "mv/gl/state.h"
 #include "mv/paper/report.h"
+#include "support/demo_of.h"
 #include "support/demo_run.h"
 
 using namespace mv;
@@ -60,19 +61,22 @@ TEST(Panes, share_the_picture_without_overlap) {
 Picture freshPicture(const std::string& name) { return DemoRun(name).picture(); }
 
 // A demo that can be told to go wrong.
-struct Unruly final : Demo {
-    enum class Mood { good, refused, glError, leak, dirty };
-    Choice<Mood> mood{this, "mood", Mood::good, {{"good"}, {"refused"}, {"gl-error"}, {"leak"}, {"dirty"}}, ""};
+enum class Mood { good, refused, glError, leak, dirty };
+struct Temper {
+    Mood mood = Mood::good;
+};
+struct Unruly final : DemoOf<Temper> {
+    Unruly()
+        : DemoOf({mv::word("mood", &Temper::mood, {{"good"}, {"refused"}, {"gl-error"}, {"leak"}, {"dirty"}}, "")}) {}
     static Buffer leaked;
-    void init() override {}
     void check() const override {
-        if (mood == Mood::refused) throw Error("--mood", "must not be refused");
+        if (s.mood == Mood::refused) throw Error("--mood", "must not be refused");
     }
     void draw(const Frame& frame) override {
         glClearColor(float(frame.index() % 7) / 7.0F, 0.5F, 0, 1);
         glClear(GL_COLOR_BUFFER_BIT);
-        if (mood == Mood::glError) glEnable(GL_TEXTURE_2D);  // no capability of core OpenGL
-        if (mood == Mood::leak && !leaked) leaked = makeBuffer();
+        if (s.mood == Mood::glError) glEnable(GL_TEXTURE_2D);  // no capability of core OpenGL
+        if (s.mood == Mood::leak && !leaked) leaked = makeBuffer();
     }
 };
 Buffer Unruly::leaked;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "mv/gl/gl.h"
+#include "support/demo_of.h"
 #include "support/demo_run.h"
 
 using namespace mv;
@@ -27,12 +28,19 @@ void main() {
 )";
 
 // Light to the right of a line, shadow to the left, known only to the middles of `cells` cells.
-struct Step final : Demo {
-    Whole cells{this, "cells", 8, {1, 4096}, "cells across"};
-    Real edge{this, "edge", 0.3, {0, 1}, "of the picture's width; 0.3 is on no boundary of 2^k cells"};
-    Toggle broken{this, "broken", false, "light and shadow exchanged"};
-    Toggle refused{this, "refused", false, "a setting that makes no picture"};
-    Toggle nowhere{this, "nowhere", false, "nothing is measured"};
+struct Line {
+    int cells = 8;
+    double edge = 0.3;
+    bool broken = false, refused = false, nowhere = false;
+};
+struct Step final : DemoOf<Line> {
+    Step()
+        : DemoOf(together(
+              whole("cells", &Line::cells, {1, 4096}, "cells across"),
+              mv::number("edge", &Line::edge, {0, 1}, "of the picture's width; 0.3 is on no boundary of 2^k cells"),
+              toggle("broken", &Line::broken, "light and shadow exchanged"),
+              toggle("refused", &Line::refused, "a setting that makes no picture"),
+              toggle("nowhere", &Line::nowhere, "nothing is measured"))) {}
     Program program;
     VertexArray empty;
     inline static int references = 0;  // made so far
@@ -41,27 +49,27 @@ struct Step final : Demo {
         empty = makeVertexArray();
     }
     void check() const override {
-        if (refused) throw Error("--refused", "must be off");
+        if (s.refused) throw Error("--refused", "must be off");
     }
     void draw(const Frame& frame) override {
         const float clear = frame.measuring() ? -1 : 0;
         glClearColor(clear, clear, clear, 1);
         glClear(GL_COLOR_BUFFER_BIT);
-        if (nowhere) return;
+        if (s.nowhere) return;
         program.use();
-        program.set("cells", double(cells));
-        program.set("edge", double(edge));
+        program.set("cells", double(s.cells));
+        program.set("edge", s.edge);
         program.set("width", double(frame.width()));
-        program.set("broken", broken ? 1.0 : 0.0);
+        program.set("broken", s.broken ? 1.0 : 0.0);
         glBindVertexArray(empty.id());
         glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
-        frame.count("cells", cells);
+        frame.count("cells", s.cells);
     }
     Reference reference(const ReferenceFrame& frame, const std::function<void(double)>& progress) const {
         ++references;
         Reference right;
         for (int y = 0; y < frame.height(); ++y) {
-            for (int x = 0; x < frame.width(); ++x) right.values.push_back((x + 0.5) / frame.width() > edge ? 1 : 0);
+            for (int x = 0; x < frame.width(); ++x) right.values.push_back((x + 0.5) / frame.width() > s.edge ? 1 : 0);
         }
         right.regions.assign(right.values.size(), 0);
         progress(1);
@@ -90,22 +98,24 @@ Study stepStudy() {
                    {"edges", {{"cells", "1024"}}, "edge", {"0.1", "0.5", "0.9"}},
                    {"edges again", {{"cells", "512"}}, "edge", {"0.9"}}};
     study.axis = ErrorAxis::fraction;
+    study.reads = {"edge"};
     study.width = 1000;
     study.height = 4;
     return study;
 }
 
 // The integral of e^x over 0..1 by n trapezia; the error falls as n^-2.
-struct Trapezia final : Demo {
-    Whole n{this, "n", 4, {1, 100000}, "trapezia"};
-    void init() override {}
-    void draw(const Frame&) override {}
+struct Parts {
+    int n = 4;
+};
+struct Trapezia final : DemoOf<Parts> {
+    Trapezia() : DemoOf({whole("n", &Parts::n, {1, 100000}, "trapezia")}) {}
     std::vector<double> values() const override {
         double sum = (1 + std::exp(1.0)) / 2;
-        for (int i = 1; i < n; ++i) sum += std::exp(double(i) / n);
-        return {sum / n};
+        for (int i = 1; i < s.n; ++i) sum += std::exp(double(i) / s.n);
+        return {sum / s.n};
     }
-    std::vector<std::pair<std::string, double>> valueCounts() const override { return {{"terms", n + 1.0}}; }
+    std::vector<std::pair<std::string, double>> valueCounts() const override { return {{"terms", s.n + 1.0}}; }
     static Reference reference(const ReferenceFrame&, const std::function<void(double)>&) {
         return {.values = {std::exp(1.0) - 1}};
     }
@@ -188,20 +198,24 @@ TEST(StudyRun, each_setting_has_its_reference) {
     EXPECT_EQ(Step::references - before, 4) << "at 0.3, whatever the cells and whatever is broken, 0.1, 0.5 and 0.9";
 }
 
-// What the reference reads may depend on what it has read: `b` alone says nothing while `uses-b` is off.
-TEST(StudyRun, a_reference_depends_on_what_it_read) {
-    struct Branch final : Demo {
-        Toggle usesB{this, "uses-b", false, "whether b counts"};
-        Real b{this, "b", 1, {0, 9}, "a number"};
-        Whole more{this, "more", 0, {0, 9}, "how many times the method is wrong by 1"};
+// A reference is kept for as long as what it depends on, by Study::reads, stays.
+TEST(StudyRun, a_reference_depends_on_what_it_reads) {
+    struct Two {
+        bool usesB = false;
+        double b = 1;
+        int more = 0;
+    };
+    struct Branch final : DemoOf<Two> {
+        Branch()
+            : DemoOf(together(toggle("uses-b", &Two::usesB, "whether b counts"),
+                              mv::number("b", &Two::b, {0, 9}, "a number"),
+                              whole("more", &Two::more, {0, 9}, "how many times the method is wrong by 1"))) {}
         int* references = nullptr;
-        void init() override {}
-        void draw(const Frame&) override {}
-        double right() const { return usesB ? double(b) : 0; }
-        std::vector<double> values() const override { return {right() + more}; }
+        double right() const { return s.usesB ? s.b : 0; }
+        std::vector<double> values() const override { return {right() + s.more}; }
         Reference reference(const ReferenceFrame&, const std::function<void(double)>&) const {
             ++*references;
-            if (usesB && b > 8) throw Error("--b", "must be at most 8 for a reference", b.text());
+            if (s.usesB && s.b > 8) throw Error("--b", "must be at most 8 for a reference", word("b"));
             return {.values = {right()}};
         }
     };
@@ -214,13 +228,14 @@ TEST(StudyRun, a_reference_depends_on_what_it_read) {
     };
     Study study = trapeziaStudy();
     referenceBy<Branch>(study);
+    study.reads = {"uses-b", "b"};
     study.lines = {{"off", {}, "b", {"1", "2", "3"}},
                    {"on", {{"uses-b", "on"}}, "b", {"1", "2", "3", "9", "2"}},
                    {"wrong", {{"uses-b", "on"}, {"b", "3"}}, "more", {"1", "4"}}};
     stage().open(made, 4, 4);
     const StudyRun run = runStudy(stage(), study, {.timed = false});
     stage().close();
-    EXPECT_EQ(references, 5) << "one while it is off; of 1, 2, 3, and of 9 in vain";
+    EXPECT_EQ(references, 7) << "of 1, 2, 3 while it is off; of 1, 2, 3, and of 9 in vain";
     for (const StudyRow& each : run.rows) {
         if (each.parameter == "9") {
             EXPECT_EQ(each.status, "--b: must be at most 8 for a reference, 9");

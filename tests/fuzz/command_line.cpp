@@ -1,35 +1,42 @@
 // libFuzzer: any words into the command line, one a line of the input. They are understood or refused as not
 // understood, nothing else; and what is understood prints a command line that means the same.
 #include <algorithm>
+#include <memory>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "mv/demo/demo.h"
 #include "mv/run/command_line.h"
 #include "mv/run/copyable.h"
+#include "support/demo_of.h"
 
 namespace {
 
 using namespace mv;
 
-enum class Word { first, second };
+enum class Choice { first, second };
 
 // Every kind of knob.
-struct Small final : Demo {
-    Real real{this, "real", 0.5, {-1, 1e8}, "a number"};
-    Whole whole{this, "whole", 3, {0, 300}, "a whole number"};
-    Toggle toggle{this, "toggle", true, "on or off"};
-    Choice<Word> choice{this, "choice", Word::first, {{"first"}, {"second"}}, "a word"};
-    Angle angle{this, "angle", 0, "an angle"};
-    void init() override {}
-    void draw(const Frame&) override {}
+struct Settings {
+    double real = 0.5;
+    int whole = 3;
+    bool toggle = true;
+    Choice choice = Choice::first;
+    double angle = 0;
+};
+struct Small final : test::DemoOf<Settings> {
+    Small()
+        : DemoOf(together(mv::number("real", &Settings::real, {-1, 1e8}, "a number"),
+                          mv::whole("whole", &Settings::whole, {0, 300}, "a whole number"),
+                          mv::toggle("toggle", &Settings::toggle, "on or off"),
+                          mv::word("choice", &Settings::choice, {{"first"}, {"second"}}, "a word"),
+                          mv::angle("angle", &Settings::angle, "an angle"))) {}
 };
 constexpr Declaration smallDeclaration{.name = "small", .sentence = "moves", .animated = true};
-const bool smallAdded = addDemo<Small, smallDeclaration>();
+const bool smallAdded = addDemo(smallDeclaration, {}, "", [] { return std::make_unique<Small>(); });
 constexpr Declaration otherDeclaration{.name = "other", .sentence = "rests"};
-const bool otherAdded = addDemo<Small, otherDeclaration>();
+const bool otherAdded = addDemo(otherDeclaration, {}, "", [] { return std::make_unique<Small>(); });
 
 void require(bool condition, const std::string& what) {
     if (!condition) throw std::logic_error(what);  // which libFuzzer reports as a crash

@@ -11,13 +11,14 @@
 #include <string>
 #include <thread>
 
-#include "mv/demo/demo.h"
+#include "../support/demo_of.h"
 #include "mv/gl/gl.h"
 #include "mv/gl/object.h"
 #include "mv/gl/shader_source.h"
 #include "mv/study/data.h"
 
 using namespace mv;
+using namespace mv::test;
 
 namespace {
 
@@ -42,29 +43,35 @@ void main() { fragColor = vec4(level, 0.5, 0.5, 1.0); }
 
 enum class Mood { calm, loud, exhausted };
 
-struct Probe final : Demo {
-    Real level{this, "level", 0.25, {0, 1}, "how red the square is; 1 is refused together with mood loud"};
-    Whole count{this, "count", 3, {1, 9}, "a whole number", "pieces"};
-    Toggle note{this, "note", false, "say a sentence about the picture"};
-    Choice<Mood> mood{this,
-                      "mood",
-                      Mood::calm,
-                      {{"calm", "nothing is refused and the picture is as it is"},
-                       {"loud", "a level of 1 is refused"},
-                       {"exhausted", "for a count of 4 there is no memory"}},
-                      "what is refused"};
-    Angle angle{this, "angle", 0, "an angle that turns on"};
+struct Settings {
+    double level = 0.25;
+    int count = 3;
+    bool note = false;
+    Mood mood = Mood::calm;
+    double angle = 0;
+};
 
+struct Probe final : DemoOf<Settings> {
     Readout shown{this, "shown", "the frame that is shown"};
     Readout never{this, "never", "what no setting measures", "px"};
 
     Program program;
     VertexArray vertexArray;
 
-    Probe() {
-        bindKey(key('4'), count, "4");
-        bindKeys(key('N'), key('S'), level, 0.125);  // S is the window's own key for saving, too
-        bindDrag(angle, 1, level, 0.001);
+    Probe()
+        : DemoOf(together(mv::number("level", &Settings::level, {0, 1},
+                                     "how red the square is; 1 is refused together with mood loud"),
+                          whole("count", &Settings::count, {1, 9}, "a whole number", "pieces"),
+                          toggle("note", &Settings::note, "say a sentence about the picture"),
+                          mv::word("mood", &Settings::mood,
+                                   {{"calm", "nothing is refused and the picture is as it is"},
+                                    {"loud", "a level of 1 is refused"},
+                                    {"exhausted", "for a count of 4 there is no memory"}},
+                                   "what is refused"),
+                          mv::angle("angle", &Settings::angle, "an angle that turns on"))) {
+        bindKey(key('4'), knob("count"), "4");
+        bindKeys(key('N'), key('S'), knob("level"), 0.125);  // S is the window's own key for saving, too
+        bindDrag(knob("angle"), 1, knob("level"), 0.001);
     }
 
     void init() override {
@@ -72,14 +79,14 @@ struct Probe final : Demo {
         vertexArray = makeVertexArray();
     }
     void check() const override {
-        if (mood == Mood::loud && level == 1) throw Error("--level", "must be less than 1 while --mood is loud");
+        if (s.mood == Mood::loud && s.level == 1) throw Error("--level", "must be less than 1 while --mood is loud");
     }
     void draw(const Frame& frame) override {
-        if (mood == Mood::exhausted && count == 4) throw std::bad_alloc();
+        if (s.mood == Mood::exhausted && s.count == 4) throw std::bad_alloc();
         glClearColor(0.2F, 0.3F, static_cast<float>(frame.index() % 60) / 60, 1);
         glClear(GL_COLOR_BUFFER_BIT);
         program.use();
-        program.set("level", double(level));
+        program.set("level", s.level);
         glBindVertexArray(vertexArray.id());
         glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
         glBindVertexArray(0);
@@ -88,41 +95,46 @@ struct Probe final : Demo {
         glScissor(0, 0, frame.width() / 2, frame.height() / 2);
         glColorMask(GL_FALSE, GL_TRUE, GL_FALSE, GL_TRUE);
         frame.show("screenFromFrame", mat4(double(frame.index())));
-        if (note) frame.say("This sentence is beside the picture because --note is on.");
+        if (s.note) frame.say("This sentence is beside the picture because --note is on.");
         shown = frame.index();
     }
 };
 
-struct Broken final : Demo {
+struct Broken final : DemoOf<Settings> {
     void init() override { throw Error("broken", "must never open; that is what it is for"); }
-    void draw(const Frame&) override {}
 };
 
 enum class Function { exponential, root };
 enum class Rule { trapezia, simpson, exact };
 
 // The integral over 0 .. 1 of e^x, or of the square root of x, from n strips.
-struct Integral final : Demo {
-    Choice<Function> function{this, "function", Function::exponential, {{"exp"}, {"root"}}, "what is integrated"};
-    Choice<Rule> rule{
-        this, "rule", Rule::trapezia, {{"trapezia"}, {"simpson"}, {"exact"}}, "how; simpson needs an even n"};
-    Whole n{this, "n", 4, {1, 100000}, "strips"};
-    Real level{this, "level", 0.5, {0, 1}, "the picture's grey, which the study does not look at"};
+struct Strips {
+    Function function = Function::exponential;
+    Rule rule = Rule::trapezia;
+    int n = 4;
+    double level = 0.5;
+};
+struct Integral final : DemoOf<Strips> {
+    Integral()
+        : DemoOf(together(
+              mv::word("function", &Strips::function, {{"exp"}, {"root"}}, "what is integrated"),
+              mv::word("rule", &Strips::rule, {{"trapezia"}, {"simpson"}, {"exact"}}, "how; simpson needs an even n"),
+              whole("n", &Strips::n, {1, 100000}, "strips"),
+              mv::number("level", &Strips::level, {0, 1}, "the picture's grey, which the study does not look at"))) {}
 
-    void init() override {}
     void draw(const Frame&) override {
-        const auto grey = static_cast<float>(double(level));
+        const auto grey = static_cast<float>(s.level);
         glClearColor(grey, grey, grey, 1);
         glClear(GL_COLOR_BUFFER_BIT);
     }
-    double at(double x) const { return function == Function::exponential ? std::exp(x) : std::sqrt(x); }
-    double whole() const { return function == Function::exponential ? std::exp(1.0) - 1 : 2.0 / 3; }
+    double at(double x) const { return s.function == Function::exponential ? std::exp(x) : std::sqrt(x); }
+    double right() const { return s.function == Function::exponential ? std::exp(1.0) - 1 : 2.0 / 3; }
     std::vector<double> values() const override {
-        if (rule == Rule::exact) return {whole()};
-        if (rule == Rule::simpson && n % 2 == 1) throw Error("--n", "must be even for simpson");
+        if (s.rule == Rule::exact) return {right()};
+        if (s.rule == Rule::simpson && s.n % 2 == 1) throw Error("--n", "must be even for simpson");
         double sum = at(0) + at(1);
-        for (int i = 1; i < n; ++i) sum += at(double(i) / n) * (rule == Rule::simpson ? (i % 2 == 1 ? 4 : 2) : 2);
-        return {sum / n / (rule == Rule::simpson ? 3 : 2)};
+        for (int i = 1; i < s.n; ++i) sum += at(double(i) / s.n) * (s.rule == Rule::simpson ? (i % 2 == 1 ? 4 : 2) : 2);
+        return {sum / s.n / (s.rule == Rule::simpson ? 3 : 2)};
     }
     Reference reference(const std::function<void(double)>& progress) const {
         const char* hold = std::getenv("PROBE_HOLD");
@@ -130,7 +142,7 @@ struct Integral final : Demo {
             progress(done);
             std::this_thread::sleep_for(std::chrono::milliseconds(100));
         }
-        return {.values = {whole()}};
+        return {.values = {right()}};
     }
 };
 
@@ -196,7 +208,7 @@ constexpr Declaration integralDeclaration{
     .width = 400,
     .height = 300,
 };
-const bool integralAdded = addDemo<Integral, integralDeclaration>();
+const bool integralAdded = addDemo(integralDeclaration, {}, "", [] { return std::make_unique<Integral>(); });
 const bool studyAdded = addStudy("integral", integralStudy());
 const bool studyFileAdded = addStudyFile("integral", committedIntegral());
 
@@ -210,7 +222,7 @@ constexpr Declaration probeDeclaration{
     .height = 300,
     .animated = true,
 };
-const bool probeAdded = addDemo<Probe, probeDeclaration>();
+const bool probeAdded = addDemo(probeDeclaration, {}, "", [] { return std::make_unique<Probe>(); });
 
 constexpr Declaration brokenDeclaration{
     .name = "broken",
@@ -219,6 +231,6 @@ constexpr Declaration brokenDeclaration{
     .chapter = "Viewing and projection",
     .number = 2,
 };
-const bool brokenAdded = addDemo<Broken, brokenDeclaration>();
+const bool brokenAdded = addDemo(brokenDeclaration, {}, "", [] { return std::make_unique<Broken>(); });
 
 }  // namespace

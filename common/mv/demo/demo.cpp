@@ -7,7 +7,6 @@
 
 #include "mv/demo/chapters.h"
 #include "mv/demo/number.h"
-#include "mv/demo/seen.h"
 
 namespace mv {
 
@@ -30,8 +29,6 @@ void Demo::add(Knob* knob) {
 Scene Demo::scene(const FrameInfo&) const {
     throw Error("scene", "must be given by a demo that draws one; this one gives none");
 }
-
-Scene Demo::seen(const Frame& frame) const { return mv::seen(scene(frame), frame); }
 
 std::vector<double> Demo::values() const {
     throw Error("values", "must be computed by a demo whose study is of values; this one computes none");

@@ -60,8 +60,6 @@ class Demo {
     // For a demo that draws a Scene: what it is at the present settings, in the picture that `frame` describes. The one
     // answer for draw(), check(), references and probes.
     virtual Scene scene(const FrameInfo& frame) const;
-    // The same, through the camera of this picture, which a probe may have put elsewhere: what draw() draws.
-    Scene seen(const Frame& frame) const;
     // For a study of values: computes them for the present settings, without GL. This is what is timed.
     virtual std::vector<double> values() const;
     // What else is to be said of these values, by name, and does not depend on the machine: steps, evaluations, energy
@@ -163,7 +161,7 @@ struct DemoInfo : Declaration {
     // Two to six settings worth a look. The first has none of its own: it is the knobs' initial values, which are to teach
     // at first sight. Where there is an original, `original` is its first picture.
     std::vector<Preset> presets = {};
-    std::string page = {};             // "demos/cube-cull.md"
+    std::string page = {};  // "demos/cube-cull.md"
     // What is to be measured, error against run time (--study), and read out: added by NAME.study.cpp.
     std::optional<Study> study = {};
     std::vector<Probe> probes = {};

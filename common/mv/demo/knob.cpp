@@ -46,8 +46,7 @@ constexpr const char* noFile = "none";
 
 }  // namespace
 
-Knob::Knob(const AnyRow& row, void* settings, const void* initial)
-    : row_(row), settings_(settings), initial_(initial) {
+Knob::Knob(const AnyRow& row, void* settings, const void* initial) : row_(row), settings_(settings), initial_(initial) {
     requireRange(row, range());
     parse(text());  // refused, if it is none
 }
@@ -290,8 +289,9 @@ double Knob::number() const { return kind() == Kind::whole ? value<int>() : valu
 void Knob::setNumber(double number) {
     const NumberRange range = numbers();
     // A hand that turns on past an end drops whole turns
-    const double taken =
-        kind() == Kind::angle ? std::fmod(number, 360.0) : allows(number) ? number : std::clamp(number, range.low, range.high);
+    const double taken = kind() == Kind::angle ? std::fmod(number, 360.0)
+                         : allows(number)      ? number
+                                               : std::clamp(number, range.low, range.high);
     if (kind() == Kind::whole)
         value<int>() = static_cast<int>(std::lround(taken));
     else

@@ -117,7 +117,7 @@ void Timeline::change(const Told& told, int frame) {
     for (const TimedChange& change : told.changes) {
         if (change.frame != frame) continue;
         Knob& knob = demo_.knob(change.knob);
-            const std::string before = knob.text();
+        const std::string before = knob.text();
         knob.parse(change.text);
         beginsAnew |= knob.doesBeginAnew() && knob.text() != before;
     }
