@@ -22,7 +22,8 @@ constexpr Declaration about{
     .needs = {.depth = true,
               .stencil = true,
               .beyondEs = {{"float targets", "--show difference is refused, and wrong is not measured"}}},
-    .waste = {{"no-sample", "draw of 'box'", otherHalf},
+    .waste = {{"no-sample", "draw of 'ball #'", otherHalf},
+              {"no-sample", "draw of 'box'", otherHalf},
               {"no-sample", "draw of 'pawn'", otherHalf},
               {"no-sample", "draw of 'sphere'", otherHalf},
               {"repeated-pass", "pass into 'lit fraction'", "what each method costs in every frame is the lesson"},
@@ -31,12 +32,17 @@ constexpr Declaration about{
 };
 
 bool isSplit(const Settings& s) { return s.against != Against::off && s.show == Show::picture; }
+bool hasBalls(const Settings& s) { return s.scene == Which::balls; }
 bool hasMap(const Settings& s) { return usesMap(s.method) || usesMap(secondOf(s)); }
 
 std::vector<Row<Settings>> rows() {
     const Literal noMap = "no map is used";
     return together(
-        word("scene", &Settings::scene, {{"cube-on-plane"}, {"still-life"}}, "what is shown"),
+        word("scene", &Settings::scene,
+             {{"cube-on-plane"},
+              {"still-life"},
+              {"balls", "two pairs, alike in the picture; the second of each is lifted"}},
+             "what is shown"),
         word("method", &Settings::method, methodWords, "how shadows are found"),
         word("against", &Settings::against,
              {{"off"}, {"none"}, {"matrix"}, {"volume"}, {"map"}, {"map-hardware"}, {"pcf3"}, {"pcf5"}},
@@ -53,6 +59,9 @@ std::vector<Row<Settings>> rows() {
         number("slope-bias", &Settings::slopeBias, {0, 16}, "push the map back by its slope over this many texels")
             .when(hasMap, noMap),
         toggle("keep", &Settings::keep, "keep map and volumes while light and casters rest"),
+        number("ball-height", &Settings::ballHeight, {0, 1.5},
+               "height of the lifted balls above the floor, nearer to the eye and smaller, so that they look the same")
+            .when(hasBalls, "only the scene balls has some"),
         part(&Settings::orbit, orbitRows({-3, 10})));
 }
 
@@ -68,6 +77,9 @@ std::vector<SettingsPreset<Settings>> presets() {
         {"map-is-wrong",
          "What a coarse map gets wrong, along every edge.",
          {.against = Against::off, .show = Show::difference}},
+        {"where-is-the-ball",
+         "The same two balls left without shadows and right with them: which of the two lies on the floor?",
+         {.scene = Which::balls, .method = Method::none}},
         {"acne",
          "The floor in the map, without a bias: it shades itself in stripes, and a filter does not help.",
          {.scene = Which::cube, .against = Against::pcf3, .resolution = 1024, .receiver = true}},
@@ -78,7 +90,8 @@ const bool added =
     addLesson(about, Lesson<Settings, Gpu>{
                          .rows = rows(),
                          .presets = presets(),
-                         .controls = {orbitDrag, orbitWheel, keys(Key::left, Key::right, "split", 0.02)},
+                         .controls = {orbitDrag, orbitWheel, keys(Key::left, Key::right, "split", 0.02),
+                                      keys(Key::down, Key::up, "ball-height", 0.05)},
                          .readouts = {{"different", "pixels whose lit fractions differ by more than half", "%"},
                                       {"difference-rms", "root mean square of the difference"}},
                          .draw = draw,

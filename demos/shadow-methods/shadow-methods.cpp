@@ -149,10 +149,11 @@ void drawByMap(Gpu& gpu, const Scene& scene, Method by) {
 
 // Draws the map as the light sees the scene, unless it is kept: while the light and what casts rest.
 bool makeMap(Gpu& gpu, const Settings& s, const Scene& scene) {
-    const bool isStale = gpu.mapFor.changed(s.scene, s.resolution, s.receiver, s.slopeBias);
+    const bool isStale = gpu.mapFor.changed(s.scene, s.ballHeight, s.resolution, s.receiver, s.slopeBias);
     if (!isStale && s.keep) return false;
     if (gpu.map.size() != s.resolution) gpu.map = DepthMap(s.resolution, "shadow map");
-    if (gpu.lightViewFor.changed(s.scene)) gpu.lightView = fitLightView(scene.lights[0].position, casterPoints(scene));
+    if (gpu.lightViewFor.changed(s.scene, s.ballHeight))
+        gpu.lightView = fitLightView(scene.lights[0].position, casterPoints(scene));
     gpu.map.bindForDrawing();
     glClear(GL_DEPTH_BUFFER_BIT);
 

@@ -18,7 +18,7 @@
 
 namespace mv::shadow_methods {
 
-enum class Which { cube, stillLife };
+enum class Which { cube, stillLife, balls };
 enum class Method { none, matrix, volume, map, mapHardware, pcf3, pcf5 };
 enum class Against { off, none, matrix, volume, map, mapHardware, pcf3, pcf5 };
 enum class Show { picture, difference };
@@ -41,6 +41,7 @@ struct Settings {
     bool receiver = false;
     double slopeBias = 0;  // texels
     bool keep = true;
+    double ballHeight = 0.9;  // metres, of the lifted balls
     Orbit orbit = {};
 };
 
@@ -50,8 +51,8 @@ struct Gpu {
     CasterVolumes volumes;
     DepthMap map;
     LightView lightView;
-    MadeFor<Which> lightViewFor;
-    MadeFor<Which, int, bool, double> mapFor;
+    MadeFor<Which, double> lightViewFor;
+    MadeFor<Which, double, int, bool, double> mapFor;
     LitDifference difference;
     std::optional<LitDifference::Found> found;  // in this frame
 };

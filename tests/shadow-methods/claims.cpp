@@ -7,6 +7,8 @@
 // - [map-is-kept] A kept map makes the same picture in one pass less.
 // - [receiver-left-out] Without floor and wall the map needs no bias, and draws less for the same shadow.
 // - [split] Left of the split is one method, right of it the other.
+// - [where-is-the-ball] Without shadows the picture of a ball is the same at any height along the way from the eye; its
+//   shadow moves, by every method.
 // - [difference] The false colours stand where the two differ, and the readouts count them.
 #include <gtest/gtest.h>
 
@@ -178,6 +180,35 @@ TEST(ShadowMethods, split) {
                     ASSERT_EQ(both.at(x, y), wanted) << scene << " " << part << ": " << x << ", " << y;
                 }
             }
+        }
+    }
+}
+
+TEST(ShadowMethods, where_is_the_ball) {
+    DemoRun run("shadow-methods");
+    run.preset("where-is-the-ball");
+    const auto at = [&](double height) { return run.set("ball-height", height).picture(); };
+    // The two halves hold the same pair: on the left nothing tells which ball is lifted, on the right the shadow does.
+    const Picture low = at(0), high = at(1.5);
+    long left = 0, right = 0;
+    for (int y = 0; y < low.height; ++y) {
+        for (int x = 0; x < low.width; ++x) {
+            if (low.at(x, y) != high.at(x, y)) ++(x < low.width / 2 ? left : right);
+        }
+    }
+    // Vertices are rounded to float: a pixel's middle may lie within that of an outline, or of a step of brightness.
+    EXPECT_LE(left, 20);
+    EXPECT_GT(right, 2000);
+
+    run.set("against", "off").set("resolution", 1024);
+    for (const double height : {0.0, 0.9}) {
+        run.set("method", "none");
+        const Picture without = at(height);
+        EXPECT_GT(run.readout("wrong"), 1) << height;
+        for (const char* method : {"matrix", "volume", "map", "pcf3"}) {
+            // The ball is darkened nowhere by itself but where it turns away, so that the matrix does as well as the others.
+            EXPECT_GT(differentPixels(run.set("method", method).picture(), without), 5000) << method << height;
+            EXPECT_LT(run.readout("wrong"), 0.1) << method << height;
         }
     }
 }
