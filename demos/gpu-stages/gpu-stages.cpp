@@ -20,16 +20,17 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
 
 static const vec3 sheetColor(0.85, 0.55, 0.25), lineColor(0.1, 0.3, 0.6);
 
-constexpr std::array<const char*, 3> evaluations{"patch.tese", "triangles.tese", "isolines.tese"};  // by domain
+// The evaluation shaders by domain: for triangles or lines, and for points.
+constexpr std::array primitivesOf{"patch.tese", "triangles.tese", "isolines.tese"};
+constexpr std::array pointsOf{"points.tese", "triangle-points.tese", ""};
 
 // A program has a file for each of its stages. Leave out a file, and the pipeline leaves out the stage.
 static std::vector<std::string> filesOf(const Stages& s, Geometry stage) {
     std::vector<std::string> files{"gpu-stages.vert"};
     if (isTessellated(s)) {
         files.emplace_back("patch.tesc");
-        files.emplace_back(geometryStage(s) == Geometry::shapes
-                               ? "points.tese"
-                               : evaluations.at(static_cast<std::size_t>(domainOf(s))));
+        const auto& evaluations = geometryStage(s) == Geometry::shapes ? pointsOf : primitivesOf;
+        files.emplace_back(evaluations.at(static_cast<std::size_t>(domainOf(s))));
     }
     if (stage != Geometry::off) files.push_back(std::string(nameOf(stage)) + ".geom");
     files.emplace_back(stage == Geometry::wireframe ? "wireframe.frag" : "gpu-stages.frag");
@@ -105,11 +106,8 @@ void countPrimitives(Gpu& gpu, const Settings& s, const Frame& frame) {
 }
 
 bool isTessellated(const Stages& s) { return s.tessellation && has(beyond_es::tessellation); }
-// Hexagons stand on the points of the square. Without tessellation there is no domain.
-Domain domainOf(const Stages& s) {
-    const bool isSquare = !isTessellated(s) || (s.geometry == Geometry::shapes && s.domain == Domain::triangles);
-    return isSquare ? Domain::quads : s.domain;
-}
+// Without tessellation the net's cells are drawn.
+Domain domainOf(const Stages& s) { return isTessellated(s) ? s.domain : Domain::quads; }
 // The geometry shaders here take triangles, or points, and no lines.
 Geometry geometryStage(const Stages& s) {
     const bool takesIt = domainOf(s) != Domain::isolines;

@@ -23,7 +23,6 @@ bool is(const Settings& s) {
     return ((s.show == shows) || ...);
 }
 bool isTessellating(const Stages& s) { return s.tessellation; }
-bool hasDomain(const Stages& s) { return s.geometry != Geometry::shapes || s.domain == Domain::isolines; }
 bool hasOwnEdges(const Stages& s) { return s.ownEdges; }
 bool cutsNoLines(const Stages& s) { return !s.tessellation || s.domain != Domain::isolines; }
 bool hasWires(const Stages& s) { return s.geometry == Geometry::wireframe && cutsNoLines(s); }
@@ -81,8 +80,7 @@ std::vector<Row<Settings>> rows() {
              {word("domain", &Stages::domain,
                    {{"quads", "a square"}, {"triangles", "a triangle: half of the sheet"}, {"isolines", "lines"}},
                    "what the tessellator cuts")
-                  .when(isTessellating, notTessellated)
-                  .when(hasDomain, "hexagons stand on the points of the square")},
+                  .when(isTessellating, notTessellated)},
              is<Show::stages>, "no patch is shown"),
         word("kernel", &Settings::kernel,
              {{"rings", "the picture that the fragment shader draws"},

@@ -236,6 +236,8 @@ TEST(GpuStages, three_domains) {
         run.set("inner", n).set("domain", "triangles");
         for (const char* geometry : {"off", "wireframe", "explode"})
             EXPECT_EQ(countsOf(run.set("geometry", geometry)).out, (3 * n * n - n % 2) / 2) << n << " " << geometry;
+        // By Euler's V - E + F = 1, with 3 n edges at the border
+        EXPECT_EQ(countsOf(run.set("geometry", "shapes")).into, 1 + ((3 * n * n - n % 2) / 2 + 3 * n) / 2) << n;
         run.set("domain", "isolines");
         for (const char* geometry : {"off", "wireframe", "shapes"}) {
             const Counts counts = countsOf(run.set("geometry", geometry));
