@@ -173,7 +173,6 @@ const std::set<std::string> unseen{
     "color-models written",  // numbers in words, likewise
     "clipping polygon",      // its ends, all corners in one place or on one line, are refused: they are no polygon
     "clipping against",      // the same
-    "ray-cast plane",        // three forms of one plane
     "ray-cast threads",      // who computes a row changes nothing
     "ray-trace structure",   // who is asked for a triangle, likewise
 };

@@ -13,7 +13,7 @@
 namespace mv {
 namespace {
 
-// Of a flat polygon, in the order of clipPolygon().
+// The area of a flat polygon, its corners in the order of clipPolygon().
 double area(const std::vector<vec4>& corners) {
     std::vector<vec3> flat;
     flat.reserve(corners.size());

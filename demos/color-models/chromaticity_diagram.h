@@ -13,21 +13,21 @@ enum class Diagram { xy, uv };  // of 1931, and u', v' of 1976
 struct ChromaticityDiagram {
     Diagram which;
 
-    // Where x and y of 1931 are in this one.
+    // The place in this diagram of x and y of 1931.
     vec2 place(const vec2& xy) const;
-    // The same as a matrix for homogeneous points (x, y, z, 1): the divisor of u' and v' is w.
+    // place() as a matrix for homogeneous points (x, y, z, 1): the divisor of u' and v' is w.
     mat4 placeFromXy() const;
-    // Where an sRGB colour is; nothing for black.
+    // The place of an sRGB colour; nothing for black.
     std::optional<vec2> placeOf(const vec3& srgb) const;
 
-    // Of the area inside of the spectrum, and of the line that closes it, in percent: what sRGB's triangle holds, and what
-    // is beyond the line through two of its primaries, seen from the third.
+    // Percentages of the area between the spectrum and the line that closes it: the part that sRGB's triangle holds, and the
+    // part beyond the line through two of its primaries, seen from the third.
     double heldBySrgb() const;
     double beyondSide(const vec2& from, const vec2& to) const;
 
     // The plot that fills the picture, with units of one length along both axes.
     Plot plotIn(const FrameInfo& frame) const;
-    // The same as a matrix, from values of the plot's axes to the picture's clip space.
+    // plotIn() as a matrix, from values of the plot's axes to the picture's clip space.
     static mat4 clipFromPlace(const Plot& plot, const FrameInfo& frame);
     // The axes, spectrum and triangle, white, the wavelengths in nm, and the part that sRGB holds.
     void draw(Drawing& drawing, const FrameInfo& frame) const;

@@ -17,7 +17,7 @@ namespace mv::color_models {
 enum class Shows { solids, diagram };
 enum class Way { srgb, linear, hsl, oklab };
 enum class Written { numbers, hex };
-// Where a colour has a place: three solids side by side, or the diagram.
+// A colour has a place in each of three solids, or in the diagram.
 enum Space { cube, doubleCone, cone, inDiagram };
 
 struct Solids {
@@ -60,7 +60,7 @@ vec3 mixed(Way way, const vec3& a, const vec3& b, double t);
 std::vector<vec3> strip(const Settings& s, Way way);
 std::vector<double> stepsOf(const std::vector<vec3>& colors);
 
-// What is drawn over the solids and below them: figure.cpp.
+// Lines, strips and words over the solids and below them: figure.cpp.
 Pane paneOf(const FrameInfo& frame, Space solid);
 std::optional<vec2> markIn(const Settings& s, const FrameInfo& frame, Space space, const vec3& color);
 void drawOverSolids(Drawing& drawing, const Settings& s, const FrameInfo& frame);

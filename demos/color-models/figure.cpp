@@ -1,4 +1,4 @@
-// What color-models draws over its solids and below them: outlines, the way of the mixture, strips, marks and words.
+// Drawn over the solids and below them: outlines, the way of the mixture, strips, marks and words.
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
@@ -20,7 +20,7 @@ const std::array<vec4, 4> wayColors{vec4(0.75, 0.2, 0.15, 1), vec4(0.1, 0.5, 0.2
 
 double unit(const FrameInfo& frame) { return std::min(frame.width() / 960.0, frame.height() / 640.0); }
 
-// In units of 1/640 of the picture's height, or 1/960 of its width, from the lower left corner.
+// Write words. Places are in units of 1/640 of the picture's height, or 1/960 of its width, from the lower left corner.
 void words(Drawing& drawing, const FrameInfo& frame, const vec2& at, const std::string& text, const vec4& color,
            double size) {
     const int pixels = std::max(6, static_cast<int>(size * unit(frame)));

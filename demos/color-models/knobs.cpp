@@ -1,4 +1,4 @@
-// What can be set in color-models, and what is said of it.
+// The settings of color-models: rows, presets, controls and readouts.
 #include "color-models.h"
 #include "mv/demo/lesson.h"
 

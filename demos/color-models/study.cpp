@@ -1,4 +1,4 @@
-// What color-models tells in numbers, and what measures it: how uneven the steps of its strips are, against the time they
+// The readouts of color-models, and its study: how uneven the steps of its strips are, against the time they
 // take; and what 8 bits do.
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ namespace mv::color_models {
 vec3 asSeen(const vec3& srgb) { return oklabFromLinear(linearFromSrgb(srgb)); }
 static vec3 labOf(const vec3& srgb) { return labFromLinear(linearFromSrgb(srgb)); }
 vec3 shownAs(const vec3& srgb) { return glm::clamp(srgb, 0.0, 1.0); }
-// By more than OKLab's there and back rounds.
+// The tolerance is above what OKLab's there and back rounds.
 bool isBeyond(const vec3& srgb) { return glm::distance(srgb, shownAs(srgb)) > 1e-9; }
 static auto countBeyond(const Settings& s) {
     const std::vector<vec3> even = strip(s, Way::oklab);
@@ -40,7 +40,7 @@ static std::vector<double> stepsBy(const std::vector<vec3>& colors, const InSpac
     for (double& length : lengths) length *= double(lengths.size()) / sum;
     return lengths;
 }
-// As seen.
+// The steps as they are seen, in OKLab.
 std::vector<double> stepsOf(const std::vector<vec3>& colors) {
     return stepsBy(colors, asSeen, [](const vec3& a, const vec3& b) { return glm::distance(a, b); });
 }
@@ -102,7 +102,7 @@ std::vector<double> offIn8Bits(Probing& probing) {
             off(rgbFromHsv(Hsv{360 * in8(hsv.hue / 360), in8(hsv.saturation), in8(hsv.value)}))};
 }
 
-// What the diagram holds beyond the line through two of sRGB's primaries, in percent of all that is seen.
+// The parts of the diagram beyond the line through two of sRGB's primaries, in percent.
 std::vector<double> beyondSides(Probing& probing) {
     const ChromaticityDiagram diagram{probing.demo().word("diagram") == "uv" ? Diagram::uv : Diagram::xy};
     const auto& [red, green, blue] = srgbPrimaries;

@@ -1,4 +1,4 @@
-// The same rings by a fragment shader, on the left, and by a compute shader.
+// Rings by a fragment shader, on the left, and by a compute shader; or the light that falls through such water.
 #include "gpu-stages.h"
 #include "mv/gl/beyond_es.h"
 #include "mv/gl/gl.h"
@@ -23,26 +23,50 @@ static void computePicture(Gpu& gpu, const Pane& right, const Frame& frame) {
     frame.bindTarget();
 }
 
-void drawCompute(Gpu& gpu, const Frame& frame) {
+// Count where the rays of light land, 16 for each pixel. The counts are kept while the size is the same.
+static void countRays(Gpu& gpu, const Pane& right) {
+    if (!gpu.countsFor.changed(right.width, right.height)) return;
+    gpu.counts = makeTexture();
+    glBindTexture(GL_TEXTURE_2D, gpu.counts.id());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    const std::vector<GLuint> zeros(static_cast<std::size_t>(right.width) * static_cast<std::size_t>(right.height));
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_R32UI, right.width, right.height, 0, GL_RED_INTEGER, GL_UNSIGNED_INT,
+                 zeros.data());
+    programOf(gpu, {"caustics.comp"}).use();
+    glBindImageTexture(0, gpu.counts.id(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32UI);
+    glDispatchCompute(GLuint(4 * right.width + 7) / 8, GLuint(4 * right.height + 7) / 8, 1);
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+    glBindImageTexture(0, 0, 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA8);
+}
+
+// Draw what the compute shader stored: colours, or counts.
+static void drawStored(Gpu& gpu, Kernel kernel, const Pane& right) {
+    const Program& program = programOf(gpu, {"ripples.vert", kernel == Kernel::rings ? "texels.frag" : "light.frag"});
+    program.use();
+    program.set("image", 0);
+    if (kernel == Kernel::rings) {
+        gpu.image.bindColor(0);
+    } else {
+        glActiveTexture(GL_TEXTURE0);
+        glBindTexture(GL_TEXTURE_2D, gpu.counts.id());
+    }
+    fill(gpu, right, program);
+}
+
+void drawCompute(Gpu& gpu, Kernel kernel, const Frame& frame) {
     const std::vector<Pane> panes = frame.panes(2);
     const Pane left = belowHeading(panes[0]), right = belowHeading(panes[1]);
     const bool computes = has(beyond_es::computeShaders);
-    if (computes) computePicture(gpu, right, frame);
+    if (computes && kernel == Kernel::rings) computePicture(gpu, right, frame);
+    if (computes && kernel == Kernel::caustics) countRays(gpu, right);
 
     // Draw the left picture by a fragment shader
     const Program& byFragment = programOf(gpu, {"ripples.vert", "ripples.frag"});
     byFragment.use();
     byFragment.set("size", vec2(left.width, left.height));
     fill(gpu, left, byFragment);
-
-    // Draw the texels that the compute shader wrote
-    if (computes) {
-        const Program& texels = programOf(gpu, {"ripples.vert", "texels.frag"});
-        texels.use();
-        texels.set("image", 0);
-        gpu.image.bindColor(0);
-        fill(gpu, right, texels);
-    }
+    if (computes) drawStored(gpu, kernel, right);
     glViewport(0, 0, frame.width(), frame.height());
 }
 

@@ -1,4 +1,4 @@
-// What gpu-stages shows and counts, and the words beside it: the eye, the table of the stages, the control points.
+// The eye of gpu-stages, its counted draws, and all beside the patch: the table of the stages, the control points.
 #include "exact_patch.h"
 #include "gpu-stages.h"
 #include "mv/demo/seen.h"
@@ -57,7 +57,7 @@ void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
     if (s.show == Show::stages) drawStagesFigure(gpu, s, frame);
     if (s.show == Show::primitives) gpu.types.label(frame, gpu.drawing);
     if (s.show == Show::meshes) gpu.bodies.label(frame, turnOf(s), gpu.drawing);
-    if (s.show == Show::compute) drawHeadings(gpu.drawing, frame);
+    if (s.show == Show::compute) drawHeadings(gpu.drawing, frame, s.kernel == Kernel::caustics);
     gpu.drawing.draw(frame);
 }
 

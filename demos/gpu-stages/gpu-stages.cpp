@@ -1,6 +1,8 @@
 // gpu-stages: one patch through all stages of the pipeline, each on or off, with what goes into it and what comes out.
 #include "gpu-stages.h"
 
+#include <array>
+
 #include "mv/demo/seen.h"
 #include "mv/gl/beyond_es.h"
 #include "mv/gl/gl.h"
@@ -13,21 +15,30 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     if (s.show == Show::stages) drawStages(gpu, s, frame);
     if (s.show == Show::primitives) drawPrimitives(gpu, s, frame);
     if (s.show == Show::meshes) drawMeshes(gpu, s, frame);
-    if (s.show == Show::compute) drawCompute(gpu, frame);  // compute.cpp
+    if (s.show == Show::compute) drawCompute(gpu, s.kernel, frame);  // compute.cpp
 }
 
 static const vec3 sheetColor(0.85, 0.55, 0.25), lineColor(0.1, 0.3, 0.6);
+
+// The evaluation shaders by domain: for triangles or lines, and for points.
+constexpr std::array primitivesOf{"patch.tese", "triangles.tese", "isolines.tese"};
+constexpr std::array pointsOf{"points.tese", "triangle-points.tese", ""};
 
 // A program has a file for each of its stages. Leave out a file, and the pipeline leaves out the stage.
 static std::vector<std::string> filesOf(const Stages& s, Geometry stage) {
     std::vector<std::string> files{"gpu-stages.vert"};
     if (isTessellated(s)) {
         files.emplace_back("patch.tesc");
-        files.emplace_back(geometryStage(s) == Geometry::shapes ? "points.tese" : "patch.tese");
+        const auto& evaluations = geometryStage(s) == Geometry::shapes ? pointsOf : primitivesOf;
+        files.emplace_back(evaluations.at(static_cast<std::size_t>(domainOf(s))));
     }
     if (stage != Geometry::off) files.push_back(std::string(nameOf(stage)) + ".geom");
     files.emplace_back(stage == Geometry::wireframe ? "wireframe.frag" : "gpu-stages.frag");
     return files;
+}
+
+static bool isOfLines(const Stages& s, Geometry stage) {
+    return stage == Geometry::normals || stage == Geometry::wireframe || domainOf(s) == Domain::isolines;
 }
 
 // Use the program of these stages, and set all uniforms that it has.
@@ -36,7 +47,7 @@ static const Program& prepare(Gpu& gpu, const Settings& s, Geometry stage, const
     program.use();
     program.set("clipFromWorld", seen(sceneOf(s, frame), frame).clipFromWorld());
     program.set("bend", s.stages.bend);
-    program.set("color", stage == Geometry::normals || stage == Geometry::wireframe ? lineColor : sheetColor);
+    program.set("color", isOfLines(s.stages, stage) ? lineColor : sheetColor);
     if (isTessellated(s.stages)) {
         program.set("inner", double(s.stages.inner));
         program.set("outer", double(outerLevel(s.stages)));
@@ -83,7 +94,8 @@ void drawStages(Gpu& gpu, const Settings& s, const Frame& frame) {
 void countPrimitives(Gpu& gpu, const Settings& s, const Frame& frame) {
     if (!has(beyond_es::countingQueries)) return;
     const Geometry stage = geometryStage(s.stages);
-    if (gpu.countedFor.changed(isTessellated(s.stages), s.stages.inner, outerLevel(s.stages), stage)) {
+    if (gpu.countedFor.changed(isTessellated(s.stages), s.stages.inner, outerLevel(s.stages), stage,
+                               domainOf(s.stages))) {
         const auto countedBy = [&](const Program& program) {
             return counted(program, mode(s.stages), [&] { submit(gpu, s.stages); });
         };
@@ -94,8 +106,12 @@ void countPrimitives(Gpu& gpu, const Settings& s, const Frame& frame) {
 }
 
 bool isTessellated(const Stages& s) { return s.tessellation && has(beyond_es::tessellation); }
+// Without tessellation the net's cells are drawn.
+Domain domainOf(const Stages& s) { return isTessellated(s) ? s.domain : Domain::quads; }
+// The geometry shaders here take triangles, or points, and no lines.
 Geometry geometryStage(const Stages& s) {
-    return s.geometry != Geometry::off && has(beyond_es::geometryShaders) ? s.geometry : Geometry::off;
+    const bool takesIt = domainOf(s) != Domain::isolines;
+    return s.geometry != Geometry::off && takesIt && has(beyond_es::geometryShaders) ? s.geometry : Geometry::off;
 }
 bool hasAmount(Geometry stage) { return stage > Geometry::wireframe; }
 int outerLevel(const Stages& s) { return s.ownEdges ? s.outer : s.inner; }

@@ -11,6 +11,7 @@
 #include "mv/geometry/shapes.h"
 #include "mv/gl/drawing.h"
 #include "mv/gl/mesh.h"
+#include "mv/gl/object.h"
 #include "mv/gl/on_demand.h"
 #include "mv/gl/program.h"
 #include "mv/gl/target.h"
@@ -21,6 +22,8 @@
 namespace mv::gpu_stages {
 
 enum class Show { stages, primitives, meshes, compute };
+enum class Domain { quads, triangles, isolines };
+enum class Kernel { rings, caustics };
 enum class Geometry { off, pass, wireframe, shapes, normals, explode };
 
 // A patch on its way through the stages.
@@ -34,12 +37,14 @@ struct Stages {
     double amount = 0.25, bend = 0.1;
     bool fragments = true;
     int direct3d = 11;
+    Domain domain = Domain::quads;  // what the tessellator cuts
 };
 struct Settings {
     Show show = Show::stages;
     Stages stages = {};
     int vertices = 8, cells = 12;
     double spinX = 20, spinY = -30;  // degrees
+    Kernel kernel = Kernel::rings;   // of the compute shader
 };
 
 struct Gpu {
@@ -47,11 +52,13 @@ struct Gpu {
     OnDemand<Mesh> patch{positionsOnly(controlPoints()), "patch"}, points{controlPoints(), "control points"};
     OnDemand<Mesh> net{controlNet(), "control net"}, square{positionsOnly(mv::square()), "square"};
     CountedPrimitives toGeometry, sent;  // what reaches the geometry shader's place, and what leaves it
-    MadeFor<bool, int, int, Geometry> countedFor;
+    MadeFor<bool, int, int, Geometry, Domain> countedFor;
     long passed = 0;  // fragments that reached the picture
     PrimitiveFigure types;
     RegularFigure bodies;
     Target image;
+    TextureObject counts;  // of the rays that landed in each pixel
+    MadeFor<int, int> countsFor;
     Drawing drawing;
 };
 
@@ -60,10 +67,11 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame);
 void drawStages(Gpu& gpu, const Settings& s, const Frame& frame);
 void drawPrimitives(Gpu& gpu, const Settings& s, const Frame& frame);
 void drawMeshes(Gpu& gpu, const Settings& s, const Frame& frame);
-void drawCompute(Gpu& gpu, const Frame& frame);
+void drawCompute(Gpu& gpu, Kernel kernel, const Frame& frame);
 const Program& programOf(Gpu& gpu, const std::vector<std::string>& files);
 bool isTessellated(const Stages& s);
 Geometry geometryStage(const Stages& s);
+Domain domainOf(const Stages& s);
 int outerLevel(const Stages& s);
 GLenum mode(const Stages& s);
 bool hasAmount(Geometry stage);

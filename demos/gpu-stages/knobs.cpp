@@ -1,4 +1,4 @@
-// What can be set in gpu-stages, and what is said of it.
+// The settings of gpu-stages: rows, presets, controls and readouts.
 #include "gpu-stages.h"
 #include "mv/demo/lesson.h"
 
@@ -24,8 +24,9 @@ bool is(const Settings& s) {
 }
 bool isTessellating(const Stages& s) { return s.tessellation; }
 bool hasOwnEdges(const Stages& s) { return s.ownEdges; }
-bool hasWires(const Stages& s) { return s.geometry == Geometry::wireframe; }
-bool movesSomething(const Stages& s) { return hasAmount(s.geometry); }
+bool cutsNoLines(const Stages& s) { return !s.tessellation || s.domain != Domain::isolines; }
+bool hasWires(const Stages& s) { return s.geometry == Geometry::wireframe && cutsNoLines(s); }
+bool movesSomething(const Stages& s) { return hasAmount(s.geometry) && cutsNoLines(s); }
 bool hasFragments(const Stages& s) { return s.fragments; }
 bool isSolid(const Settings& s) { return s.show != Show::stages || s.stages.fragments; }
 
@@ -50,7 +51,8 @@ std::vector<Row<Settings>> rows() {
              whole("outer", &Stages::outer, {1, 64}, "the edges' own level")
                  .when(isTessellating, notTessellated)
                  .when(hasOwnEdges, "the edges have the level of the inside"),
-             word("geometry", &Stages::geometry, geometryWords, "what the geometry shader makes"),
+             word("geometry", &Stages::geometry, geometryWords, "what the geometry shader makes")
+                 .when(cutsNoLines, "no geometry shader here takes lines"),
              toggle("hidden", &Stages::hidden, "lines of the wireframe that are behind faces are drawn, too, but paler")
                  .when(hasWires, "no wireframe is shown")
                  .when(hasFragments, notDrawn),
@@ -73,7 +75,18 @@ std::vector<Row<Settings>> rows() {
             .when(is<Show::stages, Show::meshes>, flat),
         angle("spin-y", &Settings::spinY, "turn about the y axis")
             .when(isSolid, notDrawn)
-            .when(is<Show::stages, Show::meshes>, flat));
+            .when(is<Show::stages, Show::meshes>, flat),
+        part(&Settings::stages,
+             {word("domain", &Stages::domain,
+                   {{"quads", "a square"}, {"triangles", "a triangle: half of the sheet"}, {"isolines", "lines"}},
+                   "what the tessellator cuts")
+                  .when(isTessellating, notTessellated)},
+             is<Show::stages>, "no patch is shown"),
+        word("kernel", &Settings::kernel,
+             {{"rings", "the picture that the fragment shader draws"},
+              {"caustics", "light through these rings, as through water; each ray adds 1 where it lands"}},
+             "what the compute shader stores")
+            .when(is<Show::compute>, "nothing is computed"));
 }
 
 constexpr Declaration about{

@@ -15,7 +15,7 @@ struct PrimitiveType {
     bool inCore;  // of OpenGL 3.1 and later; the others are GL_INVALID_ENUM there
 };
 
-// In the lecture's order. The last three are no names of the core's header any more.
+// The types in the lecture's order. The last three are no names of the core's header any more.
 inline constexpr std::array<PrimitiveType, 10> primitiveTypes{{
     {"GL_POINTS", GL_POINTS, true},
     {"GL_LINES", GL_LINES, true},
@@ -39,7 +39,7 @@ std::vector<std::uint32_t> asTriangles(const PrimitiveType& type, int vertices);
 // Whether they stand in a ring, at 0.75 from the middle, or in two rows.
 bool standsInRing(const PrimitiveType& type);
 
-// Where the vertices stand, within -1 .. 1: so that what they make neither overlaps nor has no area.
+// The places of the vertices, within -1 .. 1: so that what they make neither overlaps nor has no area.
 std::vector<vec2> placesOf(const PrimitiveType& type, int vertices);
 
 }  // namespace mv

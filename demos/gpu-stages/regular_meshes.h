@@ -28,7 +28,7 @@ class RegularFigure {
   public:
     // Draws the bodies, turned; the program is in use, and has `clipFromWorld`, `position` and `normal`.
     void draw(const Frame& frame, const mat4& turn, const Program& program, int cells);
-    // What is counted of each, and red dots where those of its irregular vertices are that face the eye.
+    // Writes the counts of each body, and draws red dots where those of its irregular vertices are that face the eye.
     void label(const FrameInfo& frame, const mat4& turn, Drawing& drawing) const;
     // Irregular vertices, all together.
     long irregular() const;

@@ -12,12 +12,12 @@ namespace mv {
 
 struct StageName {
     const char* openGl;
-    // In Direct3D 9, 10 and 11; "" where that has no such stage.
+    // The names in Direct3D 9, 10 and 11; "" where that has no such stage.
     std::array<const char*, 3> direct3d;
     bool isProgrammable;
 };
 
-// In the order in which a primitive goes through them; the compute shader stands apart from that.
+// The stages in the order in which a primitive goes through them. The compute shader stands apart from that.
 inline constexpr std::array<StageName, 11> stageNames{{
     {"vertex specification", {"Vertex, Primitive Data", "Input Assembler", "Input Assembler"}, false},
     {"vertex shader", {"Vertex Processing", "Vertex Shader", "Vertex Shader"}, true},
@@ -32,17 +32,17 @@ inline constexpr std::array<StageName, 11> stageNames{{
     {"compute shader", {"", "", "Compute Shader"}, true},
 }};
 
-// What leaves a stage, counted three times over.
+// The primitives that leave a stage, counted three times over.
 struct CountedPrimitives {
     bool isCounted = false;  // or the rest says nothing
     GLenum primitive = GL_TRIANGLES;
     Captured number = {};
     double found() const;  // primitives of which all corners were in the buffer of transform feedback
 };
-// What these draws with that mode send on, by captured(). The program is in use.
+// The primitives that these draws with that mode send on, by captured(). The program is in use.
 CountedPrimitives counted(const Program& program, GLenum mode, const std::function<void()>& draw);
 
-// What a draw of 16 control points goes through, and what was counted of it.
+// The stages that a draw of 16 control points goes through, and the counts of it.
 struct PatchDraw {
     GLenum mode;       // GL_PATCHES, GL_POINTS, or GL_TRIANGLES of the net
     int inner, outer;  // levels
@@ -57,8 +57,9 @@ std::string primitivesText(long number, GLenum primitive);
 // goes in and what comes out; stages that are off in grey. Nothing where there is no room for words of 8 pixels.
 void drawStageTable(Drawing& drawing, const FrameInfo& frame, int direct3d, const PatchDraw& patch);
 
-// Which of two panes is drawn by which kind of shader, in words above them; nothing where there is no room.
-void drawHeadings(Drawing& drawing, const FrameInfo& frame);
+// Which of two panes is drawn by which kind of shader, in words above them; nothing where there is no room. With water, the right
+// one has the light that falls through the left one.
+void drawHeadings(Drawing& drawing, const FrameInfo& frame, bool isWater);
 
 // The pane below a line of words at its upper edge, for which it gives up 32 pixels; all of it where it has not twice that.
 inline Pane belowHeading(const Pane& pane) {

@@ -1,4 +1,4 @@
-// What gpu-stages tells in numbers, and what measures it: how far its triangles are from the patch itself, and whether two
+// The readouts of gpu-stages, and its study: how far its triangles are from the patch itself, and whether two
 // kinds of shader make one picture.
 #include <algorithm>
 #include <cmath>
@@ -77,7 +77,7 @@ Reference exactPatch(const Demo& demo, const ReferenceFrame& frame) {
     return right;
 }
 
-// Of the present settings, where both the triangles and the patch are seen.
+// The errors of the present settings, where both the triangles and the patch are seen.
 std::vector<double> depthErrors(Probing& probing) {
     const Demo& demo = probing.demo();
     const std::string stage = demo.word("geometry");
@@ -99,7 +99,8 @@ std::vector<double> depthErrors(Probing& probing) {
 
 // Pixels of the two panes that differ in any channel; of what cannot be compared, nothing.
 std::vector<double> differing(Probing& probing) {
-    if (probing.demo().word("show") != "compute" || !has(beyond_es::computeShaders)) return {};
+    const Demo& demo = probing.demo();
+    if (demo.word("show") != "compute" || demo.word("kernel") != "rings" || !has(beyond_es::computeShaders)) return {};
     std::vector<Pane> panes = probing.frame().panes(2);
     for (Pane& pane : panes) pane = belowHeading(pane);
     const Picture picture = probing.picture();

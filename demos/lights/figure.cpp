@@ -1,4 +1,4 @@
-// What lights shows, and what is drawn over it: the lamps, the mark, a table of what arrives there, and the falloff's graph.
+// The scene of lights, and the drawing over it: lamps, the mark, a table of the light there, and the falloff's graph.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -47,7 +47,7 @@ TextStyle style(double unit, const vec4& color, const vec4& background = vec4(0)
 void drawCone(Drawing& drawing, const Settings& s, std::size_t light, const mat4& clipFromWorld) {
     const vec3 at = placeOf(s, light);
     const mat4 worldFromLamp = inverse(lookAtAnyRoll(at, aim(s)));
-    const Stroke stroke{vec4(hues.at(light), 1), 1.5};
+    const Stroke stroke{vec4(tinted(s.lightColor, hues.at(light)), 1), 1.5};
     constexpr int corners = 16;
     std::vector<vec3> rim;
     for (int k = 0; k <= corners; ++k) {
@@ -62,7 +62,7 @@ void drawCone(Drawing& drawing, const Settings& s, std::size_t light, const mat4
 void drawLight(Drawing& drawing, const Settings& s, const FrameInfo& frame, std::size_t light,
                const mat4& clipFromWorld) {
     const double unit = unitOf(frame);
-    const vec4 color(hues.at(light), 1);
+    const vec4 color(tinted(s.lightColor, hues.at(light)), 1);
     const vec3 at = placeOf(s, light);
     if (s.kinds[light] == Kind::directional) {
         const auto inPicture = [&](const vec3& point) { return pictureFromPane(paneOf(frame), clipFromWorld, point); };
@@ -81,7 +81,7 @@ void drawCross(Drawing& drawing, const mat4& clipFromWorld, const vec3& at, cons
     drawing.edge(clipFromWorld, at - vec3(0, -0.003, 0.1), at + vec3(0, 0.003, 0.1), {color, 3});
 }
 
-// What each light gives to the mark.
+// A table of what each light gives to the mark.
 void drawTable(Drawing& drawing, const Settings& s, const Pane& pane, double unit) {
     double y = pane.height - 8 * unit;
     const auto say = [&](const std::string& words, const vec4& color) {
@@ -123,7 +123,7 @@ void drawLamps(Drawing& drawing, const Settings& s, const Plot& plot, double uni
         const vec2 value(d, s.power * falloff(s).at(d));
         if (value.x < plot.x.low || value.x > plot.x.high || value.y < plot.y.low || value.y > plot.y.high) continue;
         drawing.point(plot.pixel(value), 11 * unit, ink);
-        drawing.point(plot.pixel(value), 8 * unit, vec4(hues.at(i), 1));
+        drawing.point(plot.pixel(value), 8 * unit, vec4(tinted(s.lightColor, hues.at(i)), 1));
     }
 }
 

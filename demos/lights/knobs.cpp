@@ -1,4 +1,4 @@
-// What can be set in lights, and what is said of it.
+// The settings of lights: rows, presets, handles and readouts.
 #include "lights.h"
 #include "mv/demo/lesson.h"
 
@@ -18,6 +18,8 @@ void check(const Settings& s) {
 namespace {
 
 constexpr WordList kindWords{{"off"}, {"ambient"}, {"directional"}, {"point"}, {"spot"}};
+
+constexpr WordList tintWords{{"own", "each its own"}, {"white"}, {"red"}, {"green"}, {"blue"}};
 
 }  // namespace
 
@@ -64,7 +66,9 @@ std::vector<Row<Settings>> rows() {
               {"all", "all but ambient ones, whatever they give"}},
              "which lights the shader asks for each pixel"),
         toggle("encode", &Settings::encode, "add linear light and encode the sum; off: take stored numbers for light"),
-        toggle("log-log", &Settings::logLog, "both axes of the graph logarithmic"));
+        toggle("log-log", &Settings::logLog, "both axes of the graph logarithmic"),
+        word("light-color", &Settings::lightColor, tintWords, "of all lights"),
+        word("surface-color", &Settings::surfaceColor, tintWords, "of all surfaces, as sRGB"));
 }
 
 constexpr Declaration about{
@@ -112,7 +116,7 @@ std::vector<SettingsPreset<Settings>> presets() {
 std::optional<vec2> inPicture(const Settings& s, const FrameInfo& frame, const vec3& point) {
     return pictureFromPane(paneOf(frame), sceneOf(s, frame).clipFromWorld(), point);
 }
-// Of two lights at one place the first is dragged.
+// The first of two lights at one place is dragged.
 std::optional<vec2> placeOfLight(const Settings& s, const FrameInfo& frame, const vec2& place) {
     for (std::size_t i = 0; i < lightCount; ++i) {
         if (s.places[i] == place && hasPlace(s.kinds[i])) return inPicture(s, frame, placeOf(s, i));

@@ -1,4 +1,4 @@
-// What lamps give, as numbers: falloff with the distance, and a cone's edge.
+// The light of lamps as numbers: falloff with the distance, and a cone's edge.
 #pragma once
 #include "mv/math/types.h"
 

@@ -28,7 +28,8 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
         gpu.program.set("clipFromObject", scene.clipFromWorld() * object.worldFromObject);
         gpu.program.set("worldFromObject", object.worldFromObject);
         gpu.program.set("worldFromNormal", normalMatrix(object.worldFromObject));
-        gpu.program.set("color", s.encode ? linearFromSrgb(object.color) : object.color);
+        const vec3 color = tinted(s.surfaceColor, object.color);
+        gpu.program.set("color", s.encode ? linearFromSrgb(color) : color);
         mesh.draw();
     }
     glViewport(0, 0, frame.width(), frame.height());
@@ -91,7 +92,12 @@ vec3 arriving(const Settings& s, std::size_t light, const vec3& point, const vec
 // A lamp gives its power at 1 m. Ambient and directional lights give the same everywhere.
 vec3 strength(const Settings& s, std::size_t light) {
     const std::array<double, 5> powers{0, 0.06, 0.25, s.power, s.power};  // in the order of Kind
-    return powers.at(static_cast<std::size_t>(s.kinds[light])) * hues.at(light);
+    return powers.at(static_cast<std::size_t>(s.kinds[light])) * tinted(s.lightColor, hues.at(light));
+}
+// A surface sends back the part of each colour that it has: red light on green paper is black.
+vec3 tinted(Tint tint, const vec3& own) {
+    const std::array<vec3, 5> colors{own, vec3(1), vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 0, 1)};
+    return colors.at(static_cast<std::size_t>(tint));
 }
 vec3 ambient(const Settings& s) {
     vec3 sum(0);

@@ -13,6 +13,7 @@
 namespace mv::lights {
 
 enum class Kind { off, ambient, directional, point, spot };
+enum class Tint { own, white, red, green, blue };
 enum class Ask { reaching, all };
 inline constexpr std::size_t lightCount = 8;
 
@@ -29,6 +30,7 @@ struct Settings {
     vec2 aim{1.1, -0.2}, mark{-0.2, 1.1};  // x and z on the floor
     Ask ask = Ask::reaching;
     bool encode = true, logLog = false;
+    Tint lightColor = Tint::own, surfaceColor = Tint::own;
 };
 
 inline const std::array<vec3, lightCount> hues{vec3(1, 1, 1),       vec3(1, 0.92, 0.75), vec3(1, 0.75, 0.5),
@@ -46,6 +48,7 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame);
 void setLights(const Program& program, const Settings& s, const std::vector<std::size_t>& sent);
 vec3 arriving(const Settings& s, std::size_t light, const vec3& point, const vec3& normal);
 vec3 strength(const Settings& s, std::size_t light);
+vec3 tinted(Tint tint, const vec3& own);
 vec3 ambient(const Settings& s);
 Falloff falloff(const Settings& s);
 double reach(const Settings& s);
@@ -55,7 +58,7 @@ vec3 axisOf(const Settings& s, std::size_t light);
 bool reaches(const Settings& s, const Scene& scene, std::size_t light);
 std::vector<std::size_t> sentLights(const Settings& s, const Scene& scene);
 
-// What is shown, and what is drawn over it: figure.cpp.
+// The scene, and the drawing over it: figure.cpp.
 bool isLamp(Kind kind);
 bool hasPlace(Kind kind);
 bool isOn(const Settings& s, Kind kind);

@@ -1,4 +1,4 @@
-// What lights tells in numbers, and what measures it: the light that arrives, against lamps that are balls and light by all
+// The readouts of lights, and its study: the light that arrives, against lamps that are balls and light by all
 // of their surface.
 #include <algorithm>
 #include <array>
@@ -109,7 +109,7 @@ Reference byBalls(const Demo& demo, const ReferenceFrame& frame, const std::func
                     const double part = lightOfBall(vec3(light.position) - hit->point, normal, radius, 12);
                     counts = counts && part >= 0;
                     sum += power * part;
-                    // Of its own error, each 8th pixel of each 8th row tells enough
+                    // Each 8th pixel of each 8th row tells enough of the error
                     if (frame.ownError && row % 8 == 0 && column % 8 == 0 && part >= 0) {
                         finer += power * (lightOfBall(vec3(light.position) - hit->point, normal, radius, 24) - part);
                     }
@@ -154,8 +154,8 @@ Study study() {
     };
     auto one = points(1), eight = points(8);
     for (auto* settings : {&one, &eight}) settings->push_back({"power", "0.1"});
-    study.reads = {"light-1", "light-2", "light-3", "light-4", "light-5", "light-6",
-                   "light-7", "light-8", "places",  "height",  "power",   "lamp-size"};
+    study.reads = {"light-1", "light-2", "light-3", "light-4", "light-5",   "light-6",    "light-7",
+                   "light-8", "places",  "height",  "power",   "lamp-size", "light-color"};
     study.scenes = {{"one lamp", one}, {"eight lamps", eight}};
     const std::vector<std::string> sizes{"0.02", "0.1", "0.2", "0.5"};
     study.lines = {{"1/d^2", fallsBy("0", "0", "1"), "lamp-size", sizes},

@@ -1,4 +1,4 @@
-// What can be set in mirror, and what is said of it.
+// The settings of mirror: rows, presets, controls, handles and readouts.
 #include <cmath>
 
 #include "mirror.h"

@@ -39,7 +39,7 @@ struct Settings {
     bool operator==(const Settings&) const = default;
 };
 
-// In one picture: the scene, and the mirrors that are seen through one another.
+// The scene of one picture, and the mirrors that are seen through one another.
 struct Sight {
     Scene scene;
     std::vector<Mirror> mirrors;
@@ -80,7 +80,7 @@ void drawWorld(Gpu& gpu, const Settings& s, const Sight& sight, const View& view
 View viewAfter(const Settings& s, const Sight& sight, std::size_t chain, int bounce);
 Near nearBy(const Settings& s);
 
-// What is shown and what is left out: sight.cpp.
+// The scene, and the objects that are left out: sight.cpp.
 MirrorRoom roomOf(const Settings& s);
 Scene sceneOf(const Settings& s, const FrameInfo& frame);
 Sight sightOf(const Settings& s, const Frame& frame);

@@ -76,7 +76,7 @@ void drawPlan(Drawing& drawing, const FrameInfo& frame, const MirrorRoom& room, 
     };
     drawing.fill(plot.box, vec4(1, 1, 1, 0.88));
 
-    // What stands there: ball, cube, cone and column
+    // Draw all that stands there: ball, cube, cone and column
     for (std::size_t i = 2; i < 6; ++i) {
         const SceneObject& object = scene.objects[i];
         drawing.point(at(vec3(object.worldFromObject[3])), 0.6 * meter, vec4(object.color, 1));
@@ -86,7 +86,7 @@ void drawPlan(Drawing& drawing, const FrameInfo& frame, const MirrorRoom& room, 
         drawing.line(at(mirror.middle - mirror.halfU), at(mirror.middle + mirror.halfU), {ink, 3});
     label(at(mirrors[0].middle - 0.7 * mirrors[0].halfU) + vec2(0, 0.9 * words), "mirror", ink);
 
-    // Where the ball appears, and by which way its light comes
+    // Draw the images of the ball, and the way of its light
     for (const auto& chain : chains) {
         for (const SeenMirror& mirror : chain) {
             const vec3 image(mirror.worldFromShown * vec4(room.ball, 1));

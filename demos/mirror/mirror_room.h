@@ -17,16 +17,16 @@ struct MirrorRoom {
     // Objects: floor, frame, ball, cube, cone, column and, with a second mirror, its frame. A frame is right behind its
     // mirror. Composed for a plan in the right part of the picture. Refused: an eye above or below that middle.
     Scene scene(double aspect) const;
-    // By the frames' place among the objects, which mirror it is whose own frame that is.
+    // The place among the objects of a mirror's own frame.
     static ObjectId frameOf(std::size_t mirror) { return {mirror == 0 ? std::size_t(1) : std::size_t(6)}; }
     static vec3 lookedAt() { return {0, 1.2, -2}; }
     static constexpr double ballRadius = 0.35;
     static constexpr double tile = 2;  // the floor's tiles are so large, and have a corner in the origin
 };
 
-// Where the room is drawn as a plan, seen from above: x to the right, and what is far is above.
+// The place of the plan, seen from above: x to the right, and the far end above.
 Plot planOfRoom(const FrameInfo& frame);
-// What stands there, the images of the ball in the mirrors, and the way of the light from the ball by the first mirror to the
+// Draws all that stands there, the images of the ball in the mirrors, and the way of the light from the ball by the first mirror to the
 // eye, where there is one. Into the drawing, which has begun.
 void drawPlan(Drawing& drawing, const FrameInfo& frame, const MirrorRoom& room, const Scene& scene,
               const std::vector<std::vector<SeenMirror>>& chains);

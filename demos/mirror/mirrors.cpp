@@ -12,7 +12,7 @@
 namespace mv {
 namespace {
 
-// Of a polygon in clip space: the planes through the eye (x = y = w = 0) and its edges, towards its inside.
+// The edges of a polygon in clip space: the planes through the eye (x = y = w = 0) and its edges, towards its inside.
 std::vector<vec4> edgesOf(const std::vector<vec4>& outline) {
     const auto flat = [](const vec4& p) { return vec3(p.x, p.y, p.w); };
     vec3 inside(0);
@@ -88,7 +88,7 @@ vec4 planeIn(const mat4& worldFromOther, const vec4& plane) { return plane * wor
 mat4 withNearPlane(const mat4& clipFromView, const vec4& plane) {
     if (plane.w >= 0) throw Error("withNearPlane", "must be given a plane with the eye behind it", numberText(plane.w));
     const mat4 viewFromClip = glm::inverse(clipFromView);
-    // Of the old far plane's corners the one farthest in front of the plane: it is to be on the new far plane, or within.
+    // The old far plane's corner that is farthest in front of the plane is to be on the new far plane, or within.
     const vec4 inClip = plane * viewFromClip;
     const vec4 corner = viewFromClip * vec4(inClip.x < 0 ? -1 : 1, inClip.y < 0 ? -1 : 1, 1, 1);
     const vec4 w(clipFromView[0].w, clipFromView[1].w, clipFromView[2].w, clipFromView[3].w);

@@ -21,13 +21,13 @@ struct SeenMirror {
     std::size_t which;     // of the mirrors
     mat4 worldFromMirror;  // where the mirror appears: the reflections in those that show it, the first on the left
     mat4 worldFromShown;   // where what it shows appears: the same, times the reflection in this one
-    // What is seen of it: a polygon in clip space, cut to the view and to the mirrors that show it.
+    // The part of it that is seen: a polygon in clip space, cut to the view and to the mirrors that show it.
     std::vector<vec4> outline;
     // The half spaces of clip space, through the eye and the edges of the outline, between which all lies that it shows.
     std::vector<vec4> edges;
 };
 
-// The same for the eye's own picture: the sides of the view volume, and its near and far plane.
+// The edges of the eye's own picture: the sides of the view volume, and its near and far plane.
 std::vector<vec4> edgesOfView();
 
 // The mirrors that are seen through one another: [0] the first mirror, what is seen in it as [1], and so on, at most `most`.

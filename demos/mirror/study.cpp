@@ -1,4 +1,4 @@
-// What mirror tells in numbers and in a plan, and what measures it: each pixel against a ray that the mirrors turn round.
+// The readouts and the plan of mirror, and its study: each pixel against a ray that the mirrors turn round.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -67,7 +67,7 @@ constexpr double wrongBeyond = 0.02;  // of an object's brightness; another obje
 struct Rectangle {
     vec3 middle, right, up, normal;  // right and up are half its sides
 
-    // Where a ray meets it from the front: how far along.
+    // How far along a ray meets it from the front.
     std::optional<double> meets(const Ray& ray) const {
         const double towards = glm::dot(ray.direction, normal);
         if (towards >= 0) return {};
@@ -88,7 +88,7 @@ std::vector<Rectangle> rectangles(const Demo& demo) {
     return all;
 }
 
-// What a ray sees, as shaders/include/seen.glsl tells it, and a number for each way: objects and bounces.
+// A ray's sight, as shaders/include/seen.glsl tells it, and a number for each way: objects and bounces.
 struct Sight {
     double value = -1;
     int region = -1;
@@ -153,7 +153,7 @@ class TracedMirrors {
         }
     }
 
-    // By the normal that the triangle's corners have, as the GPU interpolates it.
+    // Light the hit by the normal of the triangle's corners, as the GPU interpolates it.
     vec3 lit(const SceneHit& hit) const {
         const auto number = static_cast<std::size_t>(hit.object);
         const SceneObject& object = scene_.objects[number];
@@ -202,7 +202,7 @@ Reference traced(const Demo& demo, const ReferenceFrame& frame) {
     return reference;
 }
 
-// As a study has it: one of the eight neighbours shows something else.
+// Whether one of the eight neighbours shows something else, as a study has it.
 bool isAtEdge(const Reference& reference, int column, int row, int width, int height) {
     const std::size_t here = pixelIndex(column, row, width);
     for (int y = std::max(row - 1, 0); y <= std::min(row + 1, height - 1); ++y) {
@@ -217,7 +217,7 @@ bool isAtEdge(const Reference& reference, int column, int row, int width, int he
     return false;
 }
 
-// By the objects' numbers, from 1: whether all of it is behind the first mirror.
+// For each object's number, from 1: whether all of it is behind the first mirror.
 std::vector<bool> behindFirst(const Demo& demo, const FrameInfo& frame) {
     const Rectangle mirror = rectangles(demo).front();
     std::vector<bool> behind{false};
@@ -230,7 +230,7 @@ std::vector<bool> behindFirst(const Demo& demo, const FrameInfo& frame) {
     return behind;
 }
 
-// In a smaller picture, off edges: the pixels that are wrong, and those that show what is behind the first mirror where no
+// The readouts of a smaller picture, off edges: the pixels that are wrong, and those that show what is behind the first mirror where no
 // ray meets it.
 std::vector<double> wrongPixels(Probing& probing) {
     constexpr int width = 480, height = 280;

@@ -40,6 +40,11 @@ namespace {
 template <typename T>
 using Vec = glm::vec<3, T>;
 
+bool isStable(const CastWay& way) { return way.form == CastForm::stable; }
+textbook::Print printOf(const CastWay& way) {
+    return way.form == CastForm::printed ? textbook::Print::asPrinted : textbook::Print::mended;
+}
+
 template <typename T>
 CastHit hitAt(T t, const Vec<T>& normal) {
     return {static_cast<double>(t), vec3(normal)};
@@ -49,15 +54,14 @@ template <typename T>
 std::optional<CastHit> castPlane(T scale, const RayOf<T>& ray, const CastWay& way) {
     const Vec<T> corner = scale * Vec<T>(cast::floorCorner), along = scale * Vec<T>(cast::floorAlong),
                  up = scale * Vec<T>(cast::floorUp), normal(0, 1, 0);
-    const bool isTextbook = way.form == CastForm::textbook;
     const glm::vec<4, T> abcd(normal, -glm::dot(normal, corner));
     std::optional<T> t;
     if (way.plane == PlaneForm::parametric) {
         if (const auto hit = intersectPlane(ray, corner, along, up)) t = hit->t;
     } else if (way.plane == PlaneForm::normal) {
-        t = isTextbook ? textbook::plane(ray, corner, normal) : intersectPlane(ray, corner, normal);
+        t = isStable(way) ? intersectPlane(ray, corner, normal) : textbook::plane(ray, corner, normal);
     } else {
-        t = isTextbook ? textbook::plane(ray, abcd) : intersectPlane(ray, abcd);
+        t = isStable(way) ? intersectPlane(ray, abcd) : textbook::plane(ray, abcd, printOf(way));
     }
     if (!t) return {};
     const Vec<T> from = ray.at(*t) - corner;  // the floor ends: u and v in 0..1
@@ -67,7 +71,7 @@ std::optional<CastHit> castPlane(T scale, const RayOf<T>& ray, const CastWay& wa
 
 template <typename T>
 std::optional<T> castBall(const RayOf<T>& ray, const Vec<T>& center, T radius, const CastWay& way) {
-    if (way.form == CastForm::textbook) return textbook::sphere(ray, center, radius);
+    if (!isStable(way)) return textbook::sphere(ray, center, radius);
     const auto inside = intersectSphere(ray, center, radius);
     if (!inside) return {};
     return inside->near > 0 ? inside->near : inside->far;
@@ -76,7 +80,7 @@ std::optional<T> castBall(const RayOf<T>& ray, const Vec<T>& center, T radius, c
 template <typename T>
 std::optional<CastHit> castBox(T scale, const RayOf<T>& ray, const CastWay& way) {
     const Vec<T> low = scale * Vec<T>(cast::boxLow), high = scale * Vec<T>(cast::boxHigh);
-    const auto inside = way.form == CastForm::textbook ? textbook::box(ray, low, high) : intersectBox(ray, low, high);
+    const auto inside = isStable(way) ? intersectBox(ray, low, high) : textbook::box(ray, low, high);
     if (!inside) return {};
     const T t = inside->near > 0 ? inside->near : inside->far;
     // The face whose plane is nearest to the point
@@ -91,8 +95,7 @@ template <typename T>
 std::optional<CastHit> castTriangle(T scale, const RayOf<T>& ray, const CastWay& way) {
     const auto [pointA, pointB, pointC] = cast::triangle;
     const Vec<T> a = scale * Vec<T>(pointA), b = scale * Vec<T>(pointB), c = scale * Vec<T>(pointC);
-    const auto hit =
-        way.form == CastForm::textbook ? textbook::triangle(ray, a, b, c) : intersectTriangle(ray, a, b, c);
+    const auto hit = isStable(way) ? intersectTriangle(ray, a, b, c) : textbook::triangle(ray, a, b, c, printOf(way));
     if (!hit) return {};
     return hitAt(hit->t, glm::cross(b - a, c - a) / (scale * scale));
 }
@@ -103,7 +106,7 @@ std::optional<CastHit> castPolygon(T scale, const RayOf<T>& ray, const CastWay& 
     std::array<Vec<T>, 10> corners;
     for (std::size_t i = 0; i < star.size(); ++i) corners[i] = scale * Vec<T>(star[i]);
     const Vec<T> normal(0, 0, 1);
-    if (way.form == CastForm::stable) {
+    if (isStable(way)) {
         const auto t = intersectPolygon(ray, std::span<const Vec<T>>(corners));
         return t ? std::optional(hitAt(*t, normal)) : std::nullopt;
     }
@@ -130,9 +133,9 @@ std::optional<CastHit> castSurface(T scale, const RayOf<T>& ray, const CastWay& 
     const auto surface = [scale](T u, T v) { return cast::flag(u, v, scale); };
     const T half = static_cast<T>(0.5);
     const Vec<T> low(0.125, 1, -4), high(3.375, 3.25, -2);  // round all of it
-    if (way.form == CastForm::stable && !intersectBox(ray, scale * low, scale * high)) return {};
-    const auto hit = way.form == CastForm::textbook ? intersectSurface(ray, surface, SurfaceHit<T>{0, half, half})
-                                                    : intersectSurfaceFromGrid(ray, surface, way.cells);
+    if (isStable(way) && !intersectBox(ray, scale * low, scale * high)) return {};
+    const auto hit = isStable(way) ? intersectSurfaceFromGrid(ray, surface, way.cells)
+                                   : intersectSurface(ray, surface, SurfaceHit<T>{0, half, half});
     if (!hit) return {};
     const SurfaceAt<T> at = cast::flag(hit->u, hit->v, static_cast<T>(1));
     return hitAt(hit->t, glm::cross(at.alongU, at.alongV));
@@ -292,7 +295,7 @@ MeshData placedSphere(const mat4& worldFromObject) {
     return mesh;
 }
 
-// In the world, at scale 1.
+// A mesh of the object in the world, at scale 1.
 MeshData castMeshOf(CastKind kind) {
     MeshData mesh;
     switch (kind) {

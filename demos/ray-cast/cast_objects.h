@@ -30,7 +30,7 @@ inline constexpr std::array<const char*, 12> castKindNames{"plane",    "sphere",
                                                            "cylinder", "cone",        "disk",    "torus"};
 // The teapot, of triangles, and what follows it stand alone; the others together.
 inline constexpr std::size_t castTogether = 7;
-// Whether it has the textbook's form beside the stable one.
+// Whether it has the slides' forms beside the stable one.
 inline bool hasTextbookForm(CastKind kind) { return kind < CastKind::teapot; }
 
 inline const std::array<vec3, 12> castColors{vec3(0.78, 0.76, 0.70), vec3(0.82, 0.30, 0.25), vec3(0.25, 0.50, 0.78),
@@ -38,8 +38,9 @@ inline const std::array<vec3, 12> castColors{vec3(0.78, 0.76, 0.70), vec3(0.82, 
                                              vec3(0.30, 0.70, 0.70), vec3(0.80, 0.50, 0.25), vec3(0.25, 0.50, 0.78),
                                              vec3(0.95, 0.75, 0.20), vec3(0.35, 0.65, 0.35), vec3(0.82, 0.30, 0.25)};
 
-// Which form of an intersection is computed, and in which of the plane's three descriptions.
-enum class CastForm { textbook, stable };
+// Which form of an intersection is computed, and in which of the plane's three descriptions. The slides' forms as printed, the
+// same with their slips mended, and the library's.
+enum class CastForm { printed, textbook, stable };
 enum class PlaneForm { implicit, normal, parametric };
 struct CastWay {
     CastForm form = CastForm::stable;
@@ -47,7 +48,7 @@ struct CastWay {
     int cells = 12;  // a side of the grid that Newton's method starts from; the textbook's has one start, in the middle
 };
 
-// What a ray meets of an object: t in lengths of the ray's direction, the normal in the world, of any length and side.
+// A ray's hit on an object: t in lengths of the ray's direction, the normal in the world, of any length and side.
 struct CastHit {
     double t = 0;
     vec3 normal{0, 0, 1};
@@ -59,13 +60,13 @@ struct CastHit {
 template <typename T>
 std::optional<CastHit> castAt(CastKind kind, double scale, const RayOf<T>& ray, const CastWay& way);
 
-// The same objects as triangles, named by their kinds, each placed in the world but for the scale; not the teapot.
+// The objects as triangles, named by their kinds, each placed in the world but for the scale; not the teapot.
 SceneObject castMesh(CastKind kind, double scale);
 // And as they stand in the world at scale 1; the teapot with `teapotCells` cells a side on each patch. SceneTriangle::object is
 // the kind.
 std::vector<SceneTriangle> castTriangles(const std::vector<CastKind>& kinds, int teapotCells);
 
-// What defines them at scale 1. All numbers are floats, but for the matrix and the star's corners.
+// The numbers that define the objects at scale 1. All are floats, but for the matrix and the star's corners.
 namespace cast {
 inline const vec3 floorCorner(-4, 0, -4), floorAlong(0, 0, 8), floorUp(8, 0, 0);
 inline const vec3 sphereCenter(-1.5, 1, 0.5);

@@ -43,7 +43,7 @@ class CastSide {
     mat4 clipFromWorld_;
 };
 
-// What the ray meets with its t, and below what of `shown` it misses.
+// Lists the objects that the ray meets, each with its t, and below them those of `shown` that it misses.
 void drawCandidates(Drawing& drawing, const Pane& pane, const std::vector<CastCandidate>& met,
                     const std::vector<CastKind>& shown, const TextStyle& words);
 

@@ -1,4 +1,4 @@
-// What ray-cast draws over its picture and beside it: the chosen pixel, its ray from the side, and what that meets.
+// Drawn over the picture and beside it: the chosen pixel, its ray from the side, and the objects that the ray meets.
 #include <algorithm>
 #include <string>
 

@@ -1,4 +1,4 @@
-// What can be set in ray-cast, and what is said of it.
+// The settings of ray-cast: rows, presets, handle and readouts.
 #include <algorithm>
 
 #include "mv/demo/lesson.h"
@@ -8,7 +8,9 @@
 namespace mv::ray_cast {
 namespace {
 
-constexpr WordList formWords{{"textbook", "as the slides print it"}, {"stable", "the library's"}};
+constexpr WordList formWords{{"printed", "as the slides print it, slips and all"},
+                             {"textbook", "the same, mended"},
+                             {"stable", "the library's"}};
 constexpr WordList precisionWords{{"float"}, {"double"}};
 
 }  // namespace

@@ -62,7 +62,7 @@ struct Gpu {
     Program program{"ray-cast"};
     SceneMeshes meshes;
     Drawing drawing;
-    // What was made last, and by which settings
+    // The last picture, and the settings that made it
     Seen seen;
     Picture picture;
     int unlike = 0;
@@ -76,7 +76,7 @@ struct Triangles {
     std::unique_ptr<const TriangleFinder> tree;
 };
 
-// What rays may meet.
+// The objects that rays may meet.
 struct Shown {
     std::vector<CastKind> kinds;
     std::shared_ptr<const Triangles> teapot;
@@ -102,7 +102,7 @@ Scene sceneOf(const Settings& s, const FrameInfo& frame);
 void drawTriangles(Gpu& gpu, const Settings& s, const Frame& frame);
 Settings withoutPixel(Settings s);
 
-// What is drawn beside it: figure.cpp.
+// The chosen pixel, and the scene from the side: figure.cpp.
 Pane picturePane(const FrameInfo& frame);
 Pane sidePane(const FrameInfo& frame);
 CastSide fromSide(const Settings& s, const FrameInfo& frame);

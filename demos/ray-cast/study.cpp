@@ -1,4 +1,4 @@
-// What ray-cast tells in numbers, and what measures it: the t of each pixel against the same rays in long double, and its
+// The readouts of ray-cast, and its study: the t of each pixel against the same rays in long double, and its
 // picture against GL's.
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "mv/demo/demo.h"
+#include "mv/demo/lesson.h"
 #include "ray-cast.h"
 
 namespace mv::ray_cast {
@@ -99,7 +99,7 @@ std::optional<Long> boxAt(const LongRay& ray, const Long3& low, const Long3& hig
     return first;
 }
 
-// By the volumes of tetrahedra: on which side of each edge the ray passes.
+// The volumes of tetrahedra tell on which side of each edge the ray passes.
 std::optional<Long> triangleAt(const LongRay& ray, const Long3& a, const Long3& b, const Long3& c) {
     const auto passes = [&](const Long3& p, const Long3& q) {
         return glm::dot(glm::cross(p - ray.origin, q - ray.origin), ray.direction);
@@ -154,7 +154,7 @@ Long distanceTo(CastKind kind, const Long3& place) {
     return std::min(toSide, std::hypot(place.y, std::max(out - radius, 0.0L)));
 }
 
-// By walking as far as nothing is near: no quadratic and no quartic is solved.
+// Walk on as far as nothing is near: no quadratic and no quartic is solved.
 std::optional<Long> walkTo(CastKind kind, const LongRay& ray, Long size) {
     const Long unit = glm::length(ray.direction);
     Long t = (glm::length(ray.origin) - 4 * size) / unit;
@@ -272,10 +272,9 @@ Reference longDouble(const Demo& demo, const ReferenceFrame&, const auto&) {
     return reference;
 }
 
-// What the demo's rays see, by its own form: 0 for the sky.
+// The objects that the demo's rays see, by its own form: 0 for the sky.
 std::vector<int> seenByRays(const Demo& demo, int side) {
-    const CastWay way{demo.word("form") == "textbook" ? CastForm::textbook : CastForm::stable, PlaneForm::implicit,
-                      static_cast<int>(demo.number("starts"))};
+    const CastWay way{settingsOf<Settings>(demo).form, PlaneForm::implicit, static_cast<int>(demo.number("starts"))};
     const bool isFloat = demo.word("precision") == "float";
     const double size = demo.number("scale");
     std::vector<std::size_t> kinds;

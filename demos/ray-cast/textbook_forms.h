@@ -1,5 +1,5 @@
-// Rays against simple solids as a lecture's slides print them, slips mended: what a first ray caster has. They lose digits,
-// or answer NaN, where mv/geometry/ray.h and ray_forms.h do not. The slips are in tests/shared/textbook_forms_test.cpp.
+// Rays against simple solids by the forms of a lecture's slides: what a first ray caster has. They lose digits, or answer
+// NaN, where mv/geometry/ray.h and ray_forms.h do not. Slips of the slides are mended, unless a form is asked for as printed.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -12,11 +12,13 @@
 
 namespace mv::textbook {
 
-// t = -(A x0 + B y0 + C z0 + D) / (A x + B y + C z)
+enum class Print { mended, asPrinted };
+
+// t = -(A x0 + B y0 + C z0 + D) / (A x + B y + C z). As printed, the numerator has lost A, B and C.
 template <typename T>
-std::optional<T> plane(const RayOf<T>& ray, const glm::vec<4, T>& abcd) {
-    const glm::vec<3, T> normal(abcd);
-    const T t = -(glm::dot(normal, ray.origin) + abcd.w) / glm::dot(normal, ray.direction);
+std::optional<T> plane(const RayOf<T>& ray, const glm::vec<4, T>& abcd, Print print = Print::mended) {
+    const glm::vec<3, T> normal(abcd), factors = print == Print::asPrinted ? glm::vec<3, T>(1) : normal;
+    const T t = -(glm::dot(factors, ray.origin) + abcd.w) / glm::dot(normal, ray.direction);
     if (!(t > 0)) return {};
     return t;
 }
@@ -29,18 +31,21 @@ std::optional<T> plane(const RayOf<T>& ray, const glm::vec<3, T>& point, const g
     return t;
 }
 
-// The point in the plane, then its barycentrics in the projection along the normal's largest component: the slide's lambda 1
-// and 2, with +(a_x - c_x)(y - c_y) in the second.
+// The point in the plane, then its barycentrics in the projection along the normal's largest component, here z:
+//     l1 = ((b_y - c_y)(x - c_x) - (b_x - c_x)(y - c_y)) / N,     N = (a_x - c_x)(b_y - c_y) - (b_x - c_x)(a_y - c_y)
+//     l2 = (-(a_y - c_y)(x - c_x) + (a_x - c_x)(y - c_y)) / N,    l3 = 1 - l1 - l2
+// As printed, the + in l2 is a -.
 template <typename T>
 std::optional<TriangleHit<T>> triangle(const RayOf<T>& ray, const glm::vec<3, T>& a, const glm::vec<3, T>& b,
-                                       const glm::vec<3, T>& c) {
+                                       const glm::vec<3, T>& c, Print print = Print::mended) {
+    const T sign = print == Print::asPrinted ? T(-1) : T(1);
     const glm::vec<3, T> normal = glm::normalize(glm::cross(b - a, c - a));
     const auto t = plane(ray, a, normal);
     if (!t) return {};
     const int axis = droppedAxis(normal);
     const glm::vec<2, T> p = without(axis, ray.at(*t) - c), ac = without(axis, a - c), bc = without(axis, b - c);
     const T below = ac.x * bc.y - bc.x * ac.y;
-    const T first = (bc.y * p.x - bc.x * p.y) / below, second = (-ac.y * p.x + ac.x * p.y) / below;
+    const T first = (bc.y * p.x - bc.x * p.y) / below, second = (-ac.y * p.x + sign * ac.x * p.y) / below;
     const T third = 1 - first - second;
     if (!(first >= 0 && second >= 0 && third >= 0)) return {};
     return TriangleHit<T>{*t, first, second, third};

@@ -17,6 +17,8 @@ TracePicture::Plan planOf(const Settings& s, int width, int height, std::shared_
             .options = {.depth = s.depth,
                         .shadows = s.shadows,
                         .schlick = s.fresnel == Fresnel::schlick,
+                        .highlight = s.highlight,
+                        .falloff = s.falloff,
                         .filtered = s.filtered},
             .pattern = s.pattern,
             .samples = s.samples,

@@ -67,7 +67,11 @@ std::vector<Row<Settings>> rows() {
             .when(hasTriangles, "there are no triangles"),
         angle("eye-turn", &Settings::eyeTurn, "of the eye about the middle"),
         number("eye-height", &Settings::eyeHeight, {0.2, 5}, "of the eye above the floor"),
-        whole("seed", &Settings::seed, {1, 8}, "of what is random"));
+        whole("seed", &Settings::seed, {1, 8}, "of what is random"),
+        number("highlight", &Settings::highlight, {0, 200}, "Phong's exponent, of what is not glass; 0: no highlight")
+            .when(hasLamp, "there is no lamp"),
+        toggle("falloff", &Settings::falloff, "the lamp's light falls as 1/d^2; at the middle of the floor it stays")
+            .when(hasLamp, "there is no lamp"));
 }
 
 constexpr Declaration about{

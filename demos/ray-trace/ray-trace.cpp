@@ -52,7 +52,11 @@ class Tracer {
         const Surface surface = surfaceAt(*met, radius, path.ray.direction);
         if (surface.index > 0) return surface.emitted + throughGlass(path, *met, surface.index, radius);
         vec3 light = surface.emitted;
-        if (surface.mirrored < 1) light += (1 - surface.mirrored) * surface.color * lampsAt(*met);
+        if (surface.mirrored < 1) {
+            const LampLight lamps = lampsAt(*met, path.ray.direction);
+            light += (1 - surface.mirrored) * surface.color * lamps.diffuse;
+            light += (1 - surface.mirrored) * lamps.highlight;
+        }
         if (surface.mirrored > 0) light += follow(path, *met, mirrored(path, *met), surface.mirrored, radius);
         return light;
     }
@@ -82,8 +86,12 @@ class Tracer {
         return nullptr;
     }
 
-    vec3 lampsAt(const Met& met) {
-        vec3 light = scene_.ambient;
+    // The light of the lamps at a place, and what of it goes towards the eye in Phong's lobe.
+    struct LampLight {
+        vec3 diffuse, highlight;
+    };
+    LampLight lampsAt(const Met& met, const vec3& direction) {
+        LampLight light{scene_.ambient, vec3(0)};
         for (const TracedLamp& lamp : scene_.lamps) {
             const vec3 at = lamp.middle + place_.x * lamp.halfU + place_.y * lamp.halfV, way = at - met.point;
             const double cosine = glm::dot(met.normal, glm::normalize(way));
@@ -93,9 +101,17 @@ class Tracer {
                 ++traced.rays;
                 through = letThrough(scene_, startFrom(scene_, met, way), at);
             }
-            light += cosine * through * lamp.light;
+            const double falloff = options_.falloff ? glm::dot(lamp.middle, lamp.middle) / glm::dot(way, way) : 1;
+            light.diffuse += cosine * through * falloff * lamp.light;
+            if (options_.highlight > 0)
+                light.highlight += lobe(met, direction, glm::normalize(way)) * through * falloff * lamp.light;
         }
         return light;
+    }
+    // Phong's lobe about the mirrored direction of the light, half as strong as the lamp at its middle.
+    double lobe(const Met& met, const vec3& direction, const vec3& toLamp) const {
+        const vec3 mirrored = 2 * glm::dot(toLamp, met.normal) * met.normal - toLamp;
+        return 0.5 * std::pow(std::max(0.0, -glm::dot(mirrored, glm::normalize(direction))), options_.highlight);
     }
 
     static vec3 mirrored(const Following& path, const Met& met) {

@@ -30,6 +30,8 @@ struct Settings {
     double eyeTurn = 0;  // degrees
     double eyeHeight = 2;
     int seed = 1;
+    double highlight = 0;  // Phong's exponent; 0: none
+    bool falloff = false;
 };
 
 // The processor makes the picture.

@@ -159,7 +159,8 @@ Study study() {
         return demo.word("room") == "teapot" ? everyTriangle(demo) : ofManySamples(demo);
     };
     study.ofValues = true;
-    study.reads = {"room", "depth", "shadows", "lamp-size", "index", "eye-turn", "eye-height", "triangles"};
+    study.reads = {"room",     "depth",      "shadows",   "lamp-size", "index",
+                   "eye-turn", "eye-height", "triangles", "highlight", "falloff"};
     study.wrongBeyond = 0.02;
     study.problem = "triangles";
     study.scenes = {{"outlines", {{"room", "soft-shadow"}, {"eye-height", "5"}, {"lamp-size", "0"}}},

@@ -32,7 +32,7 @@ struct TracedBall {
 // A lamp that is a parallelogram; of no area, and not seen, where both halves are 0.
 struct TracedLamp {
     vec3 middle{0, 5, 0}, halfU{0}, halfV{0};
-    vec3 light{1};    // on a surface that faces it, whatever the distance
+    vec3 light{1};    // on a surface that faces it: at any distance, or with a falloff at the origin's
     vec3 emitted{3};  // along a ray that meets it, from either side
 };
 
@@ -56,6 +56,8 @@ struct TraceOptions {
     int depth = 8;  // rays that follow each other, at most
     bool shadows = true;
     bool schlick = false;  // instead of Fresnel's equations
+    double highlight = 0;  // Phong's exponent, of what is opaque; 0: only Lambert's part
+    bool falloff = false;  // the lamps' light falls as the square of the distance
     bool filtered = true;  // the floor's squares are averaged over what the ray's cone covers
 };
 

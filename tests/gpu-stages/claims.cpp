@@ -11,10 +11,16 @@
 // - [regular-only-with-euler-0] Of the closed bodies the torus is regular and the sphere is not; what its vertices lack of
 //   six edges is 6 times Euler's number.
 // - [compute-is-the-same-picture] The compute shader stores the picture that the fragment shader draws.
+// - [three-domains] Of one level n the tessellator makes 3/2 n^2 triangles of a triangle, half a one less where n is odd, and of
+//   isolines n lines of n pieces each. No geometry shader here takes these.
+// - [light-is-scattered] Each ray of light through the water lands where the processor says, and adds 1 there.
 // - [says-what-is-lacking] Without a stage the demo draws what it can, and says what it lacks.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <string>
 #include <vector>
 
@@ -222,6 +228,87 @@ TEST(GpuStages, compute_is_the_same_picture) {
         EXPECT_EQ(run.readout("differing"), 0) << width << "x" << height;
         EXPECT_GT(countColors(picture, 50), 40) << "it is a picture";
     }
+}
+
+TEST(GpuStages, three_domains) {
+    DemoRun run("gpu-stages", 96, 56);
+    for (const int n : {1, 2, 3, 8, 63, 64}) {
+        run.set("inner", n).set("domain", "triangles");
+        for (const char* geometry : {"off", "wireframe", "explode"})
+            EXPECT_EQ(countsOf(run.set("geometry", geometry)).out, (3 * n * n - n % 2) / 2) << n << " " << geometry;
+        // By Euler's V - E + F = 1, with 3 n edges at the border
+        EXPECT_EQ(countsOf(run.set("geometry", "shapes")).into, 1 + ((3 * n * n - n % 2) / 2 + 3 * n) / 2) << n;
+        run.set("domain", "isolines");
+        for (const char* geometry : {"off", "wireframe", "shapes"}) {
+            const Counts counts = countsOf(run.set("geometry", geometry));
+            EXPECT_EQ(counts.out, n * n) << geometry;
+            EXPECT_EQ(counts.into, n * n) << "there is no such stage";
+            EXPECT_EQ(counts.found, n * n);
+        }
+    }
+    // Both are of the sheet itself: nothing is drawn where that is not
+    stage().resize(480, 280);
+    run.set("inner", 64).set("geometry", "off");
+    const Picture sheet = run.set("domain", "quads").picture();
+    for (const char* domain : {"triangles", "isolines"}) {
+        const Picture part = run.set("domain", domain).picture();
+        long drawn = 0, beside = 0;
+        for (int y = 0; y < part.height; ++y) {
+            for (int x = 0; x < 200; ++x) {  // the table is beside it
+                if (part.at(x, y) == part.at(0, 0)) continue;
+                ++drawn;
+                bool isSheet = false;  // OpenGL's lines are a pixel wide, at an edge half of it outside
+                for (int v = -1; v <= 1; ++v) {
+                    for (int u = -1; u <= 1; ++u)
+                        isSheet = isSheet ||
+                                  sheet.at(std::max(x + u, 0), std::clamp(y + v, 0, part.height - 1)) != sheet.at(0, 0);
+                }
+                beside += isSheet ? 0 : 1;
+            }
+        }
+        EXPECT_GT(drawn, 1000) << domain;
+        EXPECT_EQ(beside, 0) << domain;
+    }
+}
+
+TEST(GpuStages, light_is_scattered) {
+    DemoRun run("gpu-stages");
+    stage().resize(640, 352);
+    const Picture picture = run.preset("compute").set("kernel", "caustics").picture();
+    constexpr int width = 319, height = 320, left = 320;  // of the right pane, below its heading
+    // The same rays in double
+    std::vector<double> counts(static_cast<std::size_t>(width * height), 0);
+    const auto slope = [](const vec2& from, double f) {
+        const double r = glm::length(from);
+        return f * std::cos(f * r) / r * from;
+    };
+    for (int j = 0; j < 4 * height; ++j) {
+        for (int i = 0; i < 4 * width; ++i) {
+            const vec2 at = (vec2(i, j) + 0.5) / (4.0 * height);
+            const vec2 leans = slope(at - vec2(0.3, 0.35), 40) + slope(at - vec2(0.7, 0.6), 50);
+            const vec2 pixel = glm::floor((at - 0.0006 * leans) * double(height));
+            if (pixel.x >= 0 && pixel.y >= 0 && pixel.x < width && pixel.y < height)
+                ++counts.at(static_cast<std::size_t>(pixel.y) * width + static_cast<std::size_t>(pixel.x));
+        }
+    }
+    // A pixel shows up to 64 rays, as red from 0 to 255. A ray near a border may land beside it by a rounding of float: in blocks
+    // of 8 x 8 the mean is right to a ray in a hundred, and half a step of 8 bits
+    double brightest = 0;
+    for (int y = 0; y + 8 <= height; y += 8) {
+        for (int x = 0; x + 8 <= width; x += 8) {
+            double shown = 0, right = 0;
+            for (int v = y; v < y + 8; ++v) {
+                for (int u = x; u < x + 8; ++u) {
+                    shown += picture.at(left + u, picture.height - 1 - v).red / 255.0;
+                    const double light = counts.at(static_cast<std::size_t>(v) * width + static_cast<std::size_t>(u));
+                    right += std::min(light / 64, 1.0);
+                }
+            }
+            EXPECT_NEAR(shown / 64, right / 64, 0.01 * right / 64 + 0.5 / 255 + 0.002) << x << " " << y;
+            brightest = std::max(brightest, right / 64);
+        }
+    }
+    EXPECT_GT(brightest, 0.4) << "light is gathered: a quarter is the mean";
 }
 
 TEST(GpuStages, says_what_is_lacking) {

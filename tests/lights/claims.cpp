@@ -8,6 +8,7 @@
 // - [behind-lights-nothing] A light behind a surface lights nothing of it.
 // - [cone] A spot lights nothing outside of its outer cone, as much as a point within the inner one, and its edge has no
 //   step where the inner one is smaller.
+// - [colours-multiply] Under red light a picture has its red channel and nothing else; red paper under green light is black.
 // - [finite] A lamp on a surface, and a spot with one cone, give finite light.
 // - [off-costs-nothing] A light that is off, or cannot reach what is seen, is not sent, and the picture is the same.
 // - [as-in-double] The shader gives what the same formulas give in double.
@@ -225,6 +226,32 @@ TEST(Lights, cone) {
         EXPECT_TRUE(within > 50 || inner == 0);
         EXPECT_TRUE(between > 200 || inner == outer);
     }
+}
+
+TEST(Lights, colours_multiply) {
+    DemoRun run("lights", width, height);
+    const auto scene = [&](const char* light, const char* surface) {
+        const Picture picture = run.set("light-color", light).set("surface-color", surface).picture();
+        Picture left(width / 2, height);  // without the table, and what is drawn over the scene for people
+        for (int y = 0; y < height; ++y) {
+            for (int x = 0; x < left.width; ++x) left.set(x, y, picture.at(x, y));
+        }
+        return left;
+    };
+    light(run, {"ambient", "directional"});
+    run.set("height", 3);
+    const Picture white = scene("white", "own"), red = scene("red", "own"), onRed = scene("green", "red");
+    long unlike = 0, notBlack = 0;
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < white.width; ++x) {
+            const Pixel is = red.at(x, y);
+            unlike += is.red != white.at(x, y).red || is.green != 0 || is.blue != 0;
+            notBlack += onRed.at(x, y) != Pixel{0, 0, 0};
+        }
+    }
+    // The directional light's ball, arrow and number, and the cross of the mark
+    EXPECT_LE(unlike, 0.04 * white.width * height);
+    EXPECT_LE(notBlack, 0.04 * white.width * height);
 }
 
 TEST(Lights, finite) {

@@ -11,6 +11,8 @@
 // - [both-ways] Lambert's, the mirror's and Fresnel's parts are the same with light and eye exchanged; the radiance in the glass, and
 //   Phong's lobe as it is printed, are not.
 // - [schlick-from-within] Schlick's curve by the angle within the glass is off by up to 0.96 near total reflection.
+// - [falls-off] With a falloff the lamp's light is as the square of the distance, and that at the origin is as without. Phong's
+//   lobe adds half of the lamp where its mirrored direction leads to the eye, and nothing far from there.
 // - [more-samples] More samples come nearer; in cells, or in a sequence, faster than at random.
 // - [same-answers] None, boxes, grid and tree find the same triangle at the same t, bit for bit.
 #include <gtest/gtest.h>
@@ -314,6 +316,26 @@ TEST(RayTrace, schlick_from_within) {
     DemoRun run("ray-trace", 120, 80);
     const Picture exact = run.picture();
     EXPECT_GT(differentPixels(exact, run.set("fresnel", "schlick").picture()), 100);
+}
+
+TEST(RayTrace, falls_off) {
+    // A grey floor below a lamp without area, from above
+    TracedScene scene;
+    scene.ambient = vec3(0);
+    scene.floor = TracedScene::Floor{0, 1, {.color = vec3(0.8)}, {.color = vec3(0.8)}};
+    scene.lamps = {{.middle = {0, 2, 0}}};
+    const auto light = [&](double x, const TraceOptions& options) {
+        return traceRay(scene, {{x, 3, 0}, {0, -1, 0}}, 0, vec2(0), options).light.x;
+    };
+    for (const double x : {0.01, 0.5, 1.0, 5.0}) {
+        const double without = light(x, {}), with = light(x, {.falloff = true});
+        EXPECT_NEAR(with / without, 4 / (4 + x * x), 1e-12) << x;  // a few roundings
+    }
+    // The eye is where the mirrored ray goes at the origin, straight up, and at 0.01 nearly so
+    const double more = light(0.01, {.highlight = 60}) - light(0.01, {});
+    EXPECT_NEAR(more, 0.5, 0.002);  // 60 times a cosine's 1 - (0.01 / 2)^2 / 2
+    EXPECT_LT(light(5, {.highlight = 60}) - light(5, {}), 1e-6) << "the mirrored ray goes far away from the eye";
+    EXPECT_NEAR(light(0.01, {.highlight = 60, .falloff = true}) - light(0.01, {.falloff = true}), more, 1e-4);
 }
 
 TEST(RayTrace, more_samples) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -25,6 +26,7 @@ TEST(TextbookForms, plane_with_its_coefficients) {
     // Printed: -(x0 + y0 + z0 + D) / (Ax + By + Cz)
     const double printed = -(ray.origin.x + ray.origin.y + ray.origin.z + plane.w) / glm::dot(vec3(plane), way);
     EXPECT_GT(std::abs(printed - 2), 1);
+    EXPECT_EQ(textbook::plane(ray, plane, textbook::Print::asPrinted).value_or(0), std::max(printed, 0.0));
 }
 
 TEST(TextbookForms, second_barycentric) {
@@ -43,6 +45,12 @@ TEST(TextbookForms, second_barycentric) {
         const double below = (a.x - c.x) * (b.y - c.y) - (b.x - c.x) * (a.y - c.y);
         const double printed = (-(a.y - c.y) * (p.x - c.x) - (a.x - c.x) * (p.y - c.y)) / below;
         printedFails += std::abs(printed - weights.y / sum) > 0.01;
+        const auto asPrinted = textbook::triangle(ray, vec3(a, 0), vec3(b, 0), vec3(c, 0), textbook::Print::asPrinted);
+        const double third = 1 - hit->a - printed;
+        ASSERT_EQ(asPrinted.has_value(), printed >= 0 && third >= 0);
+        if (asPrinted) {
+            EXPECT_NEAR(asPrinted->b, printed, 1e-12);
+        }
     }
     EXPECT_GT(printedFails, 190);
 }

@@ -406,7 +406,9 @@ void Program::set(const char* name, double value) const {
     glUniform1f(location(name, {GL_FLOAT}), static_cast<GLfloat>(value));
 }
 void Program::set(const char* name, int value) const {
-    glUniform1i(location(name, {GL_INT, GL_BOOL, GL_SAMPLER_2D, GL_SAMPLER_2D_SHADOW, GL_SAMPLER_CUBE}), value);
+    glUniform1i(location(name, {GL_INT, GL_BOOL, GL_SAMPLER_2D, GL_SAMPLER_2D_SHADOW, GL_SAMPLER_CUBE,
+                                GL_UNSIGNED_INT_SAMPLER_2D}),
+                value);
 }
 void Program::set(const char* name, const vec2& value) const {
     requireFinite(name, &value.x, 2);
