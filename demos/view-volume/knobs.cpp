@@ -58,6 +58,12 @@ std::vector<Row<Settings>> rows() {
             .when(culls, "nothing is culled by it"),
         angle("turn", &Settings::turn, "how far we go round, to the right"),
         number("tilt", &Settings::tilt, {-90, 90}, "how far we go up from there", "deg"),
+        word("stage", &Settings::stage,
+             {{"cube", "all of the projection"},
+              {"sides", "its first half: the sides at 45 degrees, depth as it was"},
+              {"plane", "the first projection of a lecture: onto z = -near, or z = 0"}},
+             "what the right pane shows"),
+        toggle("sight", &Settings::sight, "draw nine lines of sight, on either side"),
     };
 }
 
@@ -78,7 +84,9 @@ std::vector<SettingsPreset<Settings>> presets() {
          "back.",
          {.closer = 1'000'000, .planes = Planes::floatMatrix},
          {{"plane-error", 0.115, 0.125}}},
-        {"from-the-front", "Seen from the front the cube is the camera's picture.", {.turn = 0, .tilt = 0}},
+        {"sight-lines",
+         "Lines of sight that meet in the eye become parallel: the eye has gone to infinity.",
+         {.sight = true}},
     };
 }
 

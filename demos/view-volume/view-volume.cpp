@@ -7,6 +7,7 @@
 #include <glm/matrix.hpp>
 
 #include "mv/geometry/bounds.h"
+#include "mv/geometry/edges.h"
 #include "mv/geometry/in_volume.h"
 #include "mv/gl/functions.h"
 #include "mv/math/projection.h"
@@ -22,17 +23,23 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     // Take the world to clip space by the camera's matrix. On the right one more matrix looks at what that makes
     const std::vector<Pane> panes = frame.panes(2);
     const mat4 clipFromWorld = clipFromCamera(s) * cameraFromWorld(s);
-    const mat4 outside = outsideFromWorld(s, panes[0]), cube = cubeFromClip(s, panes[1]);
+    const mat4 stageFromWorld = stageFromCamera(s) * cameraFromWorld(s);
+    const mat4 outside = outsideFromWorld(s, panes[0]), right = paneFromStage(s, panes[1]);
     frame.show("clipFromWorld", clipFromWorld);
     frame.show("outsideFromWorld", outside);
-    frame.show("cubeFromClip", cube);
+    frame.show(s.stage == Stage::cube ? "cubeFromClip" : "paneFromStage", right);
 
-    // Draw what is kept, from outside and after the projection
+    // Draw what is kept, from outside and after the projection. In a plane nothing hides anything: only edges are drawn
     const Kept kept = keptOf(gpu, s);
     gpu.faces.use();
     gpu.faces.set("clipFromWorld", clipFromWorld);
-    drawPane(gpu, kept, panes[0], outside, false);
-    drawPane(gpu, kept, panes[1], cube * clipFromWorld, true);
+    beginPane(gpu, panes[0], outside, false);
+    drawThings(gpu, kept, gpu.house, gpu.tree);
+    beginPane(gpu, panes[1], right * stageFromWorld, true);
+    if (s.stage == Stage::plane)
+        drawThings(gpu, kept, *gpu.houseOutline, *gpu.treeOutline);
+    else
+        drawThings(gpu, kept, gpu.house, gpu.tree);
 }
 
 // Leave out each object that is whole outside of one plane.
@@ -74,23 +81,25 @@ SixPlanes planesInFloat(const mat4& clipFromCamera) {
 }
 
 // The box of the parallel projection is as wide as the pyramid at 16 m.
-static const double boxHalf = 16 * std::tan(radians(fovy / 2));
+double boxHalf() { return 16 * std::tan(radians(fovy / 2)); }
 
 SixPlanes planesOfBox(const Settings& s) {
-    return {vec4(1, 0, 0, boxHalf * aspect), vec4(-1, 0, 0, boxHalf * aspect), vec4(0, 1, 0, boxHalf),
-            vec4(0, -1, 0, boxHalf),         vec4(0, 0, -1, -s.nearUsed()),    vec4(0, 0, 1, s.far)};
+    const double h = boxHalf();
+    return {vec4(1, 0, 0, h * aspect), vec4(-1, 0, 0, h * aspect),    vec4(0, 1, 0, h),
+            vec4(0, -1, 0, h),         vec4(0, 0, -1, -s.nearUsed()), vec4(0, 0, 1, s.far)};
 }
 
 mat4 clipFromCamera(const Settings& s) {
+    const double h = boxHalf();
     if (s.projection == Projection::perspective) return perspective(fovy, aspect, s.nearUsed(), s.far);
-    return ortho(-boxHalf * aspect, boxHalf * aspect, -boxHalf, boxHalf, s.nearUsed(), s.far);
+    return ortho(-h * aspect, h * aspect, -h, h, s.nearUsed(), s.far);
 }
 
 // The camera stands 3 m high and looks along -z when pan is 0.
 mat4 cameraFromWorld(const Settings& s) { return rotateY(-s.pan) * translate(0, -3, 0); }
 
 // Turn what is looked at, the camera on the left and the cube on the right, by the same angles.
-static mat4 turned(const Settings& s) { return rotateX(s.tilt) * rotateY(-s.turn); }
+mat4 turned(const Settings& s) { return rotateX(s.tilt) * rotateY(-s.turn); }
 
 mat4 outsideFromWorld(const Settings& s, const Pane& pane) {
     return perspective(40, pane.aspect(), 1, 200) * translate(0, 0, -68) * turned(s) * translate(0, -2, 19);
@@ -102,15 +111,18 @@ mat4 cubeFromClip(const Settings& s, const Pane& pane) {
     return ortho(-half * pane.aspect(), half * pane.aspect(), -half, half, -4, 4) * turned(s) * scale(1, 1, -1);
 }
 
-void drawPane(const Gpu& gpu, const Kept& kept, const Pane& pane, const mat4& paneFromWorld, bool isCutOpen) {
+void beginPane(const Gpu& gpu, const Pane& pane, const mat4& paneFromWorld, bool isCutOpen) {
     glViewport(pane.x, pane.y, pane.width, pane.height);
     glScissor(pane.x, pane.y, pane.width, pane.height);
     glClear(GL_COLOR_BUFFER_BIT);
     gpu.faces.set("paneFromWorld", paneFromWorld);
     gpu.faces.set("cutOpen", isCutOpen);
+}
+
+void drawThings(const Gpu& gpu, const Kept& kept, const Mesh& house, const Mesh& tree) {
     for (const std::size_t i : kept.things) {
         gpu.faces.set("worldFromObject", gpu.things[i].worldFromObject);
-        (i == 0 ? gpu.house : gpu.tree).draw();
+        (i == 0 ? house : tree).draw();
     }
     gpu.faces.set("worldFromObject", mat4(1));
     gpu.ground.draw();
@@ -129,6 +141,14 @@ Ball ballOf(const SceneObject& object) {
         ball.radius = std::max(ball.radius, glm::distance(place, ball.center));
     }
     return ball;
+}
+
+// The edges of a body, in grey.
+MeshData outlineOf(const MeshData& mesh) {
+    MeshData edges = edgesOf(mesh);
+    edges.normals.assign(edges.positions.size(), fvec3(0, 1, 0));
+    edges.colors.assign(edges.positions.size(), fvec4(0.2F, 0.2F, 0.2F, 1));
+    return edges;
 }
 
 // Lines on the ground, 4 m apart, from below the camera to the last trees.

@@ -8,6 +8,7 @@
 #include "mv/geometry/scene.h"
 #include "mv/gl/drawing.h"
 #include "mv/gl/mesh.h"
+#include "mv/gl/on_demand.h"
 #include "mv/gl/program.h"
 #include "shared/scenes.h"
 
@@ -16,6 +17,7 @@ namespace mv::view_volume {
 enum class Projection { perspective, orthographic };
 enum class Planes { parameters, matrix, floatMatrix };
 enum class Round { box, ball };
+enum class Stage { cube, sides, plane };
 
 struct Settings {
     Projection projection = Projection::perspective;
@@ -26,10 +28,13 @@ struct Settings {
     Planes planes = Planes::parameters;
     Round round = Round::box;
     double turn = 65, tilt = 32;  // degrees, of who looks at it
+    Stage stage = Stage::cube;    // that the right pane shows
+    bool sight = false;           // draw lines of sight
     double nearUsed() const { return near / closer; }
 };
 
 constexpr double fovy = 50, aspect = 1;  // of the camera
+double boxHalf();                        // of the parallel projection's box, in metres
 inline const vec4 nearColor(0.10, 0.25, 0.90, 1), farColor(0.80, 0.10, 0.10, 1);
 
 struct Ball {
@@ -42,11 +47,14 @@ using Corners = std::array<vec3, 8>;
 Corners boxOf(const SceneObject& object);
 Ball ballOf(const SceneObject& object);
 MeshData groundLines();
+MeshData outlineOf(const MeshData& mesh);
 
 struct Gpu {
     Program faces{"view-volume"};
     std::vector<SceneObject> things = garden().objects;  // the house first, then trees
     Mesh house{things[0].mesh, "house"}, tree{things[1].mesh, "tree"}, ground{groundLines(), "ground"};
+    OnDemand<Mesh> houseOutline{outlineOf(things[0].mesh), "house's edges"};
+    OnDemand<Mesh> treeOutline{outlineOf(things[1].mesh), "tree's edges"};
     std::vector<Corners> boxes;
     std::vector<Ball> balls;
     Drawing drawing;
@@ -75,9 +83,18 @@ SixPlanes planesInFloat(const mat4& clipFromCamera);
 SixPlanes planesOfBox(const Settings& s);
 mat4 clipFromCamera(const Settings& s);
 mat4 cameraFromWorld(const Settings& s);
+mat4 turned(const Settings& s);
 mat4 outsideFromWorld(const Settings& s, const Pane& pane);
 mat4 cubeFromClip(const Settings& s, const Pane& pane);
-void drawPane(const Gpu& gpu, const Kept& kept, const Pane& pane, const mat4& paneFromWorld, bool isCutOpen);
+void beginPane(const Gpu& gpu, const Pane& pane, const mat4& paneFromWorld, bool isCutOpen);
+void drawThings(const Gpu& gpu, const Kept& kept, const Mesh& house, const Mesh& tree);
+
+// stages.cpp: clipFromCamera is clipFromSides * sidesFromCamera.
+mat4 stageFromCamera(const Settings& s);
+mat4 planeFromCamera(const Settings& s);
+mat4 sidesFromCamera(const Settings& s);
+mat4 clipFromSides(const Settings& s);
+mat4 paneFromStage(const Settings& s, const Pane& pane);
 
 // figure.cpp, knobs.cpp, study.cpp.
 void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame);

@@ -49,12 +49,15 @@ const Lesson<Settings, Gpu> lesson{
                 .when(looksAtHouse, "only view 5 looks at a house"),
             number("aim", &Settings::aim, {0, 10}, "view 5: how high on the house to look; at height 0, 5 is level")
                 .when(looksAtHouse, "only view 5 looks at a house"),
+            toggle("camera", &Settings::camera, "show above the picture the camera from outside, and lookAt's matrix"),
         },
     .presets =
         {
             {"original", "The car goes round clockwise; track and houses stand still."},
             {"driver", "Now the car stands still, and the world turns around it.", {.view = View::driver}},
-            {"beside", "The same from beside it: the road runs away underneath.", {.view = View::beside}},
+            {"camera",
+             "From beside the car, and the camera from outside: its axes u, v, w are the rows of lookAt's matrix.",
+             {.view = View::beside, .camera = true}},
             {"house-by-slide",
              "Looking at one house from the moving car, by the slide's formula: houses and track lean over.",
              {.view = View::house, .height = 40}},
@@ -75,6 +78,7 @@ const Lesson<Settings, Gpu> lesson{
                  {"miss", "view 5: angle between the line of sight and the house", "deg"},
                  {"roll", "view 5: how far the horizon is tilted", "deg"}},
     .draw = draw,
+    .figure = drawFigure,
     .readOut = readOut,
     .check = check,
 };

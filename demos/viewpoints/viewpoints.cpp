@@ -14,13 +14,15 @@
 namespace mv::viewpoints {
 
 void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
-    // Let near things hide far ones
+    // Let near things hide far ones, in the lower half where the camera is shown above it
     glEnable(GL_DEPTH_TEST);
+    const Pane pane = lowerPane(s, frame);
+    if (s.camera) glViewport(pane.x, pane.y, pane.width, pane.height);
 
     // Drive, and look
     const Car car = carAt(frame.index());
     const auto [viewFromWorld, viewFromCar] = lookFrom(s, car);
-    const mat4 clipFromView = perspective(50, frame.aspect(), 1, 500);
+    const mat4 clipFromView = perspective(50, pane.aspect(), 1, 500);
     frame.show("viewFromWorld", viewFromWorld);
     frame.show("viewFromCar", viewFromCar);
     frame.show("clipFromView", clipFromView);

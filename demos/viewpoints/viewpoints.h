@@ -2,6 +2,7 @@
 #include "mv/demo/frame.h"
 #include "mv/demo/numbers.h"
 #include "mv/geometry/shapes.h"
+#include "mv/gl/drawing.h"
 #include "mv/gl/mesh.h"
 #include "mv/gl/program.h"
 
@@ -12,9 +13,10 @@ enum class Space { world, car };
 
 struct Settings {
     View view = View::distant;
-    double height = 0;   // added to that of the eye
-    bool exact = false;  // of view 5
-    double aim = 0;      // of view 5: how high on the house
+    double height = 0;    // added to that of the eye
+    bool exact = false;   // of view 5
+    double aim = 0;       // of view 5: how high on the house
+    bool camera = false;  // above the picture, the camera from outside
 };
 
 struct Gpu {
@@ -22,6 +24,7 @@ struct Gpu {
     Mesh track{ringStrip(90, 110, 100), "track"};
     MeshData plainCube = colorCube();
     Mesh cube;
+    Drawing drawing;
     Gpu() {
         plainCube.colors.clear();  // each thing here has one colour, a uniform
         cube = Mesh(plainCube, "cube");
@@ -53,7 +56,20 @@ Look lookFrom(const Settings& s, const Car& car);
 void drawScenery(Gpu& gpu, const mat4& clipFromView, const mat4& viewFromWorld);
 void drawCar(Gpu& gpu, const mat4& viewFromCar);
 vec3 watchedPlace(const Settings& s);
+
+// look.cpp: what lookAt computes. The axes of a camera are unit vectors to the right, up, and back from what it looks at.
+struct Axes {
+    vec3 u, v, w;
+};
+Axes axesOf(const Gaze& gaze);
+mat4 turnInto(const Axes& axes);
+mat4 viewByAxes(const Gaze& gaze);
+vec3 eyeOf(const mat4& view);
+
+// knobs.cpp, study.cpp, figure.cpp.
 void check(const Settings& s);
+Pane lowerPane(const Settings& s, const FrameInfo& frame);
+void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame);
 void readOut(Gpu& gpu, const Settings& s, const Frame& frame, Numbers& numbers);
 
 }  // namespace mv::viewpoints

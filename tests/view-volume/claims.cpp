@@ -6,6 +6,9 @@
 // - [cube-is-the-picture] Seen from the front the canonical cube is what the camera sees.
 // - [near-takes-the-cube] The nearer near is, the thinner the slice of the cube that is left for what is far away.
 // - [parameters-never-cancel] Planes from near and far are exact at any far/near; from the matrix they are not.
+// - [onto-a-plane] The first matrices draw a point where its line of sight meets the plane; the shadow's matrix is the same.
+// - [two-halves] The projection is the matrix that brings the sides to 45 degrees, and then one of depth alone.
+// - [sight-becomes-parallel] Lines of sight become parallel to z, since the eye goes to the point at infinity there.
 // - [near-below-far] Near not below far is refused with both.
 #include <gtest/gtest.h>
 
@@ -20,11 +23,13 @@
 
 #include "mv/geometry/ray_caster.h"
 #include "mv/math/projection.h"
+#include "mv/math/shadow.h"
 #include "mv/math/transform.h"
 #include "mv/paper/audit.h"
 #include "shared/scenes.h"
 #include "support/demo_run.h"
 #include "support/random.h"
+#include "view-volume/view-volume.h"
 
 using namespace mv;
 using namespace mv::test;
@@ -269,6 +274,75 @@ TEST(ViewVolume, parameters_never_cancel) {
     ASSERT_EQ(run.messages().size(), 1U);
     EXPECT_NE(run.messages()[0].find("cancelled to 0 in float"), std::string::npos);
     EXPECT_THROW(run.demo().values(), Error);
+}
+
+namespace {
+
+double largestDifference(const mat4& a, const mat4& b) {
+    double most = 0;
+    for (int column = 0; column < 4; ++column) {
+        for (int row = 0; row < 4; ++row) most = std::max(most, std::abs(a[column][row] - b[column][row]));
+    }
+    return most;
+}
+
+}  // namespace
+
+TEST(ViewVolume, onto_a_plane) {
+    view_volume::Settings s;
+    Random random(6);
+    for (const double near : {0.5, 8.0, 25.0}) {
+        s.near = near;
+        for (int i = 0; i < 100; ++i) {
+            const vec3 p(random.number(-20, 20), random.number(-20, 20), random.number(-60, -0.1));
+            // The line from the eye, t p, meets z = -near at t = near / -p.z. Roundings of numbers up to 20 * 25 / 0.1
+            s.projection = view_volume::Projection::perspective;
+            const vec4 q = planeFromCamera(s) * vec4(p, 1);
+            EXPECT_NEAR(glm::length(vec3(q) / q.w - near / -p.z * p), 0, 1e-11);
+            s.projection = view_volume::Projection::orthographic;
+            EXPECT_EQ(planeFromCamera(s) * vec4(p, 1), vec4(p.x, p.y, 0, 1));
+        }
+        // The shadow's matrix for a light in the eye and this plane, up to a factor
+        s.projection = view_volume::Projection::perspective;
+        const mat4 shadow = shadowProjection(vec4(0, 0, 0, 1), vec4(0, 0, 1, near));
+        EXPECT_LT(largestDifference(shadow / shadow[0][0], planeFromCamera(s)), 1e-15);
+    }
+}
+
+TEST(ViewVolume, two_halves) {
+    view_volume::Settings s;
+    for (const auto projection : {view_volume::Projection::perspective, view_volume::Projection::orthographic}) {
+        s.projection = projection;
+        for (const double near : {0.5, 8.0, 25.0}) {
+            s.near = near;
+            // Numbers of at most 2 f n/(f - n) = 300, each from a few products
+            EXPECT_LT(largestDifference(clipFromSides(s) * sidesFromCamera(s), clipFromCamera(s)), 1e-12);
+        }
+    }
+    // The upper edge of the pyramid comes to 45 degrees
+    s.projection = view_volume::Projection::perspective;
+    const vec4 edge = sidesFromCamera(s) * vec4(0, std::tan(radians(view_volume::fovy / 2)), -1, 1);
+    EXPECT_NEAR(edge.y, -edge.z, 1e-15);
+}
+
+TEST(ViewVolume, sight_becomes_parallel) {
+    const mat4 clip = clipFromCamera(view_volume::Settings{});
+    const vec4 eyeAt = clip * vec4(0, 0, 0, 1);
+    EXPECT_EQ(vec3(eyeAt.x, eyeAt.y, eyeAt.w), vec3(0));
+    EXPECT_NE(eyeAt.z, 0);
+    for (const vec2& through : {vec2(0, 0), vec2(0.3, -0.2), vec2(-0.4, 0.4)}) {
+        const vec3 direction(through, -1);
+        const vec3 begin = ndcFromClip(clip * vec4(8.0 * direction, 1)),
+                   end = ndcFromClip(clip * vec4(30.0 * direction, 1));
+        EXPECT_NEAR(glm::length(vec2(begin) - vec2(end)), 0, 1e-15);  // a few roundings of numbers below 1
+        EXPECT_NEAR(begin.z, -1, 1e-15);
+        EXPECT_NEAR(end.z, 1, 1e-15);
+    }
+    // They are drawn, nine in each pane: more of their colour than one line of it has
+    DemoRun run("view-volume");
+    const Pixel sight{140, 26, 153};
+    EXPECT_EQ(countPixels(run.picture(), sight), 0);
+    EXPECT_GT(countPixels(run.preset("sight-lines").picture(), sight), 1000);
 }
 
 TEST(ViewVolume, near_below_far) {

@@ -7,6 +7,8 @@
 // - [slide-misses-house] View 5 by the slide's formula misses the house and tilts the horizon, the more the higher.
 // - [exact-hits-house] View 5 with eye and target taken to world space has the house in the middle, horizon level.
 // - [down-needs-another-up] Straight down, up = z is refused; up = y puts +y at the top and +x to the right.
+// - [lookat-by-axes] lookAt is R T(-eye), and R's rows are u, v, w; -R^T t is the eye. A system with its origin at -eye is another.
+// - [camera-from-outside] With the camera shown, the axes are drawn above the picture, which is the same in the lower half.
 // - [eye-under-the-roof] In views 4 and 5 a height that puts the eye under the car's roof is refused.
 #include <gtest/gtest.h>
 
@@ -17,6 +19,8 @@
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
 #include "support/demo_run.h"
+#include "support/random.h"
+#include "viewpoints/viewpoints.h"
 
 using namespace mv::test;
 using mv::mat4;
@@ -241,6 +245,46 @@ TEST(Viewpoints, down_needs_another_up) {
         }
     }
     EXPECT_GT(countPixels(picture, {0, 0, 255}), 100);
+}
+
+TEST(Viewpoints, lookat_by_axes) {
+    Random random(1);
+    const auto place = [&] { return random.point(200); };
+    for (int i = 0; i < 1000; ++i) {
+        const mv::viewpoints::Gaze gaze{place(), place(), mv::viewpoints::Space::world, place()};
+        const auto [u, v, w] = axesOf(gaze);
+        // Unit vectors, each perpendicular to the others, and right-handed. Some ten roundings of 1
+        EXPECT_NEAR(length(u), 1, 2e-15);
+        EXPECT_NEAR(length(cross(u, v) - w), 0, 2e-15);
+        EXPECT_NEAR(dot(u, gaze.up), 0, 1e-13);  // up is 200 long
+        EXPECT_GT(dot(v, gaze.up), 0);
+        EXPECT_GT(dot(w, gaze.eye - gaze.at), 0);
+        // Coordinates of 350, three products and sums each; up may be as near as 0.01 to the gaze, which takes two digits
+        const mat4 byAxes = viewByAxes(gaze), look = mv::lookAt(gaze.eye, gaze.at, gaze.up);
+        EXPECT_LT(largestDifference(byAxes, look), 1e-11);
+        EXPECT_NEAR(length(mv::viewpoints::eyeOf(look) - gaze.eye), 0, 1e-12);
+        const vec3 origin(look * vec4(gaze.eye, 1));
+        EXPECT_NEAR(length(origin), 0, 1e-12);
+        // The slide's words: a system with its origin at -eye has a translation by +eye
+        const mat4 slide = turnInto(axesOf(gaze)) * mv::translate(gaze.eye);
+        EXPECT_NEAR(length(vec3(slide * vec4(gaze.eye, 1))), 2 * length(gaze.eye), 1e-12);
+    }
+}
+
+TEST(Viewpoints, camera_from_outside) {
+    for (int view = 1; view <= 9; ++view) {
+        DemoRun whole("viewpoints", 400, 400);
+        whole.set("view", std::to_string(view)).set("camera", "on");
+        const mv::Picture both = whole.picture(15);
+        const long red = countPixels(both, {204, 26, 26}), green = countPixels(both, {0, 115, 26}),
+                   blue = countPixels(both, {26, 64, 230});
+        EXPECT_GT(std::min({red, green, blue}), 20) << view;
+        DemoRun half("viewpoints", 400, 200);
+        const mv::Picture below = half.set("view", std::to_string(view)).picture(15);
+        for (int y = 0; y < 200; ++y) {
+            for (int x = 0; x < 400; ++x) ASSERT_EQ(both.at(x, 200 + y), below.at(x, y)) << view;
+        }
+    }
 }
 
 TEST(Viewpoints, eye_under_the_roof) {
