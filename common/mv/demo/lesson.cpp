@@ -1,5 +1,8 @@
 #include "mv/demo/lesson.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "mv/demo/seen.h"
 
 namespace mv {
@@ -12,6 +15,32 @@ class Word final : public WordChoice {
     using WordChoice::index;
 };
 
+// A Whole whose high end stands for `most`: from there a step leads to the number below it.
+class WholeUpTo final : public Whole {
+  public:
+    WholeUpTo(Demo* owner, const AnyRow& row, int initial, std::function<int()> most)
+        : Whole(owner, row.name, initial, row.wholes, row.help, row.unit), range_(row.wholes), most_(std::move(most)) {}
+    bool step(double amount) override {
+        const std::string before = text();
+        take(std::clamp(present() + std::round(amount), double(range_.low), double(end())));
+        return text() != before;
+    }
+    bool widget(Panel& panel) override {
+        int shown = present();
+        if (!panel.slider(*this, shown, range_.low, end())) return false;
+        take(shown);
+        return true;
+    }
+
+  private:
+    int end() const { return std::clamp(most_(), range_.low, range_.high); }
+    int present() const { return std::min<int>(*this, end()); }
+    void take(double value) { parse(std::to_string(value >= end() ? range_.high : static_cast<int>(value))); }
+
+    Range range_;
+    std::function<int()> most_;
+};
+
 template <class Value>
 const Value& at(const void* settings, const AnyRow& row) {
     return *reinterpret_cast<const Value*>(static_cast<const std::byte*>(settings) + row.offset);
@@ -21,7 +50,7 @@ Value& at(void* settings, const AnyRow& row) {
     return *reinterpret_cast<Value*>(static_cast<std::byte*>(settings) + row.offset);
 }
 
-std::unique_ptr<Knob> makeKnob(Demo* owner, const AnyRow& row, const void* initial) {
+std::unique_ptr<Knob> makeKnob(Demo* owner, const AnyRow& row, const void* initial, std::function<int()> most) {
     const void* value = &at<std::byte>(initial, row);
     switch (row.kind) {
         case AnyRow::Kind::number:
@@ -29,6 +58,7 @@ std::unique_ptr<Knob> makeKnob(Demo* owner, const AnyRow& row, const void* initi
         case AnyRow::Kind::angle:
             return std::make_unique<Angle>(owner, row.name, at<double>(initial, row), row.help);
         case AnyRow::Kind::whole:
+            if (row.most) return std::make_unique<WholeUpTo>(owner, row, at<int>(initial, row), std::move(most));
             return std::make_unique<Whole>(owner, row.name, at<int>(initial, row), row.wholes, row.help, row.unit);
         case AnyRow::Kind::word:
             return std::make_unique<Word>(owner, row, row.index(value));
@@ -71,8 +101,8 @@ void storeValue(const AnyRow& row, const Knob& knob, void* settings) {
 
 }  // namespace
 
-void LessonBase::addRow(const AnyRow& row, const void* initial) {
-    bound_.push_back({&row, makeKnob(this, row, initial)});
+void LessonBase::addRow(const AnyRow& row, const void* initial, std::function<int()> most) {
+    bound_.push_back({&row, makeKnob(this, row, initial, std::move(most))});
     if (row.startsOver) bound_.back().knob->beginsAnew();
 }
 

@@ -9,6 +9,7 @@
 //
 // What is said of a Demo's functions of these names holds for a lesson's; addLesson() makes a Demo of it.
 #pragma once
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -124,8 +125,8 @@ struct Lesson {
 // What a lesson is as a Demo, but for the types of its settings.
 class LessonBase : public Demo {
   protected:
-    // Makes the knobs, with the values of `initial`.
-    void addRow(const AnyRow& row, const void* initial);
+    // Makes the knobs, with the values of `initial`; `most`: of a row that has it, asked of the settings as they are.
+    void addRow(const AnyRow& row, const void* initial, std::function<int()> most);
     void addControl(const Control& control);
     void addReadout(const Probe::Number& number);
     // Writes the knobs' values into settings.
@@ -151,7 +152,10 @@ class LessonDemo final : public LessonBase {
     explicit LessonDemo(std::shared_ptr<const Of> lesson, const Settings& initial = {}) : lesson_(std::move(lesson)) {
         if (lesson_->step) remembered_.emplace(this);
         for (const Row<Settings>& row : lesson_->rows) {
-            addRow(row, &initial);
+            addRow(row, &initial, [this, &row] {
+                const Settings now = settings();
+                return row.most(&now);
+            });
             for (const AnyRow::Condition& condition : row.conditions) {
                 knobs().back()->onlyWhen(
                     [this, &condition] {

@@ -90,6 +90,7 @@ struct AnyRow {
     void (*setIndex)(void* value, int) = {};  //
     std::span<const vec2> (*places)(const void* value) = {};
     void (*setPlaces)(void* value, const std::vector<vec2>&) = {};
+    std::function<int(const void* settings)> most = {};  // of a whole number: how far it does something now
     bool startsOver = false;
     struct Condition {
         std::function<bool(const void* settings)> holds;
@@ -104,6 +105,12 @@ struct Row : AnyRow {
     Row when(bool (*holds)(const Settings&), Literal reason) && {
         conditions.push_back(
             {[holds](const void* settings) { return holds(*static_cast<const Settings*>(settings)); }, reason});
+        return std::move(*this);
+    }
+    // A whole number that does nothing beyond `count`, and whose highest value stands for it however far that is: keys and
+    // the panel's slider go from the low end to there.
+    Row upTo(int (*count)(const Settings&)) && {
+        most = [count](const void* settings) { return count(*static_cast<const Settings*>(settings)); };
         return std::move(*this);
     }
     // For a lesson with a memory: a change of this setting begins anew, at frame 0.

@@ -33,7 +33,7 @@ class KnobPanel final : public Panel {
   private:
     bool row(const Demo& demo, Knob& knob, float labelWidth, const std::string& side);
     bool otherRow(const Demo& demo, Knob& knob, float labelWidth, Comparison& comparison);
-    bool bar(const Knob& knob, double& value, double low, double high, double digits);
+    bool bar(const Knob& knob, double& value, double low, double high, double digits, const std::string& text);
     bool logarithmicBar(const Knob& knob, double& value, const NumberRange& range);
     bool field(Knob& knob);
     void openField(const Knob& knob);
