@@ -127,7 +127,7 @@ TEST_P(Sweep, presets) {
     if (sanitized) drawSmall();
     const std::vector<Preset>& presets = stage().info().presets;
     EXPECT_GE(presets.size(), 2U);
-    EXPECT_LE(presets.size(), 6U);
+    EXPECT_LE(presets.size(), 8U);
     std::vector<Picture> pictures;
     for (const Preset& preset : presets) {
         applyPreset(run.demo(), preset);

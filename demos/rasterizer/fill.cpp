@@ -31,6 +31,10 @@ static Flooded flooded(const Fill& fill, PixelMap map, const Grid& grid) {
                                       : floodByRecursion(map, x, y, 2, fill.neighbours);
 }
 
+std::size_t countFill(const Fill& fill, const Corners& corners, const Grid& grid) {
+    return flooded(fill, outlineOf(corners, grid), grid).pixels.size();
+}
+
 void drawFill(Gpu& gpu, const Fill& fill, const Corners& corners, const Grid& grid, const Frame& frame) {
     const PixelMap outline = outlineOf(corners, grid);
     const std::vector<PixelStep> pixels = flooded(fill, outline, grid).pixels;
@@ -39,7 +43,7 @@ void drawFill(Gpu& gpu, const Fill& fill, const Corners& corners, const Grid& gr
     showPictures(gpu, frame, grid, inked(grid, pixels, &outline), orderOf(grid, pixels, &outline), shape);
     showWords(gpu, frame, grid,
               std::string(nameOf(fill.flood)) + ", " + std::to_string(fill.neighbours) +
-                  " neighbours: " + std::to_string(pixels.size()) + " pixels",
+                  " neighbours: " + countOf(grid, pixels.size()),
               "the order: from blue to yellow");
 }
 

@@ -1,5 +1,9 @@
 // What can be set in rasterizer, and what is said of it.
+#include <algorithm>
+#include <cstddef>
+
 #include "mv/demo/lesson.h"
+#include "mv/error.h"
 #include "sheet.h"
 
 namespace mv::rasterizer {
@@ -12,6 +16,8 @@ constexpr WordList lineWords{{"naive", "y += m, rounded"},
                              {"bresenham", "4: times 2, whole numbers only"},
                              {"octants", "the whole of Bresenham's method"},
                              {"smooth", "two pixels a column, by nearness"}};
+constexpr WordList thickenWords{{"columns", "each pixel becomes a column of them, or a row where the line is steep"},
+                                {"across", "those whose middles are within half the thickness of the line"}};
 constexpr WordList methodWords{{"brute", "every pixel is asked"},
                                {"box", "those of its box"},
                                {"incremental", "A is added to the right, B upwards"},
@@ -20,6 +26,10 @@ constexpr WordList methodWords{{"brute", "every pixel is asked"},
 constexpr WordList ruleWords{{"bottom-left", "left and bottom edges keep their pixels"}, {"inside"}, {"outside"}};
 constexpr WordList floodWords{{"recursive", "as on the slide"}, {"spans", "whole runs of a row"}};
 constexpr WordList windingWords{{"even-odd"}, {"nonzero"}};
+constexpr WordList circleWords{{"columns", "in each column the square root, rounded"},
+                               {"mirrored", "the same in one eighth, and its mirror images"},
+                               {"turned", "a point turned by 1/r radian at a time"},
+                               {"midpoint", "one eighth in whole numbers, and its mirror images"}};
 
 }  // namespace
 
@@ -28,6 +38,31 @@ const char* nameOf(FillMethod method) { return wordOf(methodWords, method); }
 const char* nameOf(EdgeRule rule) { return wordOf(ruleWords, rule); }
 const char* nameOf(Flood flood) { return wordOf(floodWords, flood); }
 const char* nameOf(Winding winding) { return wordOf(windingWords, winding); }
+const char* nameOf(CircleMethod method) { return wordOf(circleWords, method); }
+
+int mostSteps(const Settings& s) {
+    const Grid grid(s);
+    const auto count = [&]() -> std::size_t {
+        switch (s.subject) {
+            case Subject::line:
+                return countLine(s.line, grid);
+            case Subject::triangle:
+                return countTriangles(s.triangles, s.corners, grid);
+            case Subject::fill:
+                return countFill(s.fill, s.corners, grid);
+            case Subject::star:
+                return countStar(s.star, grid);
+            case Subject::circle:
+                return countCircle(s.circle, grid);
+        }
+        return allSteps;
+    };
+    try {
+        return static_cast<int>(std::min<std::size_t>(count(), allSteps));
+    } catch (const Error&) {
+        return allSteps;  // a fill that would end the stack makes no picture
+    }
+}
 
 namespace {
 
@@ -42,10 +77,17 @@ std::vector<Row<Settings>> rows() {
              {{"line"},
               {"triangle"},
               {"fill", "an outline drawn with lines"},
-              {"star", "a polygon that crosses itself"}},
+              {"star", "a polygon that crosses itself"},
+              {"circle"}},
              "what is drawn"),
-        part(&Settings::line, {word("line", &Line::method, lineWords, "how a line is drawn")}, is<Subject::line>,
-             "only a line has it"),
+        part(&Settings::line,
+             {word("line", &Line::method, lineWords, "how a line is drawn"),
+              whole("thickness", &Line::thickness, {1, 9}, "how thick the line is", "pixels")
+                  .when([](const Line& line) { return line.method != LineMethod::smooth; }, "a smooth line is thin"),
+              word("thicken", &Line::thicken, thickenWords, "how a line is made thick")
+                  .when([](const Line& line) { return line.thickness > 1 && line.method != LineMethod::smooth; },
+                        "the line is one pixel thick")},
+             is<Subject::line>, "only a line has it"),
         part(&Settings::triangles,
              {word("method", &Triangles::method, methodWords, "how a triangle's pixels are found"),
               word("rule", &Triangles::rule, ruleWords, "a pixel whose middle is on an edge"),
@@ -62,8 +104,12 @@ std::vector<Row<Settings>> rows() {
              is<Subject::fill>, "only a fill has it"),
         part(&Settings::star, {word("winding", &Star::winding, windingWords, "what is inside of a star")},
              is<Subject::star>, "only the star has it"),
+        part(&Settings::circle,
+             {word("circle", &Circle::method, circleWords, "how a circle is drawn"),
+              number("radius", &Circle::radius, {0, 24}, "of the circle, where the grid is 24 wide")},
+             is<Subject::circle>, "only a circle has it"),
         oneOf("cells", &Settings::cells, {24, 48, 96, 384}, "pixels across"),
-        whole("step", &Settings::step, {0, allSteps}, "how many pixels are set; 999: all"),
+        whole("step", &Settings::step, {0, allSteps}, "how many pixels are set; 999: all").upTo(mostSteps),
         part(&Settings::line,
              {points("ends", &Line::ends, {{0, 0}, {23, 17}, 2, 2, 1}, "x,y of the pixels at a line's ends")},
              is<Subject::line>, "there is none"),
@@ -75,7 +121,10 @@ std::vector<Row<Settings>> rows() {
              is<Subject::star>, "there is none"),
         part(&Settings::fill,
              {points("seed", &Fill::seed, {{0, 0}, {23, 17}, 1, 1, 1}, "x,y of the pixel where a fill begins")},
-             is<Subject::fill>, "only a fill has it"));
+             is<Subject::fill>, "only a fill has it"),
+        part(&Settings::circle,
+             {points("middle", &Circle::middle, {{-24, -18}, {47, 35}, 1, 1, 1}, "x,y of the circle's middle pixel")},
+             is<Subject::circle>, "only a circle has it"));
 }
 
 constexpr Declaration about{
@@ -94,6 +143,9 @@ constexpr Declaration about{
 std::vector<SettingsPreset<Settings>> presets() {
     return {
         {"bresenham", "One pixel a column, the nearest; the error term in figures."},
+        {"thick",
+         "A column of five pixels for each: the line is as thin as four where it rises by 45 degrees.",
+         {.line = {.thickness = 5, .ends = {vec2(4, 2), vec2(16, 14)}}}},
         {"naive",
          "Made for slopes up to 1: a steep line has gaps.",
          {.line = {.method = LineMethod::naive, .ends = {vec2(8, 1), vec2(13, 16)}}}},
@@ -109,6 +161,9 @@ std::vector<SettingsPreset<Settings>> presets() {
         {"leak",
          "Eight neighbours: the fill leaks through the outline.",
          {.subject = Subject::fill, .fill = {.neighbours = 8}}},
+        {"circle",
+         "One eighth in whole numbers, and its seven mirror images; below 0 the next pixel goes on, else one down.",
+         {.subject = Subject::circle}},
     };
 }
 
@@ -128,6 +183,10 @@ std::optional<vec2> placeOfPixel(const Settings& s, const FrameInfo& frame, cons
     if (!is<subject>(s)) return {};
     return placeOf(s, frame, at + 0.5);
 }
+std::optional<vec2> placeOfRim(const Settings& s, const FrameInfo& frame) {
+    if (!is<Subject::circle>(s)) return {};
+    return placeOf(s, frame, s.circle.middle + vec2(s.circle.radius + 0.5, 0.5));
+}
 
 const bool added =
     addLesson(about, Lesson<Settings, Gpu>{
@@ -137,12 +196,15 @@ const bool added =
                          .handles = {{"end", {"ends"}, {}, placeOfPixel<Subject::line>},
                                      {"corner", {"corners"}, {}, placeOfPoint<Subject::triangle, Subject::fill>},
                                      {"star's corner", {"star"}, {}, placeOfPoint<Subject::star>},
-                                     {"seed", {"seed"}, {}, placeOfPixel<Subject::fill>}},
+                                     {"seed", {"seed"}, {}, placeOfPixel<Subject::fill>},
+                                     {"middle", {"middle"}, {}, placeOfPixel<Subject::circle>},
+                                     {"rim", {"radius"}, placeOfRim}},
                          .readouts = {{"set", "pixels that are set"},
                                       {"asked", "edge functions evaluated"},
                                       {"doubles", "pixels that both triangles set"},
                                       {"holes", "pixels between the triangles that neither sets"},
                                       {"differs", "pixels that OpenGL sets otherwise"},
+                                      {"as-thick", "pixels of the line over its length", "pixels"},
                                       {"deepest", "calls within each other, or runs that wait"}},
                          .draw = draw,
                          .readOut = readOut,

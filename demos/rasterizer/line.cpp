@@ -3,8 +3,11 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <utility>
 
+#include "fill.h"
 #include "sheet.h"
 #include "trials.h"
 
@@ -12,42 +15,49 @@ namespace mv::rasterizer {
 
 static std::vector<PixelStep> pixelsOf(const Line& line, const Grid& grid) {
     const auto [from, to] = line.ends;
-    return linePixels(line.method, grid.whole(from.x), grid.whole(from.y), grid.whole(to.x), grid.whole(to.y));
+    return thickLine(line.method, line.thicken, line.thickness, grid.whole(from.x), grid.whole(from.y),
+                     grid.whole(to.x), grid.whole(to.y));
 }
 
-static void drawErrors(Gpu& gpu, const std::vector<PixelStep>& pixels, const Grid& grid, const Frame& frame);
+std::size_t countLine(const Line& line, const Grid& grid) { return pixelsOf(line, grid).size(); }
+
+static MeshData meshOf(const Line& line, const Grid& grid);
 
 void drawLine(Gpu& gpu, const Line& line, const Grid& grid, const Frame& frame) {
     const std::vector<PixelStep> pixels = pixelsOf(line, grid);
-    MeshData data{.primitive = Primitive::lines};
-    for (const vec2& end : line.ends) {
-        data.positions.emplace_back(grid.whole(end.x) + 0.5, grid.whole(end.y) + 0.5, 1);
-        data.colors.emplace_back(fvec3(colorOf(first)), 1);
-    }
-    const Picture mine = inked(grid, pixels), glPicture = byOpenGl(gpu, std::move(data), grid, frame);
+    const Picture mine = inked(grid, pixels), glPicture = byOpenGl(gpu, meshOf(line, grid), grid, frame);
 
     showPictures(gpu, frame, grid, mine, glPicture, {{{line.ends[0] + 0.5, line.ends[1] + 0.5}}});
-    drawErrors(gpu, pixels, grid, frame);
-    showWords(gpu, frame, grid, std::string(nameOf(line.method)) + ": " + std::to_string(pixels.size()) + " pixels",
+    if (line.thickness == 1) showErrors(gpu, pixels, grid, frame);
+    showWords(gpu, frame, grid, std::string(nameOf(line.method)) + ": " + countOf(grid, pixels.size()),
               rounded("OpenGL: pixels set otherwise: %.0f", double(countDifferent(mine, glPicture))));
 }
 
-// The error term, in figures, where there is room for them.
-static void drawErrors(Gpu& gpu, const std::vector<PixelStep>& pixels, const Grid& grid, const Frame& frame) {
-    const Plot plot = plotOf(frame, grid);
-    if (plot.box.size().x / grid.columns < 15) return;
-    for (std::size_t i = 0; i < grid.made(pixels.size()); ++i) {
-        const PixelStep& pixel = pixels[i];
-        gpu.drawing.textAround(plot.pixel({pixel.x + 0.5, pixel.y + 0.5}),
-                               rounded(std::abs(pixel.error) < 10 ? "%.2g" : "%.0f", pixel.error),
-                               {9, pixel.coverage > 0.6 ? vec4(1) : ink, vec4(0)});
+// For OpenGL: a thin line is a line, a thick one a strip of two triangles.
+static MeshData meshOf(const Line& line, const Grid& grid) {
+    MeshData data{.primitive = line.thickness == 1 ? Primitive::lines : Primitive::triangles};
+    const auto add = [&](const vec2& at) {
+        data.positions.emplace_back(at.x, at.y, 1);
+        data.colors.emplace_back(fvec3(colorOf(first)), 1);
+    };
+    const auto [from, to] = line.ends;
+    if (line.thickness == 1) {
+        for (const vec2& end : {from, to}) add({grid.whole(end.x) + 0.5, grid.whole(end.y) + 0.5});
+        return data;
     }
+    const auto corners =
+        stripOf(line.thickness, grid.whole(from.x), grid.whole(from.y), grid.whole(to.x), grid.whole(to.y));
+    for (const std::size_t i : {0, 1, 2, 0, 2, 3}) add(corners.at(i));
+    return data;
 }
 
 void readLine(const Gpu& gpu, const Line& line, const Grid& grid, Numbers& numbers) {
     const std::vector<PixelStep> pixels = pixelsOf(line, grid);
     numbers.set("set", double(pixels.size()));
     numbers.set("differs", double(countDifferent(inked(grid, pixels), gpu.glPicture)));
+    const vec2 from(grid.whole(line.ends[0].x), grid.whole(line.ends[0].y)),
+        to(grid.whole(line.ends[1].x), grid.whole(line.ends[1].y));
+    if (from != to) numbers.set("as-thick", double(pixels.size()) / glm::distance(from, to));
 }
 
 }  // namespace mv::rasterizer
@@ -183,6 +193,47 @@ std::vector<PixelStep> linePixels(LineMethod method, int x1, int y1, int x2, int
             return smooth(x1, y1, x2, y2);
     }
     return {};
+}
+
+std::vector<PixelStep> thickLine(LineMethod method, Thicken thicken, int thickness, int x1, int y1, int x2, int y2) {
+    const std::vector<PixelStep> thin = linePixels(method, x1, y1, x2, y2);
+    if (thickness == 1 || method == LineMethod::smooth) return thin;
+    std::vector<PixelStep> set;
+    if (thicken == Thicken::across) {
+        const auto corners = stripOf(thickness, x1, y1, x2, y2);
+        vec2 low = corners[0], high = corners[0];
+        for (const vec2& corner : corners) {
+            low = glm::min(low, corner);
+            high = glm::max(high, corner);
+        }
+        // polygonPixels() has a picture from (0, 0) on
+        const auto left = static_cast<int>(std::floor(low.x)), bottom = static_cast<int>(std::floor(low.y));
+        std::vector<vec2> moved;
+        for (const vec2& corner : corners) moved.emplace_back(corner.x - left, corner.y - bottom);
+        set = polygonPixels(moved, static_cast<int>(std::ceil(high.x)) - left,
+                            static_cast<int>(std::ceil(high.y)) - bottom, Winding::nonZero);
+        for (PixelStep& pixel : set) {
+            pixel.x += left;
+            pixel.y += bottom;
+        }
+        return set;
+    }
+    const bool steep = std::abs(y2 - y1) > std::abs(x2 - x1);
+    for (const PixelStep& pixel : thin) {
+        for (int i = 0; i < thickness; ++i) {
+            set.push_back(pixel);
+            (steep ? set.back().x : set.back().y) += i - (thickness - 1) / 2;
+        }
+    }
+    return set;
+}
+
+std::array<vec2, 4> stripOf(double thickness, int x1, int y1, int x2, int y2) {
+    const vec2 from(x1 + 0.5, y1 + 0.5), to(x2 + 0.5, y2 + 0.5);
+    const double length = glm::distance(from, to);
+    if (length == 0) return {from, from, from, from};
+    const vec2 half = thickness / 2 / length * vec2(from.y - to.y, to.x - from.x);
+    return {from - half, to - half, to + half, from + half};
 }
 
 }  // namespace mv

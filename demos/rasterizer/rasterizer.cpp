@@ -17,6 +17,8 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
             return drawFill(gpu, s.fill, s.corners, grid, frame);  // fill.cpp
         case Subject::star:
             return drawStar(gpu, s.star, grid, frame);  // star.cpp
+        case Subject::circle:
+            return drawCircle(gpu, s.circle, grid, frame);  // circle.cpp
     }
 }
 

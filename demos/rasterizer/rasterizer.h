@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "circle.h"
 #include "fill.h"
 #include "line.h"
 #include "mv/demo/frame.h"
@@ -19,13 +20,15 @@
 
 namespace mv::rasterizer {
 
-enum class Subject { line, triangle, fill, star };
+enum class Subject { line, triangle, fill, star, circle };
 enum class Shade { flat, picture, surface };
 enum class Flood { recursive, spans };
 
 // The lower left corner of the grid is (0, 0), and it is 24 wide and 18 high however many pixels it has.
 struct Line {
     LineMethod method = LineMethod::octants;
+    int thickness = 1;  // pixels
+    Thicken thicken = Thicken::columns;
     std::array<vec2, 2> ends{vec2(2, 3), vec2(20, 12)};
 };
 using Corners = std::array<vec2, 4>;  // of two triangles, 0 1 2 and 0 2 3, or of an outline
@@ -44,6 +47,11 @@ struct Star {
     Winding winding = Winding::evenOdd;
     std::vector<vec2> corners{{12, 17}, {17.25, 1.5}, {3.5, 11.25}, {20.5, 11.25}, {6.75, 1.5}};
 };
+struct Circle {
+    CircleMethod method = CircleMethod::midpoint;
+    vec2 middle{11, 8};
+    double radius = 7;
+};
 inline constexpr int allSteps = 999;
 struct Settings {
     Subject subject = Subject::line;
@@ -51,6 +59,7 @@ struct Settings {
     Triangles triangles = {};
     Fill fill = {};
     Star star = {};
+    Circle circle = {};
     Corners corners{vec2(2.25, 3.5), vec2(20.5, 1.5), vec2(21.5, 14.25), vec2(6.5, 16.5)};
     int cells = 24;       // pixels across
     int step = allSteps;  // pixels that are set; allSteps: all
@@ -67,13 +76,14 @@ struct Gpu {
     Picture glPicture;
 };
 
-// A part of the lesson in a file of its name each: line.cpp, triangle.cpp, fill.cpp, star.cpp.
+// A part of the lesson in a file of its name each: line.cpp, triangle.cpp, fill.cpp, star.cpp, circle.cpp.
 struct Grid;
 void draw(Gpu& gpu, const Settings& s, const Frame& frame);
 void drawLine(Gpu& gpu, const Line& line, const Grid& grid, const Frame& frame);
 void drawTriangles(Gpu& gpu, const Triangles& s, const Corners& corners, const Grid& grid, const Frame& frame);
 void drawFill(Gpu& gpu, const Fill& fill, const Corners& corners, const Grid& grid, const Frame& frame);
 void drawStar(Gpu& gpu, const Star& star, const Grid& grid, const Frame& frame);
+void drawCircle(Gpu& gpu, const Circle& circle, const Grid& grid, const Frame& frame);
 
 // What each of them tells in numbers.
 void readOut(Gpu& gpu, const Settings& s, const Frame& frame, Numbers& numbers);
@@ -81,6 +91,14 @@ void readLine(const Gpu& gpu, const Line& line, const Grid& grid, Numbers& numbe
 void readTriangles(const Gpu& gpu, const Triangles& s, const Corners& corners, const Grid& grid, Numbers& numbers);
 void readFill(const Fill& fill, const Corners& corners, const Grid& grid, Numbers& numbers);
 void readStar(const Star& star, const Grid& grid, Numbers& numbers);
+void readCircle(const Gpu& gpu, const Circle& circle, const Grid& grid, Numbers& numbers);
+
+// How many pixels each of them sets.
+std::size_t countLine(const Line& line, const Grid& grid);
+std::size_t countTriangles(const Triangles& s, const Corners& corners, const Grid& grid);
+std::size_t countFill(const Fill& fill, const Corners& corners, const Grid& grid);
+std::size_t countStar(const Star& star, const Grid& grid);
+std::size_t countCircle(const Circle& circle, const Grid& grid);
 
 // knobs.cpp, study.cpp.
 const char* nameOf(LineMethod method);
@@ -88,6 +106,8 @@ const char* nameOf(FillMethod method);
 const char* nameOf(EdgeRule rule);
 const char* nameOf(Flood flood);
 const char* nameOf(Winding winding);
+const char* nameOf(CircleMethod method);
+int mostSteps(const Settings& s);  // all that there are to be set
 std::vector<double> values(const Settings& s);
 std::vector<std::pair<std::string, double>> valueCounts(const Settings& s);
 

@@ -97,6 +97,22 @@ void showPictures(Gpu& gpu, const Frame& frame, const Grid& grid, const Picture&
     gpu.drawing.in(leftPane(frame));
 }
 
+std::string countOf(const Grid& grid, std::size_t all) {
+    const std::size_t made = grid.made(all);
+    return (made == all ? "" : std::to_string(made) + " of ") + std::to_string(all) + " pixels";
+}
+
+void showErrors(Gpu& gpu, const std::vector<PixelStep>& pixels, const Grid& grid, const Frame& frame) {
+    const Plot plot = plotOf(frame, grid);
+    if (plot.box.size().x / grid.columns < 15) return;
+    for (std::size_t i = 0; i < grid.made(pixels.size()); ++i) {
+        const PixelStep& pixel = pixels[i];
+        gpu.drawing.textAround(plot.pixel({pixel.x + 0.5, pixel.y + 0.5}),
+                               rounded(std::abs(pixel.error) < 10 ? "%.2g" : "%.0f", pixel.error),
+                               {9, pixel.coverage > 0.6 ? vec4(1) : ink, vec4(0)});
+    }
+}
+
 void showWords(Gpu& gpu, const Frame& frame, const Grid& grid, const std::string& left, const std::string& right,
                const std::optional<std::pair<std::string, vec4>>& more) {
     const int height = std::clamp(frame.height() / 30, 8, 18);

@@ -49,6 +49,10 @@ struct Shape {
 // Shows both pictures with the shape over them; gpu.drawing is then in the left pane.
 void showPictures(Gpu& gpu, const Frame& frame, const Grid& grid, const Picture& left, const Picture& right,
                   Shape shape);
+// The error term of each pixel, in figures, where there is room for them.
+void showErrors(Gpu& gpu, const std::vector<PixelStep>& pixels, const Grid& grid, const Frame& frame);
+// "19 pixels", or how many of them are set: "10 of 19 pixels".
+std::string countOf(const Grid& grid, std::size_t all);
 // Words below them, and a second line below the left one. Draws all of gpu.drawing.
 void showWords(Gpu& gpu, const Frame& frame, const Grid& grid, const std::string& left, const std::string& right,
                const std::optional<std::pair<std::string, vec4>>& more = {});

@@ -13,12 +13,14 @@ static std::vector<PixelStep> pixelsOf(const Star& star, const Grid& grid) {
     return polygonPixels(corners, grid.columns, grid.rows, star.winding);
 }
 
+std::size_t countStar(const Star& star, const Grid& grid) { return pixelsOf(star, grid).size(); }
+
 void drawStar(Gpu& gpu, const Star& star, const Grid& grid, const Frame& frame) {
     const std::vector<PixelStep> pixels = pixelsOf(star, grid);
     Shape shape{{star.corners}};
     shape.lines.front().push_back(star.corners.front());
     showPictures(gpu, frame, grid, inked(grid, pixels), orderOf(grid, pixels), shape);
-    showWords(gpu, frame, grid, std::string(nameOf(star.winding)) + ": " + std::to_string(pixels.size()) + " pixels",
+    showWords(gpu, frame, grid, std::string(nameOf(star.winding)) + ": " + countOf(grid, pixels.size()),
               "the order: from blue to yellow");
 }
 

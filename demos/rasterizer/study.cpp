@@ -1,4 +1,5 @@
 // What rasterizer tells in numbers, and what measures it: pixels that a method sets wrongly, and what each method takes.
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -14,19 +15,24 @@ void readOut(Gpu& gpu, const Settings& s, const Frame&, Numbers& numbers) {
     if (s.subject == Subject::triangle) readTriangles(gpu, s.triangles, s.corners, grid, numbers);
     if (s.subject == Subject::fill) readFill(s.fill, s.corners, grid, numbers);
     if (s.subject == Subject::star) readStar(s.star, grid, numbers);
+    if (s.subject == Subject::circle) readCircle(gpu, s.circle, grid, numbers);
 }
 
-// What is right or wrong of the method's pixels, for lines or triangles of its own.
+// What is right or wrong of the method's pixels, for lines, triangles or circles of its own.
 std::vector<double> values(const Settings& s) {
     const Grid grid(s);
     if (s.subject == Subject::line) return lineTest(s.line.method, grid.columns);
+    if (s.subject == Subject::circle) return circleTest(s.circle.method, grid.columns);
     return triangleTest(s.triangles.method, grid.columns, grid.rows);
 }
 std::vector<std::pair<std::string, double>> valueCounts(const Settings& s) {
     const Grid grid(s);
-    return {{"pixels set", s.subject == Subject::line
-                               ? double(lineTest(s.line.method, grid.columns).size())
-                               : triangleTestPixels(s.triangles.method, grid.columns, grid.rows)}};
+    const auto count = [&] {
+        if (s.subject == Subject::line) return double(lineTest(s.line.method, grid.columns).size());
+        if (s.subject == Subject::circle) return circleTestPixels(s.circle.method, grid.columns);
+        return triangleTestPixels(s.triangles.method, grid.columns, grid.rows);
+    };
+    return {{"pixels set", count()}};
 }
 
 namespace {
@@ -35,21 +41,26 @@ using namespace mv::claims;
 
 Reference truth(const Demo& demo) {
     const int columns = static_cast<int>(demo.number("cells"));
-    return {.values = demo.word("subject") == "line" ? lineTruth(columns) : triangleTruth(columns, columns * 3 / 4)};
+    if (demo.word("subject") == "line") return {.values = lineTruth(columns)};
+    if (demo.word("subject") == "circle") return {.values = circleTruth(columns)};
+    return {.values = triangleTruth(columns, columns * 3 / 4)};
 }
 
 Study study() {
     Study study;
     study.quantity =
         "of 64 lines to the right, the height of the pixel set in each column; of 16 triangles, whether a pixel is "
-        "covered";
-    study.reference = "of lines the line's own height; of triangles the rows' crossings in fractions of whole numbers";
+        "covered; of 32 circles, how far up or out the pixel of each column or row of an eighth is";
+    study.reference =
+        "of lines and circles their own height; of triangles the rows' crossings in fractions of whole numbers";
     study.makeReference = [](const Demo& demo, const ReferenceFrame&, const auto&) { return truth(demo); };
     study.axis = ErrorAxis::fraction;
     study.ofValues = true;
     study.wrongBeyond = 0.5;
     study.problem = "cells";
-    study.scenes = {{"lines", {{"subject", "line"}}}, {"triangles", {{"subject", "triangle"}}}};
+    study.scenes = {{"lines", {{"subject", "line"}}},
+                    {"triangles", {{"subject", "triangle"}}},
+                    {"circles", {{"subject", "circle"}}}};
     const std::vector<std::string> cells{"24", "48", "96", "384"};
     for (const std::string method : {"naive", "error", "shifted", "scaled", "bresenham", "octants", "smooth"})
         study.lines.push_back(
@@ -60,6 +71,12 @@ Study study() {
                                .knob = "cells",
                                .values = cells,
                                .scenes = {"triangles"}});
+    for (const std::string method : {"columns", "mirrored", "turned", "midpoint"})
+        study.lines.push_back({.method = method,
+                               .settings = {{"circle", method}},
+                               .knob = "cells",
+                               .values = cells,
+                               .scenes = {"circles"}});
     study.says = {
         claim("whole-numbers", "What computes in whole numbers, or in halves of them, sets no pixel wrongly.",
               {zero(of::wrong, rows("scaled", "bresenham", "octants", "brute", "box", "incremental", "tiles"))}),
@@ -70,6 +87,16 @@ Study study() {
               {zero(of::wrong, rows("floats"))}),
         claim("smooth-is-nearest", "Two pixels a column have their middle on the line itself.",
               {atMost(of::max, rows("smooth"), 1e-9), atLeast(of::max, rows("bresenham"), 0.3)}),
+        claim("circles-nearest",
+              "Of a circle, an eighth and its mirror images are the nearest pixels, by a root or by whole numbers.",
+              {zero(of::wrong, rows("mirrored", "midpoint"))}),
+        claim("columns-leave-gaps",
+              "One pixel a column leaves gaps where a circle is steep: more than a tenth of the pixels are missing.",
+              {atLeast(of::wrong, rows("columns"), 10)}),
+        claim("turned-is-beside", "A point that is turned round sets pixels beside the nearest ones, too: 5 % or more.",
+              {atLeast(of::wrong, rows("turned"), 5)}),
+        claim("turning-costs", "At 384 across, a point that is turned takes more than twice as long as whole numbers.",
+              {ratio(of::time, rows("turned").at(384), rows("midpoint").at(384), 2, HUGE_VAL)}),
         claim("adding-up", "At 384 across, adding up takes less time than asking every pixel.",
               {ratio(of::time, rows("incremental").at(384), rows("brute").at(384), 0, 1)}),
         note("A millisecond of the lines' time divided by the pixels set, under \"Work of a frame\", is the time of "

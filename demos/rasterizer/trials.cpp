@@ -24,7 +24,7 @@ class Scattered {
     std::uint64_t state_;
 };
 
-constexpr int lines = 64, triangles = 16;
+constexpr int lines = 64, triangles = 16, circles = 32;
 
 struct TestLine {
     int x1, y1, x2, y2;
@@ -51,6 +51,19 @@ std::vector<std::array<vec2, 3>> testTriangles(int columns, int rows) {
         }
     }
     return made;
+}
+
+std::vector<int> testRadii(int columns) {
+    Scattered random(41);
+    std::vector<int> radii;
+    for (int i = 0; i < circles; ++i) radii.push_back(columns / 8 + random.below(columns * 3 / 8));
+    return radii;
+}
+// The columns of an eighth, without that of the middle: as many as x <= y has.
+int columnsOfEighth(int radius) {
+    int columns = 0;
+    while (2 * (columns + 1) * (columns + 1) <= radius * radius) ++columns;
+    return columns;
 }
 
 std::int64_t roundedDown(std::int64_t above, std::int64_t below) {
@@ -127,6 +140,42 @@ std::vector<double> triangleTruth(int columns, int rows) {
         begin += area;
     }
     return covered;
+}
+
+std::vector<double> circleTest(CircleMethod method, int columns) {
+    std::vector<double> reached;
+    for (const int radius : testRadii(columns)) {
+        const int eighth = columnsOfEighth(radius);
+        const std::size_t begin = reached.size(), side = begin + static_cast<std::size_t>(eighth) + 1;
+        reached.resize(begin + 2 * (static_cast<std::size_t>(eighth) + 1), 0);
+        for (const PixelStep& pixel : circlePixels(method, 0, 0, radius)) {
+            const auto note = [&](std::size_t from, int along, int out) {
+                if (along < 0 || along > eighth) return;
+                double& most = reached[from + static_cast<std::size_t>(along)];
+                most = std::max(most, double(out));
+            };
+            note(begin, pixel.x, pixel.y);
+            note(side, pixel.y, pixel.x);
+        }
+    }
+    return reached;
+}
+
+double circleTestPixels(CircleMethod method, int columns) {
+    double count = 0;
+    for (const int radius : testRadii(columns)) count += double(circlePixels(method, 0, 0, radius).size());
+    return count;
+}
+
+std::vector<double> circleTruth(int columns) {
+    std::vector<double> out;
+    for (const int radius : testRadii(columns)) {
+        for (int eighth = 0; eighth < 2; ++eighth) {
+            for (int x = 0; x <= columnsOfEighth(radius); ++x)
+                out.push_back(std::sqrt(double(radius * radius - x * x)));
+        }
+    }
+    return out;
 }
 
 long countDifferent(const Picture& a, const Picture& b) {

@@ -2,6 +2,7 @@
 #pragma once
 #include <vector>
 
+#include "circle.h"
 #include "line.h"
 #include "mv/image/picture.h"
 #include "shared/raster_triangle.h"
@@ -18,6 +19,12 @@ std::vector<double> lineTruth(int columns);
 std::vector<double> triangleTest(FillMethod method, int columns, int rows);
 double triangleTestPixels(FillMethod method, int columns, int rows);
 std::vector<double> triangleTruth(int columns, int rows);
+
+// 32 circles with radii up to half the columns: for each column of the eighth beside the top the y of the uppermost pixel, for each
+// row of the eighth beside the right the x of the outermost one, 0 where there is none; and the circle's own.
+std::vector<double> circleTest(CircleMethod method, int columns);
+double circleTestPixels(CircleMethod method, int columns);
+std::vector<double> circleTruth(int columns);
 
 // Pixels of which one picture is white and the other is not.
 long countDifferent(const Picture& a, const Picture& b);

@@ -90,6 +90,12 @@ Shared shared(const std::vector<Covered>& all, const Corners& corners, const Gri
 
 }  // namespace
 
+std::size_t countTriangles(const Triangles& s, const Corners& corners, const Grid& grid) {
+    std::size_t count = 0;
+    for (const Covered& one : covered(s, corners, grid)) count += one.pixels.size();
+    return count;
+}
+
 void drawTriangles(Gpu& gpu, const Triangles& s, const Corners& corners, const Grid& grid, const Frame& frame) {
     const std::vector<Covered> all = covered(s, corners, grid);
     const Picture mine = pictureOf(all, s, corners, grid),
@@ -106,8 +112,7 @@ void drawTriangles(Gpu& gpu, const Triangles& s, const Corners& corners, const G
         more = {std::to_string(found.doubles) + " pixels twice, " + std::to_string(found.holes) + " holes",
                 found.doubles + found.holes > 0 ? red : ink};
     }
-    showWords(gpu, frame, grid,
-              std::string(nameOf(s.method)) + ", " + nameOf(s.rule) + ": " + std::to_string(count) + " pixels",
+    showWords(gpu, frame, grid, std::string(nameOf(s.method)) + ", " + nameOf(s.rule) + ": " + countOf(grid, count),
               rounded("OpenGL: pixels set otherwise: %.0f", double(countDifferent(mine, glPicture))), more);
 }
 

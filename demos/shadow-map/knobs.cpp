@@ -26,8 +26,7 @@ constexpr Declaration about{
               .beyondEs = {{"float targets", "falsely-dark, falsely-lit and pixels-asked are not measured"}}},
     .waste = {{"outside-view", "draw of 'light'", "the light's ball is drawn sooner than asked for"},
               {"no-sample", "draw of 'floor'",
-               "the map's pass draws the whole scene, and culling leaves the floor out"},
-              {"unused-object", "mesh 'light'", "made once, for the lights that have a place"}},
+               "the map's pass draws the whole scene, and culling leaves the floor out"}},
 };
 
 bool isCone(const Settings& s) { return s.rays == Rays::spot && s.frustum == Fit::set; }

@@ -50,11 +50,10 @@ void LightOverlay::init() {
     lines_ = Program::fromText("light-overlay.lines", lineVertex, lineFragment);
     corner_ = Program::fromText("light-overlay.corner", cornerVertex, cornerFragment);
     edges_ = Mesh(wireCube(), "light's frustum");
-    ball_ = Mesh(positionsOnly(sphere(1, 16, 8)), "light");
     square_ = Mesh(positionsOnly(square()), "map in the corner");
 }
 
-void LightOverlay::drawFrustum(const mat4& clipFromWorld, const LightView& light) const {
+void LightOverlay::drawFrustum(const mat4& clipFromWorld, const LightView& light) {
     lines_.use();
     lines_.set("color", vec3(1, 1, 1));
     // The edges of clip space's cube -1..1, taken back through the light's projection
@@ -63,7 +62,7 @@ void LightOverlay::drawFrustum(const mat4& clipFromWorld, const LightView& light
     if (light.atInfinity) return;
     lines_.set("color", vec3(1, 0.8, 0.2));
     lines_.set("clipFromModel", clipFromWorld * glm::inverse(light.viewFromWorld) * scale(0.08));
-    ball_.draw();
+    ball_->draw();
 }
 
 void LightOverlay::drawMap(const FrameInfo& frame, const DepthMap& map, const LightView& light) const {

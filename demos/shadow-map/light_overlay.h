@@ -2,8 +2,10 @@
 #pragma once
 #include "mv/demo/frame.h"
 #include "mv/geometry/light_view.h"
+#include "mv/geometry/shapes.h"
 #include "mv/gl/depth_map.h"
 #include "mv/gl/mesh.h"
+#include "mv/gl/on_demand.h"
 #include "mv/gl/program.h"
 
 namespace mv {
@@ -14,7 +16,7 @@ class LightOverlay {
     void init();
     // The edges of the light's view volume, white, and a yellow ball at a light that is a point. Depth-tested as the
     // state says. Changes the current program.
-    void drawFrustum(const mat4& clipFromWorld, const LightView& light) const;
+    void drawFrustum(const mat4& clipFromWorld, const LightView& light);
     // The map in the lower left corner, up to 0.3 of the picture high and wide, in the shape of its window, with its size
     // above it: distances along the light's gaze, near dark and far bright. Changes the current program and the map's
     // sampling (DepthMap::bind) on unit 0, and switches depth test, culling and blending off.
@@ -22,7 +24,8 @@ class LightOverlay {
 
   private:
     Program lines_, corner_;
-    Mesh edges_, ball_, square_;
+    Mesh edges_, square_;
+    OnDemand<Mesh> ball_{positionsOnly(sphere(1, 16, 8)), "light"};  // for the lights that have a place
 };
 
 }  // namespace mv

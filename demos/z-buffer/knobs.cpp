@@ -14,9 +14,7 @@ constexpr Declaration about{
     .width = 600,
     .height = 600,
     .needs = {.beyondEs = {{"clip control", "clip space has depths within -1..1, reversed as with --mapping flipped"}}},
-    .waste = {{"repeated-pass", "pass into 'scene'", "what the depth test costs in every frame is the lesson"},
-              {"unused-buffer", "depth of 'scene'", "the painter's way does without what the others need"},
-              {"unused-object", "texture 'scene'", "made once, for the settings that show it"}},
+    .waste = {{"repeated-pass", "pass into 'scene'", "what the depth test costs in every frame is the lesson"}},
 };
 
 bool turns(const Settings& s) { return s.scene != Which::road; }

@@ -18,12 +18,14 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     const mat4 clip = clipFromView(s, frame.aspect(), hasZeroToOne(s));
     frame.show("clipFromView", clip);
 
-    // Draw into colours with a depth buffer of the format under test. The picture's own target needs no depth
+    // Draw into colours with a depth buffer of the format under test, each as a texture where it is shown. The picture's own
+    // target needs no depth, and the painter's way needs none at all
+    const bool showsDepth = s.shown == Shown::depth;
     constexpr GLenum formats[] = {GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT32F};
-    const Target::Buffers buffers{.depth = true,
-                                  .texture = true,
+    const Target::Buffers buffers{.depth = s.depthTest || showsDepth,
+                                  .texture = !showsDepth,
                                   .depthFormat = formats[static_cast<std::size_t>(s.format)],
-                                  .depthTexture = s.shown == Shown::depth};
+                                  .depthTexture = showsDepth};
     if (!gpu.drawn.fit(frame.width(), frame.height(), buffers, "scene")) gpu.drawn.bind();
     drawPlates(gpu, s, clip);
 
@@ -31,8 +33,8 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     frame.bindTarget();
     gpu.show.use();
     gpu.show.set("drawn", 0);
-    gpu.show.set("grey", s.shown == Shown::depth);
-    if (s.shown == Shown::depth)
+    gpu.show.set("grey", showsDepth);
+    if (showsDepth)
         gpu.drawn.bindDepth(0);
     else
         gpu.drawn.bindColor(0);

@@ -1,4 +1,4 @@
-// X23, X24: edges through the middles of pixels, and edge functions far from the origin.
+// X23, X24, X57: edges through the middles of pixels, edge functions far from the origin, and a large circle.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,6 +7,7 @@
 
 #include "extremes/measure.h"
 #include "extremes/row.h"
+#include "rasterizer/circle.h"
 #include "shared/raster_triangle.h"
 #include "support/random.h"
 
@@ -95,6 +96,31 @@ double wrongBetween(EdgeRule rule) {
                .ourError = 100 * ours / asked,
                .tolerance = 0,
                .reason = "no product leaves 64 bits there"};
+});
+
+// Heights of a large circle's pixels in an eighth of it, against whole numbers of 64 bits.
+double wrongOfCircle(CircleMethod method, int radius) {
+    double wrong = 0, asked = 0;
+    for (const PixelStep& pixel : circlePixels(method, 0, 0, radius)) {
+        const std::int64_t x = pixel.x, y = pixel.y, r = radius;
+        if (x < 0 || y < x) continue;
+        const std::int64_t square = 4 * (r * r - x * x);
+        wrong += (2 * y - 1) * (2 * y - 1) <= square && square < (2 * y + 1) * (2 * y + 1) ? 0 : 1;
+        ++asked;
+    }
+    return 100 * wrong / asked;
+}
+
+[[maybe_unused]] const bool x57 = addRow([] {
+    return Row{.id = "X57",
+               .input = "a circle of radius 100000 pixels",
+               .measured = "pixels of an eighth that are not the nearest, %",
+               .naive = "the square root of r^2 - x^2 in floats, rounded",
+               .naiveError = wrongOfCircle(CircleMethod::mirrored, 100000),
+               .ours = "circlePixels, midpoint: whole numbers",
+               .ourError = wrongOfCircle(CircleMethod::midpoint, 100000),
+               .tolerance = 0,
+               .reason = "no product leaves 32 bits up to a radius of 2^20"};
 });
 
 }  // namespace

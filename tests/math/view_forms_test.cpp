@@ -107,6 +107,12 @@ TEST(Shear, moves_by_one_coordinate_and_keeps_volumes) {
     EXPECT_EQ(shearZ(2, 3) * vec4(0, 0, 1, 0), vec4(2, 3, 1, 0));
     for (const mat4& m : {shearX(2, -3), shearY(0.5, 4), shearZ(-1, 7)}) EXPECT_EQ(glm::determinant(m), 1);
     EXPECT_EQ(shearX(2, 3) * shearX(-2, -3), mat4(1));
+    // Three of them turn (Paeth 1986), as the page of rasterizer has it: each of an entry's three roundings is of 1 at most.
+    for (const double angle : {-100.0, 30.0, 77.0}) {
+        const double half = -std::tan(radians(angle) / 2);
+        const mat4 turn = shearY(half, 0) * shearX(std::sin(radians(angle)), 0) * shearY(half, 0);
+        for (int i = 0; i < 4; ++i) EXPECT_LT(glm::distance(turn[i], rotate(angle, vec3(0, 0, 1))[i]), 2e-15) << angle;
+    }
     EXPECT_EQ(refusal([] { shearY(1, infinite); }), "shearY: the factors must be finite, (1, 0, inf)");
 }
 

@@ -9,6 +9,11 @@
 // - [divided-by-w] Colours weighted by the corners' parts of the picture are not those of the surface; over w they are.
 // - [eight-leaks] Through the outline that Bresenham's method draws, a fill with 8 neighbours leaks, one with 4 does not.
 // - [ends-and-refuses] A fill into its own colour ends, and recursion that would end the stack is refused.
+// - [as-thick] A line of columns is as thick as said times the cosine of its slope; across the line it is that thick at every slope.
+// - [circle-nearest] In each column of an eighth, and in each row of the next one, the midpoint method sets the nearest pixel, and no
+//   pixel twice; a square root in float, mirrored, sets the same ones.
+// - [circle-gaps] One pixel a column leaves gaps in a circle; its eighths mirrored, or a point turned round, leave none.
+// - [one-by-one] A key takes a pixel away from all of them, however many there are, and the picture counts them.
 // - [two-insides] A star's middle is outside by even and odd, and inside by how often the outline winds round it.
 #include <gtest/gtest.h>
 
@@ -23,8 +28,11 @@
 #include <utility>
 #include <vector>
 
+#include "mv/demo/demo.h"
+#include "mv/demo/preset.h"
 #include "mv/error.h"
 #include "mv/math/clip.h"
+#include "rasterizer/circle.h"
 #include "rasterizer/fill.h"
 #include "rasterizer/line.h"
 #include "rasterizer/trials.h"
@@ -310,6 +318,118 @@ TEST(Rasterizer, ends_and_refuses) {
     EXPECT_THROW((void)run.picture(), Error);
     (void)run.set("flood", "spans").picture();
     EXPECT_GT(run.readout("set"), 20000);
+}
+
+TEST(Rasterizer, as_thick) {
+    for (const auto& [x, y] : {std::pair(200, 0), std::pair(200, 100), std::pair(-200, 200), std::pair(60, -200)}) {
+        const double length = std::hypot(x, y), cosine = std::max(std::abs(x), std::abs(y)) / length;
+        for (const int thickness : {2, 5, 9}) {
+            const auto thick = [&](Thicken thicken) {
+                const auto pixels = thickLine(LineMethod::octants, thicken, thickness, 300, 300, 300 + x, 300 + y);
+                const auto places = placesOf(pixels);
+                EXPECT_EQ(std::set(places.begin(), places.end()).size(), places.size()) << "a pixel twice";
+                return double(pixels.size()) / length;
+            };
+            // A column at each end is one pixel of the length, and the area's pixels differ from it by those of its outline at most.
+            EXPECT_NEAR(thick(Thicken::columns), thickness * cosine, thickness / length * 1.5);
+            EXPECT_NEAR(thick(Thicken::across), thickness, (2 * length + 2 * thickness) / length * 0.25);
+        }
+    }
+    EXPECT_EQ(placesOf(thickLine(LineMethod::octants, Thicken::across, 1, 0, 0, 9, 4)),
+              placesOf(linePixels(LineMethod::octants, 0, 0, 9, 4)));
+    EXPECT_TRUE(thickLine(LineMethod::octants, Thicken::across, 5, 3, 3, 3, 3).empty()) << "without a length";
+    // What OpenGL fills is the strip across the line, but for corners snapped to its grid.
+    DemoRun run("rasterizer", 960, 440);
+    run.preset("thick").picture();
+    EXPECT_GT(run.readout("differs"), 20);
+    EXPECT_NEAR(run.readout("as-thick"), 5 * std::sqrt(0.5), 0.4);
+    run.set("thicken", "across").picture();
+    EXPECT_LE(run.readout("differs"), 3);
+}
+
+TEST(Rasterizer, circle_nearest) {
+    for (int radius = 0; radius <= 300; ++radius) {
+        const auto pixels = circlePixels(CircleMethod::midpoint, 5, -3, radius);
+        auto places = placesOf(pixels);
+        std::sort(places.begin(), places.end());
+        ASSERT_EQ(std::unique(places.begin(), places.end()), places.end()) << radius << ": a pixel twice";
+        for (const auto& [px, py] : places) {
+            const int x = std::min(std::abs(px - 5), std::abs(py + 3)),
+                      y = std::max(std::abs(px - 5), std::abs(py + 3));
+            // |y - sqrt(r^2 - x^2)| < 1/2, squared: no root, no rounding. Nothing lies half-way: its square would be a quarter off.
+            const int below = y > 0 ? (2 * y - 1) * (2 * y - 1) : 0;
+            const int square = 4 * (radius * radius - x * x);
+            ASSERT_TRUE(below <= square && square < (2 * y + 1) * (2 * y + 1)) << radius << ": " << x << ", " << y;
+        }
+        auto roots = placesOf(circlePixels(CircleMethod::mirrored, 5, -3, radius));
+        std::sort(roots.begin(), roots.end());
+        ASSERT_EQ(roots, places) << radius;
+    }
+    EXPECT_EQ(placesOf(circlePixels(CircleMethod::midpoint, 2, 3, 0)), (std::vector{std::pair(2, 3)}));
+    const auto truth = circleTruth(384);
+    const auto wrong = [&](CircleMethod method) {
+        const auto reached = circleTest(method, 384);
+        int count = 0;
+        for (std::size_t i = 0; i < truth.size(); ++i) count += std::abs(reached[i] - truth[i]) > 0.5 ? 1 : 0;
+        return count;
+    };
+    EXPECT_EQ(wrong(CircleMethod::midpoint), 0);
+    EXPECT_GT(wrong(CircleMethod::turned), 0);
+    // What is out of reach is refused, and what is only out of sight is drawn.
+    EXPECT_THROW((void)circlePixels(CircleMethod::midpoint, 0, 0, -1), Error);
+    EXPECT_THROW((void)circlePixels(CircleMethod::midpoint, 0, 0, (1 << 20) + 1), Error);
+    EXPECT_THROW((void)circlePixels(CircleMethod::midpoint, (1 << 30) + 1, 0, 1), Error);
+    EXPECT_EQ(circlePixels(CircleMethod::midpoint, 1 << 30, -(1 << 30), 1 << 20).size() % 4, 0U);
+    DemoRun run("rasterizer", 480, 220);
+    (void)run.preset("circle").set("middle", "-24,-18").set("radius", "24").picture();
+    EXPECT_GT(run.readout("set"), 100);
+}
+
+TEST(Rasterizer, circle_gaps) {
+    // Going round, each pixel has a neighbour on either side of it, over an edge or a corner: two and more.
+    const auto loose = [](CircleMethod method) {
+        int count = 0;
+        for (const int radius : {2, 7, 40, 191}) {
+            const auto places = placesOf(circlePixels(method, 0, 0, radius));
+            const std::set<std::pair<int, int>> set(places.begin(), places.end());
+            for (const auto& [x, y] : set) {
+                int neighbours = 0;
+                for (int i = -1; i <= 1; ++i) {
+                    for (int j = -1; j <= 1; ++j) neighbours += (i != 0 || j != 0) && set.contains({x + i, y + j});
+                }
+                count += neighbours < 2 ? 1 : 0;
+            }
+        }
+        return count;
+    };
+    EXPECT_GT(loose(CircleMethod::columns), 20);
+    for (const CircleMethod method : {CircleMethod::mirrored, CircleMethod::turned, CircleMethod::midpoint})
+        EXPECT_EQ(loose(method), 0);
+}
+
+TEST(Rasterizer, one_by_one) {
+    for (const char* preset : {"bresenham", "circle", "shared-edge"}) {
+        const auto demo = findDemo("rasterizer").make();
+        const auto& presets = findDemo("rasterizer").presets;
+        applyPreset(*demo, *std::ranges::find(presets, preset, &Preset::name));
+        ASSERT_EQ(demo->number("step"), 999) << "all";
+        DemoRun run("rasterizer", 480, 220);
+        (void)run.preset(preset).picture();
+        const double all = run.readout("set");
+        Knob& step = demo->knob("step");
+        ASSERT_TRUE(step.step(-1));
+        EXPECT_EQ(demo->number("step"), all - 1) << "one press takes one away";
+        ASSERT_TRUE(step.step(-1));
+        EXPECT_EQ(demo->number("step"), all - 2);
+        ASSERT_TRUE(step.step(1));
+        ASSERT_TRUE(step.step(1));
+        EXPECT_EQ(demo->number("step"), 999) << "all again, however many they will be";
+        EXPECT_FALSE(step.step(1)) << "there are no more";
+        // A number beyond what there is acts like all.
+        step.parse("900");
+        ASSERT_TRUE(step.step(-1));
+        EXPECT_EQ(demo->number("step"), all - 1);
+    }
 }
 
 TEST(Rasterizer, two_insides) {

@@ -79,7 +79,8 @@ std::string Knob::textIn(const void* settings) const {
 }
 
 bool Knob::allows(double number) const {
-    const NumberRange range = numbers();
+    const NumberRange range =
+        kind() == Kind::whole ? NumberRange{double(row_.wholes.low), double(row_.wholes.high)} : row_.range;
     return (range.low <= number && number <= range.high) || (range.orZero && number == 0);
 }
 
@@ -241,10 +242,9 @@ bool Knob::step(double amount) {
         case Kind::angle:
             return stepNumber(amount);
         case Kind::whole: {
-            const auto [low, high] = row_.wholes;
-            int& now = value<int>();
-            const int stopped = static_cast<int>(std::clamp(now + std::round(amount), double(low), double(high)));
-            return std::exchange(now, stopped) != stopped;
+            const int before = value<int>();
+            setNumber(number() + std::round(amount));
+            return value<int>() != before;
         }
         case Kind::oneOf:
         case Kind::word: {
@@ -284,23 +284,30 @@ std::string Knob::idleReason() const {
 
 // ---- For widgets
 
-double Knob::number() const { return kind() == Kind::whole ? value<int>() : value<double>(); }
+double Knob::number() const {
+    return kind() == Kind::whole ? std::min(double(value<int>()), numbers().high) : value<double>();
+}
 
 void Knob::setNumber(double number) {
     const NumberRange range = numbers();
-    // A hand that turns on past an end drops whole turns
-    const double taken = kind() == Kind::angle ? std::fmod(number, 360.0)
-                         : allows(number)      ? number
-                                               : std::clamp(number, range.low, range.high);
-    if (kind() == Kind::whole)
-        value<int>() = static_cast<int>(std::lround(taken));
-    else
-        value<double>() = taken + 0.0;  // no -0
+    const double stopped = std::clamp(number, range.low, range.high);
+    switch (kind()) {
+        case Kind::whole:
+            value<int>() = stopped == range.high ? row_.wholes.high : static_cast<int>(std::lround(stopped));
+            break;
+        case Kind::angle:
+            // A hand that turns on past an end drops whole turns
+            value<double>() = std::fmod(number, 360.0) + 0.0;  // no -0
+            break;
+        default:
+            value<double>() = (allows(number) ? number : stopped) + 0.0;
+    }
 }
 
 NumberRange Knob::numbers() const {
-    if (kind() == Kind::whole) return {double(row_.wholes.low), double(row_.wholes.high)};
-    return row_.range;
+    if (kind() != Kind::whole) return row_.range;
+    const auto [low, high] = row_.wholes;
+    return {double(low), double(row_.most ? std::clamp(row_.most(settings_), low, high) : high)};
 }
 
 bool Knob::isOn() const { return value<bool>(); }

@@ -67,8 +67,9 @@ struct AnyRow {
     void (*setIndex)(void* value, int) = {};  //
     std::span<const vec2> (*places)(const void* value) = {};
     void (*setPlaces)(void* value, const std::vector<vec2>&) = {};
-    const FileKind* files = {};  // of a file; its value is the name, a std::string
-    Literal sample = {};         // a file of the tree, which tests set it to
+    const FileKind* files = {};                          // of a file; its value is the name, a std::string
+    Literal sample = {};                                 // a file of the tree, which tests set it to
+    std::function<int(const void* settings)> most = {};  // of a whole number: how far it does something now
     bool startsOver = false;
     struct Condition {
         std::function<bool(const void* settings)> holds;
@@ -127,10 +128,12 @@ class Knob {
 
     // ---- For widgets. A value that a hand has chosen stops at the ends.
 
-    double number() const;  // of a number, an angle or a whole number
+    // Of a number, an angle or a whole number. A whole one that ends earlier in the present settings (AnyRow::most) goes to there, and
+    // is set to its highest value there, which stands for that.
+    double number() const;
     void setNumber(double value);
-    NumberRange numbers() const;  // of these
-    bool isOn() const;            // of a toggle
+    NumberRange numbers() const;
+    bool isOn() const;  // of a toggle
     void setOn(bool on);
     std::vector<Option> options() const;  // of a word, or of one of a few numbers; else none
     int index() const;                    // among these

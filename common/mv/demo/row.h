@@ -90,6 +90,12 @@ struct Row : AnyRow {
             {[holds](const void* settings) { return holds(*static_cast<const Settings*>(settings)); }, reason});
         return std::move(*this);
     }
+    // A whole number that does nothing beyond `count`, and whose highest value stands for it however far that is: keys and
+    // sliders go from the low end to there.
+    Row upTo(int (*count)(const Settings&)) && {
+        most = [count](const void* settings) { return count(*static_cast<const Settings*>(settings)); };
+        return std::move(*this);
+    }
     // For a lesson with a memory: a change of this setting begins anew, at frame 0.
     Row beginsAnew() && {
         startsOver = true;
@@ -238,6 +244,11 @@ std::vector<Row<Settings>> part(Part Settings::*member, std::vector<Row<Part>> r
         row.offset += offset;
         for (AnyRow::Condition& condition : row.conditions) {
             condition.holds = [offset, ofPart = std::move(condition.holds)](const void* settings) {
+                return ofPart(static_cast<const std::byte*>(settings) + offset);
+            };
+        }
+        if (row.most) {
+            row.most = [offset, ofPart = std::move(row.most)](const void* settings) {
                 return ofPart(static_cast<const std::byte*>(settings) + offset);
             };
         }

@@ -21,9 +21,9 @@ std::string trimmed(const std::string& text) {
 }
 
 // The value's text with its unit, as a format of printf that prints just that.
-std::string asFormat(const Knob& knob) {
+std::string asFormat(const Knob& knob, const std::string& text) {
     std::string format;
-    for (const char c : knob.text() + (knob.unit().empty() ? "" : " " + knob.unit())) {
+    for (const char c : text + (knob.unit().empty() ? "" : " " + knob.unit())) {
         format += c;
         if (c == '%') format += c;
     }
@@ -171,29 +171,32 @@ bool KnobPanel::widget(Knob& knob) {
 
 bool KnobPanel::slider(const Knob& knob, double& value) {
     const NumberRange range = knob.numbers();
-    if (knob.kind() == Knob::Kind::whole) return bar(knob, value, range.low, range.high, 0);
+    if (knob.kind() == Knob::Kind::whole) {
+        // The number itself: of a knob whose end stands for as many as there are, that is how many these are.
+        return bar(knob, value, range.low, range.high, 0, numberText(value));
+    }
     if (range.scale == Scale::logarithmic) return logarithmicBar(knob, value, range);
     const double low = range.low, high = range.high;
     // As fine as a hand can choose on a bar of some 200 pixels; finer values are typed.
     const double digits = high > low ? -std::floor(std::log10((high - low) / 500)) : 0;
-    return bar(knob, value, low, high, digits);
+    return bar(knob, value, low, high, digits, knob.text());
 }
 
 // The bar goes by the logarithm, and over its first twentieth it is 0 where that is allowed.
 bool KnobPanel::logarithmicBar(const Knob& knob, double& value, const NumberRange& range) {
     const double gap = range.orZero ? 0.05 : 0, decades = std::log10(range.high / range.low);
     double place = value == 0 ? 0 : gap + (1 - gap) * std::log10(value / range.low) / decades;
-    if (!bar(knob, place, 0, 1, 4)) return false;
+    if (!bar(knob, place, 0, 1, 4, knob.text())) return false;
     const double before = value, exponent = (place - gap) / (1 - gap) * decades;
     value = exponent < 0 ? 0 : std::clamp(threeDigits(range.low * std::pow(10.0, exponent)), range.low, range.high);
     return value != before;
 }
 
-bool KnobPanel::bar(const Knob& knob, double& value, double low, double high, double digits) {
+bool KnobPanel::bar(const Knob& knob, double& value, double low, double high, double digits, const std::string& text) {
     const double before = value;
     double shown = value;
     // The format is the text itself, so that the bar shows all digits there are and ImGui rounds nothing.
-    ImGui::SliderScalar("##bar", ImGuiDataType_Double, &shown, &low, &high, asFormat(knob).c_str(),
+    ImGui::SliderScalar("##bar", ImGuiDataType_Double, &shown, &low, &high, asFormat(knob, text).c_str(),
                         ImGuiSliderFlags_NoInput);
     notePlace(rowName_);
     const bool byHand = ImGui::IsItemHovered() && (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) ||

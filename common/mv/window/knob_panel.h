@@ -33,7 +33,7 @@ class KnobPanel {
     bool button(const std::string& label, bool enabled);
     bool choose(int& index, const std::vector<Option>& options);
     bool file(const Knob& knob);
-    bool bar(const Knob& knob, double& value, double low, double high, double digits);
+    bool bar(const Knob& knob, double& value, double low, double high, double digits, const std::string& text);
     bool logarithmicBar(const Knob& knob, double& value, const NumberRange& range);
     bool field(Knob& knob);
     void openField(const Knob& knob);
