@@ -37,7 +37,8 @@ struct Watched {
 };
 
 std::unique_ptr<Watched>& present() {
-    static std::unique_ptr<Watched> only;
+    // Never destroyed by itself, which would be after its driver's end: main() leaves it.
+    static auto& only = *new std::unique_ptr<Watched>;
     return only;
 }
 

@@ -74,7 +74,8 @@ Pictures scenes(const std::string& name, bool words) {
     DemoRun run(name, small ? 32 : 128, small ? 24 : 96);
     Pictures pictures;
     const auto add = [&](const std::string& setting) {
-        const auto picture = visitScene(setting);
+        SCOPED_TRACE(setting);
+        const auto picture = visit();
         if (picture && !lacksAStage(run.messages())) pictures[setting] = *picture;
     };
     add("");
