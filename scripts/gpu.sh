@@ -17,7 +17,7 @@ libraries_of() { ldd "$@" | awk '$3 ~ /^\// { print $3 }' | grep -vE '/(libc|lib
 
 pack() {
   local root=$here/.. build=$here/../build file=${1:-$here/../build/gpu.tar.gz} program folder
-  local programs=(bin/mvgl tests/test-sweep tests/test-goldens tests/test-claims)
+  local programs=(bin/mvgl tests/test-visits tests/test-goldens tests/test-claims)
   for program in "${programs[@]}"; do
     [ -x "$build/$program" ] || fail "$program: must be built first; run: ./test --full, or ninja -C build ${program##*/}"
   done
@@ -75,10 +75,10 @@ try() {
   say "$(bin/mvgl cube-cull --headless="$host" --report 2>&1 | grep -E '^(host|error)' || echo "error: no picture")"
   grep -q '^host' report.txt || exit 1
   say "$(bin/mvgl cube-cull --headless="$host" --report | grep '^time')"
-  suite presets 90 test-sweep "$(of_demos Demos/Renderer.draws_each_preset/)"
+  suite presets 90 test-visits "$(of_demos Demos/AnyRenderer.presets/)"
   suite goldens 60 test-goldens "$(of_demos Golden.pictures_match/)"
   suite claims 120 test-claims "$(suites_of_demos)"
-  suite sweep 60 test-sweep "$(of_demos Demos/Sweep.knobs/)"
+  suite ends 60 test-visits "$(of_demos Demos/Visits.ends/)"
   for demo in $(cat studies.txt); do
     if [ $((SECONDS - started)) -gt 300 ]; then
       left+=("$demo")

@@ -1,8 +1,9 @@
 // What pages say: each command line does what a reader who types it expects, or the page says what else, and each measured
-// number is what its marker (mv/paper/page_numbers.h) makes.
+// number is what its marker (mv/paper/page_numbers.h) makes. What must agree between pages, claims, their tests and shaders.
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -10,15 +11,19 @@
 #include <iterator>
 #include <map>
 #include <optional>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "mv/gl/shader_source.h"
+#include "mv/image/compare.h"
 #include "mv/image/load.h"
+#include "mv/paper/audit.h"
+#include "mv/run/command_line.h"
 #include "mv/paper/docs.h"
 #include "mv/paper/page_numbers.h"
-#include "mv/run/command_line.h"
 #include "mv/study/study.h"
 #include "support/demo_run.h"
 #include "support/process.h"
@@ -29,12 +34,7 @@ using namespace mv::test;
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string fileText(const fs::path& path) {
-    std::ifstream stream(path, std::ios::binary);
-    EXPECT_TRUE(stream) << path;
-    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
+const fs::path source = MVGL_SOURCE_DIR;
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
@@ -85,8 +85,6 @@ std::vector<std::string> wordsOf(const std::string& text) {
     for (std::string word; stream >> word;) words.push_back(word);
     return words;
 }
-
-bool isLong() { return std::getenv("MVGL_LONG") != nullptr; }
 
 // What mvgl is given to try the command, in moments and without a window, and how it was understood.
 struct Trial {
@@ -233,6 +231,36 @@ const std::set<std::string> ofRunItself{"./run --site", "./run --site --serve"};
 
 class Pages : public testing::TestWithParam<std::string> {};
 
+// ---- What must agree between the files of a demo
+
+std::set<std::string> matches(const std::string& text, const std::regex& pattern) {
+    std::set<std::string> found;
+    for (std::sregex_iterator i(text.begin(), text.end(), pattern), end; i != end; ++i) found.insert((*i)[1]);
+    return found;
+}
+
+// "cube-cull" as "CubeCull".
+std::string camelCase(const std::string& name) {
+    std::string text;
+    bool begins = true;
+    for (const char c : name) {
+        if (c != '-') text += begins ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
+        begins = c == '-';
+    }
+    return text;
+}
+
+// The links of a page lead to files that are there.
+void expectLinksLead(const fs::path& page) {
+    const auto targets = matches(fileText(page), std::regex(R"(\]\(([^)#]+)[^)]*\))"));
+    for (const std::string& target : targets) {
+        if (target.rfind("http", 0) == 0) continue;
+        EXPECT_TRUE(fs::exists(page.parent_path() / target)) << page << ": " << target;
+    }
+}
+
+class OfDemo : public testing::TestWithParam<std::string> {};
+
 }  // namespace
 
 TEST_P(Pages, every_command_does_what_it_says) {
@@ -281,3 +309,75 @@ TEST_P(Pages, every_marked_number_is_made) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Pages, testing::ValuesIn(pages()), pageWord);
+
+TEST_P(OfDemo, each_claim_has_a_test_and_each_test_a_claim) {
+    const fs::path ofFolder = source / "tests" / GetParam() / "claims.cpp";
+    const std::string text =
+        fileText(fs::exists(ofFolder) ? ofFolder : source / "tests/claims" / (GetParam() + ".cpp"));
+    // In the demo's head; a lesson that is a folder has them in the head of their tests
+    const auto claims =
+        matches(fs::exists(ofFolder) ? text : demoText(GetParam()), std::regex(R"(// - \[([a-z0-9-]+)\])"));
+    const auto tests = matches(text, std::regex(R"(TEST\(\w+, (\w+)\))"));
+    std::set<std::string> ids;
+    for (std::string id : tests) {
+        std::replace(id.begin(), id.end(), '_', '-');
+        ids.insert(id);
+    }
+    EXPECT_FALSE(claims.empty());
+    EXPECT_EQ(claims, ids);
+    // By the suite's name `./test --only NAME` and a reader find them: cube-cull has CubeCull.
+    EXPECT_EQ(matches(text, std::regex(R"(TEST\((\w+), \w+\))")), std::set<std::string>{camelCase(GetParam())});
+}
+
+TEST_P(OfDemo, the_page_has_fresh_tables_and_links_that_lead_somewhere) {
+    const fs::path file = source / findDemo(GetParam()).page;
+    const std::string page = fileText(file);
+    EXPECT_EQ(page, lessonPage(page, findDemo(GetParam()))) << "./run --docs . makes it anew";
+    expectLinksLead(file);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, OfDemo, testing::ValuesIn(demoNames()), parameterWord);
+
+TEST(GeneratedPages, tables_are_fresh) {
+    EXPECT_EQ(fileText(source / "docs/demos.md"), cataloguePage()) << "./run --docs . makes it anew";
+    const std::string readme = fileText(source / "README.md");
+    EXPECT_EQ(readme, readmePage(readme)) << "README.md: ./run --docs . makes it anew";
+}
+
+// Words exactly; numbers within 1 %, which is what drivers differ by in the samples on edges.
+TEST(GeneratedPages, needs_are_fresh) {
+    const auto wordsAndNumbers = [](const std::string& page) {
+        static const std::regex number("[0-9]+");
+        std::vector<double> numbers;
+        for (std::sregex_iterator i(page.begin(), page.end(), number), end; i != end; ++i) {
+            numbers.push_back(std::stod(i->str()));
+        }
+        return std::pair(std::regex_replace(page, number, "#"), numbers);
+    };
+    const auto [words, numbers] = wordsAndNumbers(fileText(source / "docs/needs.md"));
+    const auto [newWords, newNumbers] = wordsAndNumbers(needsPage());
+    EXPECT_EQ(words, newWords) << "./run --docs . makes it anew";
+    ASSERT_EQ(numbers.size(), newNumbers.size());
+    for (std::size_t i = 0; i < numbers.size(); ++i) EXPECT_NEAR(numbers[i], newNumbers[i], 0.01 * numbers[i]);
+}
+
+TEST(GeneratedPages, strip_is_fresh) {
+    const Picture committed = loadPicture(source / "docs/strip.png");
+    const Difference difference = compare(committed, pictureStrip());
+    // As for the golden pictures on another driver; shrinking averages the difference away, never makes it larger.
+    EXPECT_LE(difference.maximum, 3);
+    EXPECT_LE(difference.fraction, 0.001);
+}
+
+TEST(GeneratedPages, links_lead_somewhere) {
+    for (const char* page : {"README.md", "CONTRIBUTING.md", "docs/demos.md"}) expectLinksLead(source / page);
+}
+
+// Depths are compared by shaders/include/shadow-map.glsl, which minds what is beyond the map's end.
+TEST(ShaderFiles, compare_depths_in_one_place) {
+    for (const std::string& file : shaderFileNames()) {
+        const std::string text = builtInShader(file);
+        if (file == "include/shadow-map.glsl" || text.find("sampler2DShadow") == std::string::npos) continue;
+        EXPECT_EQ(text.find("texture"), std::string::npos) << file;
+    }
+}

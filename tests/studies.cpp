@@ -22,12 +22,6 @@ namespace {
 
 const std::filesystem::path folder = std::filesystem::path(MVGL_SOURCE_DIR) / "docs/errors-and-times";
 
-std::string fileText(const std::filesystem::path& path) {
-    std::ifstream stream(path, std::ios::binary);
-    EXPECT_TRUE(stream) << path;
-    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
-
 std::vector<std::string> studiedDemos() {
     std::vector<std::string> names;
     for (const DemoInfo& info : catalogue()) {
@@ -35,8 +29,6 @@ std::vector<std::string> studiedDemos() {
     }
     return names;
 }
-
-bool isLong() { return std::getenv("MVGL_LONG") != nullptr; }
 
 // What the ordinary run measures again: of each method in each scene the fastest row, and of the last scene, whose
 // reference is there anyway, all rows that are faster than this. Every row is left to the long run.

@@ -14,7 +14,7 @@ tar -xzf "$folder/gpu.tar.gz" -C "$folder"
 cd "$folder/mvgl"
 echo cube-shadows >studies.txt
 MVGL_GPU_DEMOS='cube_cull:shading:shadow' ./gpu.sh osmesa >out || fail "$(cat out)"
-for line in '^host ' '^time ' '^ok      presets: 3 of 3$' '^ok      goldens: 3 of 3$' '^ok      claims: ' '^ok      sweep: 3 of 3$' '^ok      study of cube-shadows$'; do
+for line in '^host ' '^time ' '^ok      presets: 3 of 3$' '^ok      goldens: 3 of 3$' '^ok      claims: ' '^ok      ends: 3 of 3$' '^ok      study of cube-shadows$'; do
     grep -q "$line" report.txt || fail "no line $line: $(cat report.txt)"
 done
 # The sources of this build may be anywhere: what is compared is what was packed.

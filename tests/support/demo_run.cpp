@@ -3,15 +3,18 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <limits>
+#include <memory>
 #include <set>
 
 #include "mv/gl/undefined.h"
 #include "mv/image/compare.h"
 #include "mv/image/png.h"
-#include "mv/run/render.h"
 
 namespace mv::test {
 namespace {
@@ -23,22 +26,42 @@ HostKind wantedHost() {
     throw Error("MVGL_TEST_HOST", "must be osmesa | egl | egl-device", name);
 }
 
-HeadlessStage& headless() {
-    static HeadlessStage only(wantedHost());
-    static const bool watched = [] {
+// A stage on a host, whose driver is listened to.
+struct Watched {
+    explicit Watched(std::unique_ptr<Context> on) : context(std::move(on)), stage(*context) {
         listenToDriver(true);
         watchUndefined(true);
-        return true;
-    }();
-    (void)watched;
+    }
+    std::unique_ptr<Context> context;
+    Stage stage;
+};
+
+std::unique_ptr<Watched>& present() {
+    // Never destroyed by itself, which would be after its driver's end: main() leaves it.
+    static auto& only = *new std::unique_ptr<Watched>;
     return only;
+}
+
+Watched& watched() {
+    if (!present()) stageOn(wantedHost());
+    return *present();
 }
 
 }  // namespace
 
-Stage& stage() { return headless().stage; }
+Stage& stage() { return watched().stage; }
+Stage& stageOn(HostKind host, bool es) {
+    leaveStage();  // a program has one table of OpenGL's functions
+    std::vector<std::string> notes;
+    const ContextRequest request = es ? ContextRequest{.version = 30, .es = true} : ContextRequest{};
+    present() = std::make_unique<Watched>(openHeadless(host, request, notes));
+    for (const std::string& note : notes) std::fprintf(stderr, "note: %s\n", note.c_str());
+    return stage();
+}
+void leaveStage() { present().reset(); }
 bool onLlvmpipe() { return stage().driver().renderer.find("llvmpipe") != std::string::npos; }
-void* driverFunction(const char* name) { return headless().context->address(name); }
+void* driverFunction(const char* name) { return watched().context->address(name); }
+bool isLong() { return std::getenv("MVGL_LONG") != nullptr; }
 
 DemoRun::DemoRun(const std::string& name, int width, int height) {
     const DemoInfo& info = findDemo(name);
@@ -138,6 +161,22 @@ int countColors(const Picture& picture, int most) {
 std::string tree() {
     const char* other = std::getenv("MVGL_TREE");
     return other ? other : MVGL_SOURCE_DIR;
+}
+
+std::string fileText(const std::filesystem::path& path) {
+    std::ifstream stream(path, std::ios::binary);
+    EXPECT_TRUE(stream) << path;
+    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+std::string demoText(const std::string& name) {
+    const std::filesystem::path demos = MVGL_SOURCE_DIR "/demos";
+    if (!std::filesystem::is_directory(demos / name)) return fileText(demos / (name + ".cpp"));
+    std::string text;
+    for (const auto& entry : std::filesystem::directory_iterator(demos / name)) {
+        if (entry.path().extension() != ".md") text += fileText(entry.path());
+    }
+    return text;
 }
 
 std::string saveFailure(const std::string& name, const Picture& picture) {

@@ -2,6 +2,7 @@
 #pragma once
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -14,10 +15,15 @@ namespace mv::test {
 // The stage of this test program, on the host named by MVGL_TEST_HOST (osmesa, egl, egl-device; the program's own choice
 // without). The driver is listened to, and each draw is watched for what OpenGL leaves undefined.
 Stage& stage();
+// Opens that stage anew on another host, by OpenGL or OpenGL ES 3.0; and ends it: what asks for stage() next has that of MVGL_TEST_HOST.
+Stage& stageOn(HostKind host, bool es = false);
+void leaveStage();
 // Whether Mesa's llvmpipe draws. What is asked only of it is no promise of OpenGL's, and the page says so.
 bool onLlvmpipe();
 // A function of its driver that the table has not; null where the driver has not either.
 void* driverFunction(const char* name);
+// Whether ./test --long runs it.
+bool isLong();
 
 // Whether the demo's picture is made in passes, since it takes long: what is tried in many settings is then tried smaller.
 inline bool hasPasses(const DemoInfo& info) { return info.make()->passes(FrameInfo(1, info.width, info.height)) > 0; }
@@ -65,6 +71,10 @@ int countColors(const Picture& picture, int most = 1000);
 
 // The folder of the sources, or the one that MVGL_TREE names: with tests/goldens and assets, and with the failures (scripts/gpu.sh).
 std::string tree();
+// What is in a file; a test failure where it cannot be read.
+std::string fileText(const std::filesystem::path& path);
+// What is written of a demo: its file, or those of its folder, without its page.
+std::string demoText(const std::string& name);
 // Saves a picture for a person to look at after a failure, in build/failures, or in MVGL_TREE, and returns its path.
 std::string saveFailure(const std::string& name, const Picture& picture);
 

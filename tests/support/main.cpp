@@ -11,6 +11,7 @@ int main(int count, char** arguments) {
     testing::InitGoogleTest(&count, arguments);
     std::filesystem::current_path(mv::test::tree());  // where a lesson's commands are typed: assets/ is there
     const int result = RUN_ALL_TESTS();
+    mv::test::leaveStage();
     const auto& tests = *testing::UnitTest::GetInstance();
     if (testing::GTEST_FLAG(list_tests)) return result;
     if (tests.test_to_run_count() == 0) {

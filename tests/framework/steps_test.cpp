@@ -1,0 +1,79 @@
+// A frame that is stopped after some of its draws. (Each demo is, by the visits.)
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "mv/run/command_line.h"
+#include "mv/paper/report.h"
+#include "support/demo_run.h"
+
+using namespace mv;
+using namespace mv::test;
+
+namespace {
+
+FrameSteps stopped(int draws, int frame = 1) {
+    stage().stopAfter(frame, draws);
+    return *stage().steps();
+}
+
+int drawsOf(int frame = 1) { return static_cast<int>(stopped(0, frame).draws.size()); }
+
+TEST(StepRules, what_is_out_of_range_is_refused_with_the_number_of_draws) {
+    DemoRun run("cube-cull");
+    (void)run.picture();
+    const int all = drawsOf();
+    for (const int draws : {-1, all + 1, 1 << 30}) {
+        try {
+            stage().stopAfter(1, draws);
+            FAIL() << draws;
+        } catch (const UsageError& error) {
+            EXPECT_EQ(std::string(error.what()).find("--until: must be 0 .. " + std::to_string(all) + ","), 0U)
+                << error.what();
+        }
+    }
+}
+
+TEST(StepRules, the_state_of_a_draw_is_what_its_demo_sets) {
+    DemoRun run("cube-cull");
+    (void)run.set("cull", "front").set("depth", "on").picture();
+    const FrameSteps steps = stopped(1);
+    const std::vector<std::string>& state = steps.draws[0].state;
+    const auto has = [&](const char* call) { return std::count(state.begin(), state.end(), call) == 1; };
+    EXPECT_TRUE(has("glEnable(GL_CULL_FACE)"));
+    EXPECT_TRUE(has("glEnable(GL_DEPTH_TEST)"));
+    EXPECT_TRUE(has("glCullFace(GL_FRONT)"));
+    EXPECT_EQ(steps.draws[0].primitive, "GL_TRIANGLES");
+    EXPECT_EQ(steps.draws[0].program, "'cube-cull'");
+    EXPECT_EQ(steps.draws[0].count, 36);
+    (void)run.set("cull", "none").set("depth", "off").picture();
+    const FrameSteps without = stopped(1);
+    for (const std::string& call : without.draws[0].state) {
+        EXPECT_EQ(call.find("glCullFace"), std::string::npos) << call;
+        EXPECT_EQ(call.find("GL_DEPTH_TEST"), std::string::npos) << call;
+    }
+}
+
+TEST(StepRules, a_map_that_is_kept_is_drawn_all_the_same) {
+    DemoRun run("shadow-map");
+    const Picture first = run.picture();
+    EXPECT_EQ(run.picture(), first);  // now the map is kept
+    const FrameSteps steps = stopped(1);
+    EXPECT_FALSE(steps.draws[0].inPicture);
+    ASSERT_EQ(steps.shown.buffers.size(), 1U);
+    EXPECT_EQ(steps.shown.buffers[0].name, "depth");
+    EXPECT_EQ(steps.shown.width, steps.shown.buffers[0].picture.width);
+    EXPECT_GT(countColors(steps.shown.buffers[0].picture), 1);
+    EXPECT_EQ(countColors(stage().picture()), 1);
+}
+
+TEST(StepRules, a_demo_that_remembers_is_stopped_at_its_frame) {
+    DemoRun run("springs");
+    const Picture at30 = run.picture(30);
+    const int all = drawsOf(30);
+    (void)stopped(all, 30);
+    EXPECT_EQ(stage().picture(), at30);
+    EXPECT_EQ(run.picture(30), at30);
+}
+
+}  // namespace

@@ -1,0 +1,74 @@
+// What stays in memory, frame after frame.
+#include <cstdio>
+
+#include "mv/gl/gl.h"
+#include "support/live_bytes.h"
+#include "visits/visit.h"
+
+namespace mv::test {
+namespace {
+
+// What a user draws who plays with each knob: one after the other, each knob at each of its ends, and between them the demo
+// as it opens, with its readouts after each knob. Frames are numbered on, as in a window; but of a demo that remembers each
+// round begins with frame 1, since a knob that has moved leads it through all frames before the one that is asked for.
+class Rounds {
+  public:
+    explicit Rounds(Demo& demo) : demo_(demo) {}
+    void draw() {
+        if (demo_.memory()) number_ = 0;
+        for (Knob* knob : demo_.knobs()) {
+            const std::string before = knob->text();
+            for (const std::string& end : knob->sweep()) {
+                knob->parse(affordable(knob->name(), end));
+                try {
+                    drawNext();
+                } catch (const Error&) {  // refused by check(), which other tests look at
+                }
+                knob->parse(before);
+                drawNext();
+            }
+            drawNext(true);
+        }
+        // What a demo with a memory has been through is kept, a bounded number of frames of it (Timeline's own test).
+        stage().timeline().beginAnew();
+        stage().draw(1);
+        glFinish();
+    }
+    int frames() const { return frames_; }
+
+  private:
+    void drawNext(bool readouts = false) {
+        ++frames_;
+        stage().draw(++number_, readouts);
+    }
+    Demo& demo_;
+    int frames_ = 0, number_ = 0;
+};
+
+// Two rounds fill whatever is kept. After them each ends with as many GL objects as the one before, and with as many bytes
+// but for what vectors keep in reserve: at most 8 a frame, where the smallest thing that is forgotten in each is of 24.
+TEST_P(Visits, memory_stays) {
+    const int frames = isLong() ? 5000 : 200;
+    DemoRun run(GetParam(), 64, 48);
+    // What drawText keeps of its last sixteen calls: a demo with fewer different words, of which one changes with the frame,
+    // would fill it over many rounds. These are longer than a demo's.
+    for (int i = 0; i < 16; ++i) {
+        drawText(FrameInfo(1, 64, 48), std::vector<TextLine>(20, {0, 0, std::to_string(i) + std::string(100, 'x')}));
+    }
+    Rounds rounds(run.demo());
+    rounds.draw();
+    rounds.draw();
+    const int begun = rounds.frames();
+    const std::size_t bytes = liveBytes();
+    const long objects = liveObjects();
+    do {
+        rounds.draw();
+        EXPECT_EQ(liveObjects(), objects) << "at frame " << rounds.frames();
+        EXPECT_LE(labelledObjects(), static_cast<std::size_t>(liveObjects())) << "labels of what is gone are kept";
+    } while (rounds.frames() < frames);
+    std::printf("%s: %d frames\n", GetParam().c_str(), rounds.frames());
+    EXPECT_LE(liveBytes(), bytes + 8 * static_cast<std::size_t>(rounds.frames() - begun));
+}
+
+}  // namespace
+}  // namespace mv::test

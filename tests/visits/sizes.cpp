@@ -1,0 +1,39 @@
+// Pictures of extreme shapes, and the frame after a whole day.
+#include "visits/visit.h"
+
+namespace mv::test {
+namespace {
+
+// A single pixel, a column and a row of them, odd sizes, and other shapes than the original's.
+TEST_P(Visits, sizes) {
+    DemoRun run(GetParam(), 1, 1);
+    const int by = coarserIfSanitized(stage().info());
+    for (const auto& [width, height] : {std::pair{1, 1}, {37, 91}, {640 / by, 200 / by}, {1, 4096}, {16384, 16}}) {
+        if (sanitized && width * height > 640 * 200) continue;
+        stage().resize(width, height);
+        const Picture picture = visit().value_or(Picture());
+        EXPECT_EQ(picture.width, width);
+        EXPECT_EQ(picture.height, height);
+    }
+}
+
+// Frame 5 184 000 is the one after 24 hours at 60 a second. A demo is a pure function of the frame's number: the picture
+// is the same whatever was drawn before, and the first frame is again what it was. A demo that has to compute each frame
+// from the one before, in milliseconds, is given fewer by affordable(), as a knob "frame".
+TEST_P(Visits, a_day_of_frames) {
+    if (isLeftToLong()) return;
+    DemoRun run(GetParam(), 64, 48);
+    const int day = std::stoi(affordable("frame", "5184000"));
+    const auto first = drawnOnce(1, true), later = drawnOnce(day, true);
+    visit(day - 1);
+    EXPECT_EQ(drawnOnce(day, true), later) << "another picture after the frame before";
+    EXPECT_EQ(drawnOnce(1, true), first) << "another first picture after a day";
+    if (stage().info().animated) {
+        EXPECT_NE(drawnOnce(day + 17, true), later) << "it no longer moves";
+    } else {
+        EXPECT_EQ(later, first);
+    }
+}
+
+}  // namespace
+}  // namespace mv::test

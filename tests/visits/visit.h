@@ -1,0 +1,39 @@
+// Every demo, visited in one state after another: its presets, each end of each knob, pairs of these, sizes and frames. What is to
+// hold in every state is asked in one place, by visit(); what only some can tell stands with their walk.
+#pragma once
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <string>
+
+#include "support/demo_run.h"
+
+namespace mv::test {
+
+class Visits : public testing::TestWithParam<std::string> {};
+
+// The present state of the open demo, drawn:
+// - OpenGL and the driver report no error, and a draw reads nothing undefined (the stage throws, and tests watch);
+// - it is the same picture again, and its readouts, which are measured the second time, change nothing of it;
+// - each readout, each matrix shown and each count is finite;
+// - one that is refused, is so by draw(), too, in a sentence with the flag of a knob and a rule.
+// Returns the picture; nothing where the state is refused, or fails. (Under the sanitizers it is drawn once, with its readouts.)
+std::optional<Picture> visit(int frame = 1);
+// The same of a state that is to be refused; returns the sentence.
+std::string visitRefused(DemoRun& run);
+// And there is something to see in it.
+std::optional<Picture> visitScene(const std::string& setting);
+// One drawing of it alone, with or without its readouts; nothing, and a test failure, where it throws.
+std::optional<Picture> drawnOnce(int frame, bool readouts);
+
+// Whether this takes too long under the sanitizers for all but ./test --long.
+inline bool isLeftToLong() { return sanitized && !isLong(); }
+
+// A quarter of the points of the initial size, and of what the processor computes in passes a hundredth: there are many settings
+// to draw, and each still shows something. (Under the sanitizers, where that is not looked at, a quarter of it.)
+void drawSmall();
+
+// What is tried many times in the place of an end that costs seconds a picture: tests/visits/affordable.txt.
+std::string affordable(const std::string& knob, const std::string& value);
+
+}  // namespace mv::test
