@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "mv/run/command_line.h"
 #include "mv/paper/report.h"
+#include "mv/run/command_line.h"
 #include "support/demo_run.h"
 
 using namespace mv;

@@ -145,7 +145,7 @@ TEST_P(Visits, idle_knobs) {
         const auto before = drawn();
         if (!before) return;
         for (Knob* knob : knobs) {
-            const std::string reason = run.demo().idleReason(*knob), present = knob->text();
+            const std::string reason = knob->idleReason(), present = knob->text();
             if (!reason.empty()) saidIdle.insert(knob->name());
             if (reason.empty() && seen.count(knob->name()) > 0) continue;
             for (const std::string& value : knob->sweep()) {

@@ -64,8 +64,8 @@ bool KnobPanel::show(Comparison& comparison) {
     for (Knob* knob : demo.knobs()) {
         const bool compared = knob == comparison.knob();
         ImGui::PushID(knob->name().c_str());
-        moved |= row(demo, *knob, labelWidth, compared ? sideA : "");
-        if (compared) moved |= otherRow(demo, *knob, labelWidth, comparison);
+        moved |= row(*knob, labelWidth, compared ? sideA : "");
+        if (compared) moved |= otherRow(*knob, labelWidth, comparison);
         ImGui::PopID();
     }
     const bool initial = std::all_of(demo.knobs().begin(), demo.knobs().end(), [](Knob* k) { return k->isInitial(); });
@@ -80,18 +80,18 @@ bool KnobPanel::show(Comparison& comparison) {
 }
 
 // The widgets are the knob's own, so for the moment it holds the other value.
-bool KnobPanel::otherRow(const Demo& demo, Knob& knob, float labelWidth, Comparison& comparison) {
+bool KnobPanel::otherRow(Knob& knob, float labelWidth, Comparison& comparison) {
     const std::string present = knob.text();
     knob.parse(comparison.other());
     ImGui::PushID(sideB);
-    const bool moved = row(demo, knob, labelWidth, sideB);
+    const bool moved = row(knob, labelWidth, sideB);
     ImGui::PopID();
     comparison.setOther(knob.text());
     knob.parse(present);
     return moved;
 }
 
-bool KnobPanel::row(const Demo& demo, Knob& knob, float labelWidth, const std::string& side) {
+bool KnobPanel::row(Knob& knob, float labelWidth, const std::string& side) {
     const ImGuiStyle& style = ImGui::GetStyle();
     const std::string idle = knob.idleReason();
     const bool isFile = knob.kind() == Knob::Kind::file;

@@ -23,8 +23,8 @@ class KnobPanel {
     void closeField() { typed_.clear(); }
 
   private:
-    bool row(const Demo& demo, Knob& knob, float labelWidth, const std::string& side);
-    bool otherRow(const Demo& demo, Knob& knob, float labelWidth, Comparison& comparison);
+    bool row(Knob& knob, float labelWidth, const std::string& side);
+    bool otherRow(Knob& knob, float labelWidth, Comparison& comparison);
     // What a knob is set by. True when it was moved.
     bool widget(Knob& knob);
     bool slider(const Knob& knob, double& value);
