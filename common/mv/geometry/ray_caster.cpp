@@ -52,8 +52,7 @@ std::vector<Surface> surfacesOf(const SceneObject& object, int number) {
         world.emplace_back(object.worldFromObject * vec4(position, 1));
         const vec3 size = glm::abs(world.back());
         if (std::max({size.x, size.y, size.z}) <= largestCast) continue;
-        throw Error(nameOf(object), "coordinates must lie within " + numberText(largestCast),
-                    vectorText(world.back()));
+        throw Error(nameOf(object), "coordinates must lie within " + numberText(largestCast), vectorText(world.back()));
     }
     // A mirror turns the winding round; outwards stays outwards.
     const double side = glm::determinant(mat3(object.worldFromObject)) < 0 ? -1 : 1;

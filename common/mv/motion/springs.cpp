@@ -101,7 +101,8 @@ void jacobianOf(const SpringSystem& system, std::span<const double> y, std::vect
 
 std::vector<double> springState(std::span<const vec3> positions, std::span<const vec3> velocities) {
     if (positions.size() != velocities.size()) {
-        throw Error(springsSubject, "there must be a velocity for each of the " + std::to_string(positions.size()) + " points",
+        throw Error(springsSubject,
+                    "there must be a velocity for each of the " + std::to_string(positions.size()) + " points",
                     std::to_string(velocities.size()));
     }
     std::vector<double> state;
@@ -124,7 +125,8 @@ void requireSprings(const SpringSystem& system) {
     for (const PointMass& point : system.points) requirePositive(springsSubject, "each mass", point.mass);
     for (const Spring& spring : system.springs) {
         if (spring.a >= system.points.size() || spring.b >= system.points.size() || spring.a == spring.b) {
-            throw Error(springsSubject, "each spring must join two of the " + std::to_string(system.points.size()) + " points",
+            throw Error(springsSubject,
+                        "each spring must join two of the " + std::to_string(system.points.size()) + " points",
                         std::to_string(spring.a) + " and " + std::to_string(spring.b));
         }
         requireNotNegative("each stiffness", spring.stiffness);
