@@ -2,7 +2,7 @@
 include(CMakePackageConfigHelpers)
 set(packageDir "${CMAKE_INSTALL_LIBDIR}/cmake/mvgl")
 
-install(TARGETS mv mvgl-demo EXPORT mvglTargets FILE_SET HEADERS)
+install(TARGETS mv mv-base mv-geometry mv-motion mvgl-demo mvgl-demo-and-mv EXPORT mvglTargets FILE_SET HEADERS)
 install(EXPORT mvglTargets NAMESPACE mvgl:: DESTINATION "${packageDir}")
 if(MVGL_DEMOS)
   install(TARGETS mvgl ${MVGL_DEMO_TARGETS})

@@ -1,9 +1,10 @@
-# mvgl_add_demo(<name> [TARGET <target>] [SOURCE <file>] [SHADERS <folder>])
+# mvgl_add_demo(<name> [TARGET <target>] [SOURCE <file>] [SHADERS <folder>] [LIBRARIES <library>...])
 #
 # Makes the program <name> of one demo: all <name>/*.cpp in the current folder, a lesson; or <name>.cpp there (or SOURCE) with
 # <name>.study.cpp, where there is one. Built in are the shader files of the folder SHADERS (default: ../shaders beside the
 # current folder, else the current folder): all of its folder <name>, or <name>.vert, <name>.frag, <name>.<variant>.vert
 # ...; its include/*.glsl; and the committed studies, where ../docs/errors-and-times beside the shaders has some.
+# It links LIBRARIES (default: mvgl::demo, the library and all of mv).
 # The program is the target <target> (default: <name>); the demo's objects are demo-<target>, for programs of several demos.
 #
 # Built programs read the shaders where they are edited. Installed ones must not: so no path is built in. It stands in a file
@@ -45,9 +46,12 @@ function(mvgl_demo_sources variable name source)
 endfunction()
 
 function(mvgl_add_demo name)
-  cmake_parse_arguments(PARSE_ARGV 1 demo "" "TARGET;SOURCE;SHADERS" "")
+  cmake_parse_arguments(PARSE_ARGV 1 demo "" "TARGET;SOURCE;SHADERS" "LIBRARIES")
   if(NOT demo_TARGET)
     set(demo_TARGET ${name})
+  endif()
+  if(NOT demo_LIBRARIES)
+    set(demo_LIBRARIES mvgl::demo)
   endif()
   if(NOT demo_SHADERS)
     set(demo_SHADERS "${CMAKE_CURRENT_SOURCE_DIR}/../shaders")
@@ -65,11 +69,11 @@ function(mvgl_add_demo name)
   set(objects demo-${demo_TARGET})
   mvgl_demo_sources(sources ${name} "${demo_SOURCE}")
   add_library(${objects} OBJECT ${sources})
-  target_link_libraries(${objects} PUBLIC mvgl::demo)
+  target_link_libraries(${objects} PUBLIC ${demo_LIBRARIES})
   mvgl_embed_shaders(${objects} ${name} "${demo_SHADERS}")
   add_executable(${demo_TARGET} ${main} $<TARGET_OBJECTS:${objects}>)
   set_target_properties(${demo_TARGET} PROPERTIES OUTPUT_NAME ${name})
-  target_link_libraries(${demo_TARGET} PRIVATE mvgl::demo)
+  target_link_libraries(${demo_TARGET} PRIVATE ${demo_LIBRARIES})
 
   set(place "$<TARGET_FILE_DIR:${demo_TARGET}>")
   if(TARGET mvgl-demo)

@@ -10,8 +10,8 @@
 namespace mv {
 namespace {
 
-constexpr double largestSize = 1e38;  // room below the largest float
-constexpr int mostDivisions = 256;
+constexpr double largestPatch = 1e38;  // room below the largest float
+constexpr int mostPatchDivisions = 256;
 
 // Exact at both ends: at 0 it is a, at 1 it is b.
 vec3 between(const vec3& a, const vec3& b, double t) { return (1 - t) * a + t * b; }
@@ -71,7 +71,7 @@ SurfacePoint pointOf(const BezierPatch& patch, double u, double v) {
 }
 
 MeshData tessellated(std::span<const BezierPatch> patches, int divisions) {
-    requireRange("tessellated", "divisions", divisions, 1, mostDivisions);
+    requireRange("tessellated", "divisions", divisions, 1, mostPatchDivisions);
     MeshData mesh;
     const auto n = static_cast<std::uint32_t>(divisions);
     for (const BezierPatch& patch : patches) {
@@ -80,7 +80,7 @@ MeshData tessellated(std::span<const BezierPatch> patches, int divisions) {
             for (std::uint32_t i = 0; i <= n; ++i) {
                 const double u = double(i) / n, v = double(j) / n;
                 const SurfacePoint at = pointOf(patch, u, v);
-                if (largestComponent(at.position) > largestSize) {
+                if (largestComponent(at.position) > largestPatch) {
                     throw Error("tessellated", "coordinates must be within 1e38", vectorText(at.position));
                 }
                 mesh.positions.emplace_back(at.position);

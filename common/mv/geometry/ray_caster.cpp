@@ -21,7 +21,7 @@ namespace mv {
 namespace {
 
 // Room for the products of four coordinates.
-constexpr double largestCoordinate = 1e70;
+constexpr double largestCast = 1e70;
 
 std::string nameOf(const SceneObject& object) { return "object '" + object.name + "'"; }
 
@@ -51,9 +51,8 @@ std::vector<Surface> surfacesOf(const SceneObject& object, int number) {
     for (const fvec3& position : object.mesh.positions) {
         world.emplace_back(object.worldFromObject * vec4(position, 1));
         const vec3 size = glm::abs(world.back());
-        if (std::max({size.x, size.y, size.z}) <= largestCoordinate) continue;
-        throw Error(nameOf(object), "coordinates must lie within " + numberText(largestCoordinate),
-                    vectorText(world.back()));
+        if (std::max({size.x, size.y, size.z}) <= largestCast) continue;
+        throw Error(nameOf(object), "coordinates must lie within " + numberText(largestCast), vectorText(world.back()));
     }
     // A mirror turns the winding round; outwards stays outwards.
     const double side = glm::determinant(mat3(object.worldFromObject)) < 0 ? -1 : 1;

@@ -21,17 +21,17 @@ constexpr std::array<std::array<int, 3>, 8> cubeCorners{
     {{-1, -1, 1}, {-1, 1, 1}, {1, 1, 1}, {1, -1, 1}, {-1, -1, -1}, {-1, 1, -1}, {1, 1, -1}, {1, -1, -1}}};
 
 // A face of the cube: its corners counter-clockwise seen from outside, and the directions of a picture on it.
-struct CubeFace {
+struct BoxSide {
     std::array<std::size_t, 4> corners;
     fvec3 normal, right, up;
 };
 
-const std::array<CubeFace, 6> cubeFaces{{{{1, 0, 3, 2}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}},
-                                         {{2, 3, 7, 6}, {1, 0, 0}, {0, 0, -1}, {0, 1, 0}},
-                                         {{3, 0, 4, 7}, {0, -1, 0}, {1, 0, 0}, {0, 0, 1}},
-                                         {{6, 5, 1, 2}, {0, 1, 0}, {1, 0, 0}, {0, 0, -1}},
-                                         {{4, 5, 6, 7}, {0, 0, -1}, {-1, 0, 0}, {0, 1, 0}},
-                                         {{5, 4, 0, 1}, {-1, 0, 0}, {0, 0, 1}, {0, 1, 0}}}};
+const std::array<BoxSide, 6> boxSides{{{{1, 0, 3, 2}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}},
+                                       {{2, 3, 7, 6}, {1, 0, 0}, {0, 0, -1}, {0, 1, 0}},
+                                       {{3, 0, 4, 7}, {0, -1, 0}, {1, 0, 0}, {0, 0, 1}},
+                                       {{6, 5, 1, 2}, {0, 1, 0}, {1, 0, 0}, {0, 0, -1}},
+                                       {{4, 5, 6, 7}, {0, 0, -1}, {-1, 0, 0}, {0, 1, 0}},
+                                       {{5, 4, 0, 1}, {-1, 0, 0}, {0, 0, 1}, {0, 1, 0}}}};
 
 // A quadrilateral a, b, c, d is drawn as the triangles a b c and a c d.
 constexpr std::array<std::size_t, 6> quadOrder{0, 1, 2, 0, 2, 3};
@@ -80,7 +80,7 @@ MeshData colorCube() {
     static const std::array<fvec4, 8> colors{fvec4(0, 0, 0, 1), fvec4(1, 0, 0, 1), fvec4(1, 1, 0, 1), fvec4(0, 1, 0, 1),
                                              fvec4(0, 0, 1, 1), fvec4(1, 0, 1, 1), fvec4(0, 1, 1, 1), fvec4(1)};
     MeshData mesh;
-    for (const CubeFace& face : cubeFaces) {
+    for (const BoxSide& face : boxSides) {
         for (const std::size_t i : quadOrder) {
             mesh.positions.push_back(0.5f * cornerOf(face.corners[i]));
             mesh.colors.push_back(colors[face.corners[0]]);
@@ -156,7 +156,7 @@ MeshData box(const vec3& lo, const vec3& hi) {
                     vectorText(lo) + " and " + vectorText(hi));
     }
     MeshData mesh;
-    for (const CubeFace& face : cubeFaces) {
+    for (const BoxSide& face : boxSides) {
         for (const std::size_t i : quadOrder) {
             const fvec3 corner = cornerOf(face.corners[i]);
             fvec3 position;

@@ -10,7 +10,7 @@
 namespace mv {
 namespace {
 
-GLenum separatePrimitive(GLenum primitive) {
+GLenum capturedAs(GLenum primitive) {
     return primitive == GL_TRIANGLE_STRIP || primitive == GL_TRIANGLE_FAN ? GLenum(GL_TRIANGLES) : primitive;
 }
 
@@ -18,7 +18,7 @@ GLenum separatePrimitive(GLenum primitive) {
 
 std::vector<fvec4> transformedPositions(const Mesh& mesh) {
     const Counters before = counters();
-    const GLenum primitive = separatePrimitive(mesh.primitive());
+    const GLenum primitive = capturedAs(mesh.primitive());
     const GLsizei count = primitive == mesh.primitive() ? mesh.count() : (mesh.count() - 2) * 3;
     std::vector<fvec4> positions(static_cast<std::size_t>(count));
     const auto bytes = static_cast<GLsizeiptr>(positions.size() * sizeof(fvec4));

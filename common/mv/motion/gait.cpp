@@ -10,12 +10,12 @@
 namespace mv {
 namespace {
 
-constexpr std::string_view subject = "footTarget";
+constexpr std::string_view gaitSubject = "footTarget";
 
 void requireSize(std::string_view name, double value, double most) {
-    requireFinite(subject, name, value);
+    requireFinite(gaitSubject, name, value);
     if (std::abs(value) <= most) return;
-    throw Error(subject, std::string(name).append(" must be at most ").append(numberText(most)), numberText(value));
+    throw Error(gaitSubject, std::string(name).append(" must be at most ").append(numberText(most)), numberText(value));
 }
 
 }  // namespace
@@ -26,7 +26,7 @@ FootTarget footTarget(const Gait& gait, double cycles) {
     requireSize("phase", gait.phase, 1e12);
     requireSize("cycles", cycles, 1e12);
     if (!(gait.stance > 0 && gait.stance < 1)) {
-        throw Error(subject, "stance must be above 0 and below 1", numberText(gait.stance));
+        throw Error(gaitSubject, "stance must be above 0 and below 1", numberText(gait.stance));
     }
     const double time = cycles + gait.phase, step = std::floor(time), part = time - step;
     // In the middle of this step's stance the body is here. Nothing in it depends on the part.

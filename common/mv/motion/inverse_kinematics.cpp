@@ -16,7 +16,7 @@
 namespace mv {
 namespace {
 
-constexpr std::string_view subject = "solveInverseKinematics";
+constexpr std::string_view solver = "solveInverseKinematics";
 
 // The damping lambda^2 for an error |e| is this times |e|^2, less after a step that was good and more after one that
 // was not.
@@ -80,7 +80,7 @@ class Search {
             case IkMethod::dampedLeastSquares:
                 return dampedStep();
         }
-        throw Error(subject, "the method must be one of IkMethod", std::to_string(static_cast<int>(options_.method)));
+        throw Error(solver, "the method must be one of IkMethod", std::to_string(static_cast<int>(options_.method)));
     }
 
   private:
@@ -207,11 +207,11 @@ class Search {
 
 void requireOptions(const IkOptions& options) {
     if (!(options.tolerance >= 1e-14 && options.tolerance <= 0.1)) {
-        throw Error(subject, "the tolerance must be 1e-14 to 0.1 of the reach", numberText(options.tolerance));
+        throw Error(solver, "the tolerance must be 1e-14 to 0.1 of the reach", numberText(options.tolerance));
     }
-    requireRange(subject, "mostIterations", options.mostIterations, 0, 1'000'000);
+    requireRange(solver, "mostIterations", options.mostIterations, 0, 1'000'000);
     if (!(options.largestStep > 0 && options.largestStep <= 180)) {
-        throw Error(subject, "largestStep must be above 0 and at most 180 degrees", numberText(options.largestStep));
+        throw Error(solver, "largestStep must be above 0 and at most 180 degrees", numberText(options.largestStep));
     }
 }
 
@@ -219,7 +219,7 @@ void requireWithinLimits(const JointTree& tree, std::span<const double> degrees)
     for (std::size_t i = 0; i < degrees.size(); ++i) {
         const Joint& joint = tree.joints()[i];
         if (joint.kind == JointKind::fixed || (degrees[i] >= joint.least && degrees[i] <= joint.most)) continue;
-        throw Error(subject,
+        throw Error(solver,
                     "the angle of joint " + std::to_string(i) + " must be " + numberText(joint.least) + " to " +
                         numberText(joint.most),
                     numberText(degrees[i]));
@@ -234,9 +234,9 @@ IkResult solveInverseKinematics(const JointTree& tree, const EndEffector& end, c
     tree.requireAngles(start);
     requireWithinLimits(tree, start);
     requireOptions(options);
-    requireFinite(subject, "the target", target);
+    requireFinite(solver, "the target", target);
     if (largestComponent(target) > 1e100) {
-        throw Error(subject, "the target must have coordinates of at most 1e100", vectorText(target));
+        throw Error(solver, "the target must have coordinates of at most 1e100", vectorText(target));
     }
 
     const IkChain chain(tree, end, start);

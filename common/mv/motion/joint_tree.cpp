@@ -14,18 +14,18 @@
 namespace mv {
 namespace {
 
-constexpr std::string_view subject = "JointTree";
+constexpr std::string_view jointTree = "JointTree";
 // Squares of coordinates up to this size, and sums of many, are numbers.
-constexpr double largestCoordinate = 1e100;
+constexpr double largestJoint = 1e100;
 
 std::string named(std::string_view what, std::size_t joint) {
     return std::string(what).append(" of joint ").append(std::to_string(joint));
 }
 
 void requireCoordinates(const std::string& name, const vec3& v) {
-    requireFinite(subject, name, v);
-    if (largestComponent(v) > largestCoordinate) {
-        throw Error(subject, name + " must have coordinates of at most 1e100", vectorText(v));
+    requireFinite(jointTree, name, v);
+    if (largestComponent(v) > largestJoint) {
+        throw Error(jointTree, name + " must have coordinates of at most 1e100", vectorText(v));
     }
 }
 
@@ -40,14 +40,14 @@ double shearOf(const mat3& m) {
 
 void requireRigid(const mat4& m, std::size_t joint) {
     const std::string name = named("parentFromJoint", joint);
-    requireFinite(subject, name, m);
+    requireFinite(jointTree, name, m);
     const mat3 turn(m);
     // Some dozens of products of rotations stay within 1e-12; a scale, a mirror, or what was a float matrix does not.
     const double shear = shearOf(turn);
     const bool isMirror = glm::dot(glm::cross(turn[0], turn[1]), turn[2]) < 0;
     const bool isAffine = vec4(m[0].w, m[1].w, m[2].w, m[3].w) == vec4(0, 0, 0, 1);
     if (!(shear <= 1e-12) || isMirror || !isAffine) {
-        throw Error(subject, name + " must be a rotation and a translation, to 1e-12",
+        throw Error(jointTree, name + " must be a rotation and a translation, to 1e-12",
                     isMirror    ? "it mirrors"
                     : !isAffine ? "its last row is not (0, 0, 0, 1)"
                                 : "its columns are off by " + numberText(shear));
@@ -57,23 +57,23 @@ void requireRigid(const mat4& m, std::size_t joint) {
 
 void requireLimits(const Joint& joint, std::size_t index) {
     if (joint.least <= joint.most) return;  // false for NaN
-    throw Error(subject, named("the limits", index) + " must be numbers, the least at most the most",
+    throw Error(jointTree, named("the limits", index) + " must be numbers, the least at most the most",
                 numberText(joint.least) + " to " + numberText(joint.most));
 }
 
 }  // namespace
 
 JointTree::JointTree(std::vector<Joint> joints) : joints_(std::move(joints)) {
-    if (joints_.empty()) throw Error(subject, "a tree must have a joint", "none");
+    if (joints_.empty()) throw Error(jointTree, "a tree must have a joint", "none");
     for (std::size_t i = 0; i < joints_.size(); ++i) {
         Joint& joint = joints_[i];
         if (joint.parent && *joint.parent >= i) {
-            throw Error(subject, named("the parent", i) + " must come before it", std::to_string(*joint.parent));
+            throw Error(jointTree, named("the parent", i) + " must come before it", std::to_string(*joint.parent));
         }
         requireRigid(joint.parentFromJoint, i);
-        requireFinite(subject, named("the axis", i), joint.axis);
+        requireFinite(jointTree, named("the axis", i), joint.axis);
         if (joint.axis == vec3(0))
-            throw Error(subject, named("the axis", i) + " must not be 0", vectorText(joint.axis));
+            throw Error(jointTree, named("the axis", i) + " must not be 0", vectorText(joint.axis));
         joint.axis = unit(joint.axis);
         requireLimits(joint, i);
     }
@@ -81,7 +81,7 @@ JointTree::JointTree(std::vector<Joint> joints) : joints_(std::move(joints)) {
 
 void JointTree::requireEnd(const EndEffector& end) const {
     if (end.joint >= joints_.size()) {
-        throw Error(subject, "the end effector's joint must be 0 to " + std::to_string(joints_.size() - 1),
+        throw Error(jointTree, "the end effector's joint must be 0 to " + std::to_string(joints_.size() - 1),
                     std::to_string(end.joint));
     }
     requireCoordinates("the end effector's offset", end.offset);
@@ -89,13 +89,13 @@ void JointTree::requireEnd(const EndEffector& end) const {
 
 void JointTree::requireAngles(std::span<const double> degrees) const {
     if (degrees.size() != joints_.size()) {
-        throw Error(subject, "there must be as many angles as joints, " + std::to_string(joints_.size()),
+        throw Error(jointTree, "there must be as many angles as joints, " + std::to_string(joints_.size()),
                     std::to_string(degrees.size()));
     }
     for (std::size_t i = 0; i < degrees.size(); ++i) {
-        requireFinite(subject, named("the angle", i), degrees[i]);
+        requireFinite(jointTree, named("the angle", i), degrees[i]);
         if (joints_[i].kind == JointKind::fixed && degrees[i] != 0) {
-            throw Error(subject, named("the angle", i) + ", which is fixed, must be 0", numberText(degrees[i]));
+            throw Error(jointTree, named("the angle", i) + ", which is fixed, must be 0", numberText(degrees[i]));
         }
     }
 }
@@ -113,7 +113,7 @@ mat4 JointTree::parentFromTurned(std::size_t joint, double degrees) const {
     const Joint& turned = joints_[joint];
     if (turned.kind == JointKind::revolute) return turned.parentFromJoint * rotate(degrees, turned.axis);
     if (degrees == 0) return turned.parentFromJoint;
-    throw Error(subject, named("the angle", joint) + ", which is fixed, must be 0", numberText(degrees));
+    throw Error(jointTree, named("the angle", joint) + ", which is fixed, must be 0", numberText(degrees));
 }
 
 std::vector<mat4> JointTree::worldFromJoints(std::span<const double> degrees) const {

@@ -73,10 +73,10 @@ void requireMoment(std::string_view subject, double t) {
 }
 
 // Both ends as unit vectors, of which `to` has the sign that makes the arc between them the shorter way.
-struct Ends {
+struct ArcEnds {
     vec4 from, to;
 };
-Ends endsOf(std::string_view subject, const quat& from, const quat& to) {
+ArcEnds endsOf(std::string_view subject, const quat& from, const quat& to) {
     const vec4 a = unitOf(subject, from), b = unitOf(subject, to);
     const double dot = glm::dot(a, b);
     if (std::abs(dot) > dotRounding) return {a, dot < 0 ? -b : b};
@@ -162,7 +162,7 @@ double angleBetween(const quat& a, const quat& b) {
 
 quat slerp(const quat& from, const quat& to, double t, Way way) {
     requireMoment("slerp", t);
-    Ends ends = endsOf("slerp", from, to);
+    ArcEnds ends = endsOf("slerp", from, to);
     if (way == Way::longer) ends.to = -ends.to;
     const vec4 sum = ends.from + ends.to, difference = ends.to - ends.from;
     const double along = glm::length(sum), across = glm::length(difference);
@@ -178,7 +178,7 @@ quat slerp(const quat& from, const quat& to, double t, Way way) {
 
 quat nlerp(const quat& from, const quat& to, double t) {
     requireMoment("nlerp", t);
-    const Ends ends = endsOf("nlerp", from, to);
+    const ArcEnds ends = endsOf("nlerp", from, to);
     if (t == 0) return quatOf(ends.from);
     if (t == 1) return quatOf(ends.to);
     return quatOf(unitOf((ends.from + ends.to) + (2 * t - 1) * (ends.to - ends.from)));

@@ -12,17 +12,17 @@
 namespace mv {
 namespace {
 
-constexpr const char* subject = "springs";
+constexpr const char* springsSubject = "springs";
 
 void requireNotNegative(const std::string& name, double value) {
     if (!(value >= 0 && isFinite(value))) {
-        throw Error(subject, name + " must be 0 or more and finite", numberText(value));
+        throw Error(springsSubject, name + " must be 0 or more and finite", numberText(value));
     }
 }
 
 void requireSize(const SpringSystem& system, std::span<const double> state) {
     if (state.size() == 6 * system.points.size()) return;
-    throw Error(subject,
+    throw Error(springsSubject,
                 "the state of " + std::to_string(system.points.size()) + " points must have six numbers for each",
                 std::to_string(state.size()));
 }
@@ -101,7 +101,8 @@ void jacobianOf(const SpringSystem& system, std::span<const double> y, std::vect
 
 std::vector<double> springState(std::span<const vec3> positions, std::span<const vec3> velocities) {
     if (positions.size() != velocities.size()) {
-        throw Error(subject, "there must be a velocity for each of the " + std::to_string(positions.size()) + " points",
+        throw Error(springsSubject,
+                    "there must be a velocity for each of the " + std::to_string(positions.size()) + " points",
                     std::to_string(velocities.size()));
     }
     std::vector<double> state;
@@ -120,33 +121,34 @@ vec3 velocityOf(std::span<const double> state, std::size_t point) {
 }
 
 void requireSprings(const SpringSystem& system) {
-    if (system.points.empty()) throw Error(subject, "there must be a point", "none");
-    for (const PointMass& point : system.points) requirePositive(subject, "each mass", point.mass);
+    if (system.points.empty()) throw Error(springsSubject, "there must be a point", "none");
+    for (const PointMass& point : system.points) requirePositive(springsSubject, "each mass", point.mass);
     for (const Spring& spring : system.springs) {
         if (spring.a >= system.points.size() || spring.b >= system.points.size() || spring.a == spring.b) {
-            throw Error(subject, "each spring must join two of the " + std::to_string(system.points.size()) + " points",
+            throw Error(springsSubject,
+                        "each spring must join two of the " + std::to_string(system.points.size()) + " points",
                         std::to_string(spring.a) + " and " + std::to_string(spring.b));
         }
         requireNotNegative("each stiffness", spring.stiffness);
         requireNotNegative("each rest length", spring.restLength);
         requireNotNegative("each damping", spring.damping);
     }
-    requireFinite(subject, "gravity", system.gravity);
+    requireFinite(springsSubject, "gravity", system.gravity);
 }
 
 void requireSprings(const SpringSystem& system, std::span<const double> state) {
     requireSprings(system);
     requireSize(system, state);
-    for (const double number : state) requireFinite(subject, "each number of the state", number);
+    for (const double number : state) requireFinite(springsSubject, "each number of the state", number);
     for (std::size_t p = 0; p < system.points.size(); ++p) {
         if (system.points[p].isFixed && velocityOf(state, p) != vec3(0)) {
-            throw Error(subject, "a fixed point must have the velocity 0", vectorText(velocityOf(state, p)));
+            throw Error(springsSubject, "a fixed point must have the velocity 0", vectorText(velocityOf(state, p)));
         }
     }
     for (const Spring& spring : system.springs) {
         if ((spring.restLength > 0 || spring.damping > 0) &&
             positionOf(state, spring.a) == positionOf(state, spring.b)) {
-            throw Error(subject, "the ends of a spring with a rest length or damping must be in two places",
+            throw Error(springsSubject, "the ends of a spring with a rest length or damping must be in two places",
                         vectorText(positionOf(state, spring.a)));
         }
     }

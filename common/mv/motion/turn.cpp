@@ -13,7 +13,7 @@ namespace {
 // operator* makes it of unit length, and refuses what is none.
 quat unitOf(const quat& q) { return quat() * q; }
 
-vec3 vectorOf(const quat& q) { return {q.x, q.y, q.z}; }
+vec3 axisPart(const quat& q) { return {q.x, q.y, q.z}; }
 quat quatOf(double w, const vec3& v) { return {w, v.x, v.y, v.z}; }
 
 void requireDirection(const vec3& v) {
@@ -36,12 +36,12 @@ quat renamedBack(const quat& q, EulerOrder order) {
 
 quat inverse(const quat& q) {
     const quat unit = unitOf(q);
-    return quatOf(unit.w, -vectorOf(unit));
+    return quatOf(unit.w, -axisPart(unit));
 }
 
 AxisAngle axisAngleOf(const quat& q) {
     const quat turn = unitOf(q);
-    const vec3 v = vectorOf(turn);
+    const vec3 v = axisPart(turn);
     if (v == vec3(0)) return {};
     const vec3 axis = unit(v);
     return {2 * degrees(std::atan2(glm::dot(v, axis), std::abs(turn.w))), turn.w < 0 ? -axis : axis};
@@ -50,7 +50,7 @@ AxisAngle axisAngleOf(const quat& q) {
 vec3 turned(const quat& q, const vec3& v) {
     requireFinite("turned", "the vector", v);
     const quat turn = unitOf(q);
-    const vec3 u = vectorOf(turn), twice = 2.0 * glm::cross(u, v);
+    const vec3 u = axisPart(turn), twice = 2.0 * glm::cross(u, v);
     return v + turn.w * twice + glm::cross(u, twice);
 }
 

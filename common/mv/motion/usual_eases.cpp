@@ -8,21 +8,21 @@
 namespace mv {
 namespace {
 
-void requirePart(const char* subject, double t) {
+void requireShare(const char* subject, double t) {
     if (!(t >= 0 && t <= 1)) throw Error(subject, "t must be 0 to 1", numberText(t));
 }
 
 using Curve = double (*)(double);
 
 double sided(const char* subject, Curve in, double t, EaseSide side) {
-    requirePart(subject, t);
+    requireShare(subject, t);
     if (side == EaseSide::in) return in(t);
     if (side == EaseSide::out) return 1 - in(1 - t);
     return t < 0.5 ? in(2 * t) / 2 : 1 - in(2 - 2 * t) / 2;
 }
 
 double slopeSided(const char* subject, Curve slopeIn, double t, EaseSide side) {
-    requirePart(subject, t);
+    requireShare(subject, t);
     if (side == EaseSide::in) return slopeIn(t);
     if (side == EaseSide::out) return slopeIn(1 - t);
     return slopeIn(t < 0.5 ? 2 * t : 2 - 2 * t);
@@ -93,7 +93,7 @@ double bounceEase(double t, EaseSide side) { return sided("bounceEase", bounceIn
 double bounceEaseSlope(double t, EaseSide side) { return slopeSided("bounceEaseSlope", bounceInSlope, t, side); }
 
 double stepsEase(double t, int steps) {
-    requirePart("stepsEase", t);
+    requireShare("stepsEase", t);
     if (steps < 1 || steps > 1'000'000) throw Error("stepsEase", "steps must be 1 to 1e6", numberText(steps));
     return std::floor(steps * t) / steps;
 }

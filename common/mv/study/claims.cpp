@@ -43,11 +43,6 @@ std::string nameOf(const StudyRows& rows) {
     return text;
 }
 
-std::string nameOf(const StudyRow& row) {
-    std::string text = row.scene.empty() ? row.method : row.scene + ", " + row.method;
-    return row.parameter.empty() ? text : text + " " + row.parameter;
-}
-
 std::string boundsText(double low, double high) {
     if (low == high) return errorText(low);
     if (low == -HUGE_VAL) return "at most " + errorText(high);

@@ -18,6 +18,13 @@
 #include "mv/show/median.h"
 
 namespace mv {
+
+std::string nameOf(const StudyRow& row) {
+    std::string name = row.scene.empty() ? row.method : row.scene + ", " + row.method;
+    if (!row.parameter.empty()) name += " " + row.parameter;
+    return name;
+}
+
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -141,12 +148,6 @@ std::vector<StudyRow> rowsOf(const Study& study) {
         }
     }
     return rows;
-}
-
-std::string nameOf(const StudyRow& row) {
-    std::string name = row.scene.empty() ? row.method : row.scene + ", " + row.method;
-    if (!row.parameter.empty()) name += " " + row.parameter;
-    return name;
 }
 
 // ---- Progress: a line at most twice a second

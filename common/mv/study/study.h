@@ -33,6 +33,8 @@ StudyRun runStudy(Stage& stage, const Study& study, const StudyOptions& options)
 // where it is exactly that), what a row counted, how the reference was made, and where the study was measured.
 std::vector<std::string> scenesOf(const StudyRun& run);
 std::vector<std::string> methodsOf(const StudyRun& run, const std::string& scene);
+// "map, 1 tap, resolution 1024"
+std::string nameOf(const StudyRow& row);
 std::string countsText(const StudyRow& row);
 std::string referenceText(const StudyRun& run);
 std::string machineText(const StudyRun& run);

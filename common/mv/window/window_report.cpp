@@ -9,7 +9,7 @@
 namespace mv {
 namespace {
 
-std::string sizeText(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
+std::string pixelsText(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
 
 }  // namespace
 
@@ -19,8 +19,8 @@ nlohmann::ordered_json windowJson(const WindowState& state) {
             {"closing", state.closing},
             {"seconds", state.seconds},
             {"window_frames", state.frames},
-            {"size", sizeText(state.size.width(), state.size.height())},
-            {"pixels", sizeText(state.size.pixelWidth(), state.size.pixelHeight())},
+            {"size", pixelsText(state.size.width(), state.size.height())},
+            {"pixels", pixelsText(state.size.pixelWidth(), state.size.pixelHeight())},
             {"keys", state.inputs.keys},
             {"keys_held", state.inputs.keysHeld},
             {"buttons", state.inputs.buttons},
