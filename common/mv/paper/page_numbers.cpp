@@ -45,7 +45,7 @@ struct ToldNumber {
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
 // "0.014", "-0.92", "4e-7", "296 533". Nothing where the text is anything else.
-std::optional<ToldNumber> readNumber(const std::string& text) {
+std::optional<ToldNumber> toldNumberIn(const std::string& text) {
     ToldNumber told;
     std::string plain;
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -131,7 +131,7 @@ std::vector<PageNumber> pageNumbers(const std::string& page, const std::string& 
             if (number.source.find("--") != std::string::npos) {
                 refuse("must name flags without their dashes: a comment must not hold two of them", number.source);
             }
-            if (!readNumber(number.text)) refuse("must have one number between a marker's comments", number.text);
+            if (!toldNumberIn(number.text)) refuse("must have one number between a marker's comments", number.text);
             numbers.push_back(std::move(number));
             from = textEnd + closing.size();
         }
@@ -141,13 +141,13 @@ std::vector<PageNumber> pageNumbers(const std::string& page, const std::string& 
 }
 
 bool tells(const std::string& text, const MadeNumber& made) {
-    const auto told = readNumber(text);
+    const auto told = toldNumberIn(text);
     // Half a unit is itself rounded in binary: 0.0015 is not quite half of 0.003.
     return told && std::abs(told->value - made.value) <= told->halfUnit * (1 + 1e-9) + made.tolerance;
 }
 
 std::string toldLike(const std::string& text, const MadeNumber& made) {
-    const ToldNumber old = readNumber(text).value_or(ToldNumber{});
+    const ToldNumber old = toldNumberIn(text).value_or(ToldNumber{});
     if (made.isCount) {
         const std::string digits = formatted("%.0f", made.value);
         return old.isGrouped || digits.size() > 5 ? inGroups(digits) : digits;
