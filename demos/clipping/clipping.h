@@ -12,7 +12,7 @@ namespace mv::clipping {
 
 enum class Subject { point, segment, polygon, space };
 enum class Method { cohenSutherland, liangBarsky, cyrusBeck, exact };
-enum class PolygonMethod { sutherlandHodgman, overlap };
+enum class PolygonMethod { sutherlandHodgman, overlap, sides };
 enum class Where { view, clip, divided };
 
 // Of a segment in the plane; the point is its first end. The window is given by two opposite corners.

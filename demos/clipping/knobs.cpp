@@ -10,8 +10,10 @@ void check(const Settings& s) {
         throw Error("--polygon", "must have an area, and edges that do not cross or touch");
     if (!isSimple(onGrid(s.polygons.against)))
         throw Error("--against", "must have an area, and edges that do not cross or touch");
-    if (s.polygons.method == PolygonMethod::sutherlandHodgman && !isConvex(s.polygons.against))
-        throw Error("--against", "must be convex with --polygon-method sutherland-hodgman; overlap takes any");
+    if (s.polygons.method != PolygonMethod::overlap && !isConvex(s.polygons.against))
+        throw Error("--against", s.polygons.method == PolygonMethod::sides
+                                     ? "must be convex with --polygon-method sides; overlap takes any"
+                                     : "must be convex with --polygon-method sutherland-hodgman; overlap takes any");
 }
 
 namespace {
@@ -55,7 +57,8 @@ std::vector<Row<Settings>> rows() {
         part(&Settings::polygons,
              {word("polygon-method", &Polygons::method,
                    {{"sutherland-hodgman", "cut at one edge of the window after the other"},
-                    {"overlap", "of both outlines the parts that lie inside the other one"}},
+                    {"overlap", "of both outlines the parts that lie inside the other one"},
+                    {"sides", "each side by itself, as a segment: what is left does not close"}},
                    "for a polygon")},
              is<Subject::polygon>, "only a polygon has it"),
         part(&Settings::space,

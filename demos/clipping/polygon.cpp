@@ -29,10 +29,22 @@ static std::vector<vec2> cutAt(const Polygons& s, std::size_t edges) {
 }
 static std::size_t edgesShown(const Settings& s) { return std::min(std::size_t(s.round), s.polygons.against.size()); }
 
+// What a slide proposes: each side of the polygon, clipped as a segment. The window's corners are in none of them.
+static Pieces clippedSides(const Polygons& s) {
+    const std::vector<HalfPlane> inside = halfPlanes(s.against);
+    Pieces sides;
+    for (std::size_t i = 0; i < s.polygon.size(); ++i) {
+        const auto part = cyrusBeck({s.polygon[i], s.polygon[(i + 1) % s.polygon.size()]}, inside);
+        if (part) sides.push_back({part->a, part->b});
+    }
+    return sides;
+}
+
 static Overlap overlapOf(const Polygons& s) { return overlap(onGrid(s.polygon), onGrid(s.against)); }
 
 Pieces piecesOf(const Settings& s) {
     if (s.polygons.method == PolygonMethod::sutherlandHodgman) return {cutAt(s.polygons, edgesShown(s))};
+    if (s.polygons.method == PolygonMethod::sides) return clippedSides(s.polygons);
     Pieces pieces = overlapOf(s.polygons).polygons;
     for (std::vector<vec2>& piece : pieces) {
         for (vec2& corner : piece) corner *= gridStep;
@@ -70,8 +82,16 @@ static void showParts(ClipFigure& figure, const Settings& s) {
     figure.say("joined: " + std::to_string(pieces) + (pieces == 1 ? " polygon" : " polygons"), blue);
 }
 
+static void showSides(ClipFigure& figure, const Settings& s) {
+    figure.say(std::to_string(clippedSides(s.polygons).size()) + " sides of " +
+               std::to_string(s.polygons.polygon.size()) + " have a part inside");
+    figure.say("they do not close: the window's", red);
+    figure.say("outline between them is missing", red);
+}
+
 void drawPolygon(ClipFigure& figure, const Settings& s, const Frame&) {
-    (s.polygons.method == PolygonMethod::sutherlandHodgman ? showCuts : showParts)(figure, s);
+    constexpr std::array show{showCuts, showParts, showSides};
+    show.at(std::size_t(s.polygons.method))(figure, s);
     const Pieces pieces = piecesOf(s);
     for (const auto& piece : pieces) figure.hatch(piece, vec4(0.45, 0.62, 0.88, 1));
     figure.outline(s.polygons.against, {ink, 2});

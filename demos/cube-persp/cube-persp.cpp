@@ -25,9 +25,18 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
 // Turn the cube about its middle, then move it away from the eye.
 mat4 viewFromModel(const Settings& s) { return translate(0, 0, -2) * rotateX(s.spinX) * rotateY(s.spinY); }
 
-mat4 clipFromView(const Settings& s) { return perspective(s.fov, s.aspect, s.near, s.far); }
+// `perspective` can only say a pyramid whose axis is the gaze.
+mat4 clipFromView(const Settings& s) {
+    return s.shift == 0 ? perspective(s.fov, s.aspect, s.near, s.far) : frustum(nearWindow(s));
+}
 
 // The same pyramid, said by the window that the field of view opens on the plane z = -near.
-FrustumBounds nearWindow(const Settings& s) { return frustumBounds(s.fov, s.aspect, s.near, s.far); }
+FrustumBounds nearWindow(const Settings& s) {
+    FrustumBounds window = frustumBounds(s.fov, s.aspect, s.near, s.far);
+    const double moved = s.shift * window.right;
+    window.left += moved;
+    window.right += moved;
+    return window;
+}
 
 }  // namespace mv::cube_persp

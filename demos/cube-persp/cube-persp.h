@@ -13,6 +13,7 @@ struct Settings {
     double fov = 65;             // degrees, the whole angle upwards
     double aspect = 1;
     double spinX = 30, spinY = 40;  // degrees
+    double shift = 0;               // of the window on the near plane to the right, in its half widths
 };
 
 struct Gpu {

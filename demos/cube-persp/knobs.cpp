@@ -51,6 +51,8 @@ const Lesson<Settings, Gpu> lesson{
             number("aspect", &Settings::aspect, {0.5, 2}, "how many times as wide as high the pyramid is"),
             angle("spin-x", &Settings::spinX, "turn about the x axis"),
             angle("spin-y", &Settings::spinY, "turn about the y axis"),
+            number("shift", &Settings::shift, {-1, 1},
+                   "how far the window on the near plane is moved to the right, in its half widths"),
         },
     .presets =
         {

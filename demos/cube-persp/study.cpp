@@ -20,7 +20,7 @@ void readOut(Gpu&, const Settings& s, const Frame&, Numbers& numbers) {
     numbers.set("right", window.right);
     numbers.set("bottom", window.bottom);
     numbers.set("top", window.top);
-    numbers.set("fovx", degrees(2 * std::atan(window.right / s.near)));
+    numbers.set("fovx", degrees(std::atan(window.right / s.near) - std::atan(window.left / s.near)));
     numbers.set("difference", largestDifference(frustum(window), clipFromView(s)));
     // Depth in the buffer is f/(f-n) (1 - n/d) at the distance d, of slope f n/((f-n) d d); a step is 2^-24 of it.
     const double d = 2, slope = s.far * s.near / ((s.far - s.near) * d * d);

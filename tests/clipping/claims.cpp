@@ -5,6 +5,8 @@
 // - [decided-by-luck] Of segments aimed at a corner, only the exact method decides all rightly, and ends within 4 ulp.
 // - [one-piece-too-many] Of a concave polygon in two pieces Sutherland and Hodgman's method makes one, with edges on each
 //   other; its area is right, and the other method's pieces have the same.
+// - [sides-do-not-close] Sides clipped as segments are right one by one, and have no area together.
+// - [unit-normal] A line's product with a point is its distance where the normal is 1 long, not where all three numbers are.
 // - [inside-out] Clipped after the division, a segment from before the eye to behind it shows what is not seen of it; clipped
 //   before the projection or before the division, it shows the same, which is right.
 #include <gtest/gtest.h>
@@ -16,6 +18,7 @@
 #include <vector>
 
 #include "clipping/clip_methods.h"
+#include "clipping/clipping.h"
 #include "mv/geometry/clip_segment.h"
 #include "support/demo_run.h"
 #include "support/random.h"
@@ -27,7 +30,7 @@ namespace {
 
 const Box window{{-1.6, -1}, {1.5, 1.2}};
 
-DemoRun clipping() { return DemoRun("clipping", 240, 140); }
+DemoRun smallRun() { return DemoRun("clipping", 240, 140); }
 
 std::optional<Segment> byCodes(const Segment& segment, const Box& box) {
     const CodeRound last = cohenSutherland(segment, box).back();
@@ -108,7 +111,7 @@ TEST(Clipping, decided_by_luck) {
         }
     }
     // What the demo reads out is the same
-    DemoRun run = clipping();
+    DemoRun run = smallRun();
     (void)run.set("method", "exact").picture();
     EXPECT_EQ(run.readout("wrong"), 0);
     EXPECT_LE(run.readout("end-error"), 4);
@@ -119,7 +122,7 @@ TEST(Clipping, decided_by_luck) {
 }
 
 TEST(Clipping, one_piece_too_many) {
-    DemoRun run = clipping();
+    DemoRun run = smallRun();
     (void)run.preset("concave").picture();
     const double together = run.readout("area");
     (void)run.preset("pieces").picture();
@@ -139,7 +142,7 @@ TEST(Clipping, one_piece_too_many) {
 }
 
 TEST(Clipping, inside_out) {
-    DemoRun run = clipping();
+    DemoRun run = smallRun();
     run.preset("inside-out");
     (void)run.picture();
     EXPECT_GT(run.readout("off"), 0.3) << "a sixth of the picture";
@@ -156,4 +159,35 @@ TEST(Clipping, inside_out) {
     EXPECT_EQ(run.readout("off"), 2) << "nothing is seen, and a segment is shown";
     (void)run.set("where", "clip").picture();
     EXPECT_EQ(run.readout("off"), 0);
+}
+
+TEST(Clipping, sides_do_not_close) {
+    clipping::Settings s{.subject = clipping::Subject::polygon, .polygons = {.method = clipping::PolygonMethod::sides}};
+    const auto sides = piecesOf(s);
+    ASSERT_EQ(sides.size(), 2U);  // the inner sides of the two bars: the others are beyond the window
+    for (const auto& side : sides) {
+        ASSERT_EQ(side.size(), 2U);
+        for (const vec2& end : side) {
+            // Inside, and at the window's outline: no end is another's. 1e-9 is far more than rounds, far less than the grid
+            double least = 1;
+            for (const HalfPlane& half : halfPlanes(s.polygons.against)) least = std::min(least, half.of(end));
+            EXPECT_NEAR(least, 0, 1e-9);
+            int same = 0;
+            for (const auto& other : sides) {
+                for (const vec2& at : other) same += glm::distance(at, end) < 1e-9;
+            }
+            EXPECT_EQ(same, 1);
+        }
+    }
+    EXPECT_EQ(clipping::areaOf(sides), 0);
+    s.polygons.method = clipping::PolygonMethod::overlap;
+    EXPECT_GT(clipping::areaOf(piecesOf(s)), 1);
+}
+
+TEST(Clipping, unit_normal) {
+    // The line 3 x + 4 y = 10, whose distance from the origin is 2, by e = (3, 4, -10)
+    const vec3 line(3, 4, -10), point(5, 5, 1);
+    const double distance = 5;  // (15 + 20 - 10) / 5
+    EXPECT_NEAR(glm::dot(line, point) / std::hypot(line.x, line.y), distance, 1e-15);
+    EXPECT_NEAR(glm::dot(line, point) / glm::length(line), distance * 5 / std::sqrt(125), 1e-15);  // the slide's: 2.24
 }

@@ -1,6 +1,7 @@
 // What cube-persp claims, and a test for each.
 //
 // - [same-as-frustum] perspective is frustum with the bounds shown, to the last bits.
+// - [shifted-window] A moved window shows straight ahead moved the other way, at every distance, and turns nothing.
 // - [fovx-follows] The angle across follows from fov and aspect: tan(fovx/2) = aspect tan(fov/2).
 // - [farther-is-smaller] A face is drawn in inverse proportion to its distance from the eye, at any field of view.
 // - [near-opens-the-cube] Near beyond the front face opens the cube: the inside of the others is seen.
@@ -54,6 +55,25 @@ std::array<float, 2> cubeDepths(DemoRun& run) {
 }
 
 }  // namespace
+
+TEST(CubePersp, shifted_window) {
+    DemoRun run("cube-persp");
+    run.picture();
+    const mat4 symmetric = run.matrix("clipFromView");
+    for (const double shift : {-1.0, -0.25, 0.5, 1.0}) {
+        run.set("shift", shift).picture();
+        const mat4 shifted = run.matrix("clipFromView");
+        EXPECT_NEAR(run.readout("right") - run.readout("left"), 2 * 0.3 * std::tan(glm::radians(32.5)), 1e-15);
+        for (const vec3& place : {vec3(0, 0, -0.3), vec3(0, 0, -2), vec3(0.4, -0.3, -1.5), vec3(-1, 0.2, -3)}) {
+            const vec3 before = mv::ndcFromClip(symmetric * vec4(place, 1)),
+                       now = mv::ndcFromClip(shifted * vec4(place, 1));
+            // A few roundings of numbers up to 2
+            EXPECT_NEAR(now.x, before.x - shift, 2e-15);
+            EXPECT_NEAR(now.y, before.y, 2e-15);
+            EXPECT_NEAR(now.z, before.z, 2e-15);
+        }
+    }
+}
 
 TEST(CubePersp, same_as_frustum) {
     DemoRun run("cube-persp", 16, 16);
