@@ -88,8 +88,10 @@ std::vector<SettingsPreset<Settings>> presets() {
                   s.method = Method::maps;
                   s.resolution = 256;
               })},
-        {"short-reach", "Each light ends at 3: what none of them reaches costs no pass.",
-         with(eight, [](Settings& s) { s.reach = 3; })},
+        {"short-reach",
+         "Each light ends at 4: the third, high above, reaches nothing here and costs no pass; its shadow is gone.",
+         {.reach = 4},
+         {{"lights-drawn", 2, 2}}},
         {"placed",
          "Drag the lights: where two colours are both kept away, the third is left.",
          {.scene = Which::placed}},

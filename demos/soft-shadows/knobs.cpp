@@ -44,13 +44,15 @@ std::vector<Row<Settings>> rows() {
              {{"matrix", "points of the lamp, each with a shadow matrix: shadows on the floor alone"},
               {"maps", "points of the lamp, each with a shadow map"},
               {"pcf", "one map, its answers averaged over a square of fixed size"},
-              {"pcss", "one map, averaged over a square as large as the casters found there ask for"}},
+              {"pcss", "one map, averaged over a square as large as the casters found there ask for"},
+              {"blur", "one map, one look; then the shadow is blurred in the picture, over taps x taps pixels"}},
              "how the shadow is made soft"),
         oneOf("lights", &Settings::lights, {1, 4, 16, 64, 256, 1024}, "points of the lamp")
             .when(isByPoints, "this method has one map, from the lamp's middle"),
         word("accumulate", &Settings::accumulate, {{"float"}, {"8-bit"}}, "what the points' shadows are added up in"),
-        whole("taps", &Settings::taps, {1, 31}, "pcf and pcss look at taps x taps places of the map")
-            .when(isByLooks, "only pcf and pcss average looks at a map"),
+        whole("taps", &Settings::taps, {1, 31},
+              "pcf and pcss look at taps x taps places of the map, blur at as many pixels")
+            .when(isByLooks, "only pcf, pcss and blur average looks"),
         oneOf("resolution", &Settings::resolution, {256, 512, 1024, 2048}, "texels a side of a map")
             .when(hasMap, "a shadow matrix has no texels"),
         number("lamp-size", &Settings::lampSize, {0.05, 2}, "side of the square lamp"),
@@ -73,6 +75,9 @@ std::vector<SettingsPreset<Settings>> presets() {
         {"blurred",
          "A blur of fixed size is as soft at the foot of a leg as at the far edge of the shadow.",
          {.scene = Which::table, .method = Method::pcf, .lampSize = 0.5, .casterHeight = 0}},
+        {"blurred-in-the-picture",
+         "The shadow's picture blurred: as wide everywhere, and smeared over the edges of what stands before it.",
+         {.scene = Which::table, .method = Method::blur, .taps = 15, .lampSize = 0.5, .casterHeight = 0}},
         {"blurred-as-wide-as-needed",
          "A blur that asks how wide: sharp at the feet of the legs, soft at the far edge.",
          {.scene = Which::table, .method = Method::pcss, .taps = 15, .lampSize = 0.5, .casterHeight = 0}},

@@ -35,12 +35,15 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
         case Method::pcss:
             addByPcss(gpu, s, scene);
             break;
+        case Method::blur:
+            addByMap(gpu, scene, points.front(), 1, 1);
+            break;
     }
 
-    // Shade the scene by the part of the lamp that reaches each pixel
+    // Shade the scene by the part of the lamp that reaches each pixel. Only a blur in the picture asks its neighbours, too
     frame.bindTarget();
     darkness.bindColor(0);
-    shade(gpu, scene);
+    shade(gpu, scene, s.method == Method::blur ? s.taps : 1);
 }
 
 static void drawPlain(Gpu& gpu, const mat4& clipFromWorld, const SceneObject& object, const Mesh& mesh) {
@@ -155,10 +158,11 @@ void addByPcss(Gpu& gpu, const Settings& s, const Scene& scene) {
     glDepthFunc(GL_LESS);
 }
 
-void shade(Gpu& gpu, const Scene& scene) {
+void shade(Gpu& gpu, const Scene& scene, int side) {
     const Program& program = gpu.shading;
     program.use();
     program.set("darkness", 0);
+    program.set("side", side);
     program.set("lamp", vec3(scene.lights[0].position));
     for (const auto& [object, mesh] : gpu.meshes.of(scene)) {
         program.set("clipFromObject", scene.clipFromWorld() * object.worldFromObject);

@@ -14,7 +14,7 @@
 namespace mv::soft_shadows {
 
 enum class Which { cube, table };
-enum class Method { matrix, maps, pcf, pcss };
+enum class Method { matrix, maps, pcf, pcss, blur };
 enum class Sum { floats, bytes };
 
 struct Settings {
@@ -49,7 +49,7 @@ void addByMaps(Gpu& gpu, const Settings& s, const Scene& scene, const std::vecto
                const Target& darkness);
 void addByMap(Gpu& gpu, const Scene& scene, const vec3& point, double share, int side);
 void addByPcss(Gpu& gpu, const Settings& s, const Scene& scene);
-void shade(Gpu& gpu, const Scene& scene);
+void shade(Gpu& gpu, const Scene& scene, int side);
 void keepMap(Gpu& gpu, const Settings& s, const Scene& scene);
 void drawMap(Gpu& gpu, const Settings& s, const Scene& scene);
 LightView viewFrom(const Scene& scene, const vec3& point);

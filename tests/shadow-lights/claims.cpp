@@ -112,6 +112,13 @@ TEST(ShadowLights, out_of_reach) {
         EXPECT_LT(run.readout("lights-drawn"), 8);
         EXPECT_GT(differentPixels(dark, run.picture()), 1000);
     }
+    // The lamps reach the ball when the light above them does not: most of the picture is as bright as without that light.
+    run.preset("short-reach");
+    for (const char* method : {"volumes", "maps"}) {
+        const Picture two = run.set("method", method).set("reach", 4).picture();
+        EXPECT_EQ(run.readout("lights-drawn"), 2) << method;
+        EXPECT_GT(differentPixels(two, run.set("reach", 0.5).picture()), 50000) << method;
+    }
 }
 
 TEST(ShadowLights, sum_of_lights) {

@@ -6,6 +6,8 @@
 // - [eight-bit-floor] Summed in 8 bits up to 256 points are as right as in float, and it ends there, at about 1e-3: a
 //   share of 1/1024 is less than half a step, and is refused.
 // - [pcf-does-not-converge] No kernel and no map brings a blur of fixed size below the error of 16 points.
+// - [blur-in-the-picture] A blur of the shadow's picture is as wide in pixels at any size of the picture, is smeared over
+//   the edges of what stands before the shadow, and comes no nearer to 16 points than pcf does.
 // - [pcss-adapts] Lifting the caster widens the penumbra of pcss as it should, and hardly that of pcf.
 // - [dark-once] Where the shadows of two casters overlap, a point of the lamp is taken away once.
 #include <gtest/gtest.h>
@@ -167,6 +169,46 @@ TEST(SoftShadows, pcf_does_not_converge) {
         EXPECT_GT(row.all.rms, 1.5 * rms(study, "matrix, float", "16")) << row.method << ", " << row.parameter;
     }
     EXPECT_EQ(rows, 20);
+}
+
+TEST(SoftShadows, blur_in_the_picture) {
+    const auto partly = [](const char* method, int width, int height) {
+        DemoRun run("soft-shadows", width, height);
+        run.preset("touching");
+        long pixels = 0;
+        for (const float lit : litOf(run.set("method", method).set("taps", 9))) pixels += lit > 0 && lit < 1 ? 1 : 0;
+        return double(pixels);
+    };
+    // An edge is twice as long in pixels in a picture of twice the size; the width of a blur on the map grows with it, too.
+    EXPECT_NEAR(partly("blur", 640, 480) / partly("blur", 320, 240), 2, 0.3);
+    EXPECT_NEAR(partly("pcf", 640, 480) / partly("pcf", 320, 240), 4, 0.6);
+
+    // Pixels of legs, vase and apple that see the whole lamp and are darkened: the shadow behind reaches over their edges.
+    DemoRun run("soft-shadows");
+    run.preset("blurred-in-the-picture");
+    const std::vector<float> blur = litOf(run), oneLook = litOf(run.set("taps", 1)),
+                             truth = litOf(run.set("method", "maps").set("lights", 64));
+    const Picture picture = run.picture();
+    long smeared = 0, unblurred = 0;
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+        const int x = int(i) % picture.width, y = int(i) / picture.width;
+        const bool isFloor = std::abs(picture.at(x, y).red - picture.at(x, y).blue) < 15;  // the floor is grey
+        if (isFloor || truth[i] < 1) continue;
+        smeared += blur[i] < 0.8F ? 1 : 0;
+        unblurred += oneLook[i] < 0.8F ? 1 : 0;
+    }
+    EXPECT_GT(smeared, 500);
+    EXPECT_GT(smeared, 3 * unblurred);
+
+    run.preset("touching");
+    std::vector<StudyLine> lines = linesNamed({"matrix, float"});
+    lines.front().values = {"16"};
+    lines.push_back({"blur", {{"method", "blur"}}, "taps", {"1", "5", "9", "15", "31"}});
+    lines.push_back({"pcf", {{"method", "pcf"}}, "taps", {"1"}});
+    const StudyRun study = errorsOf(lines);
+    for (const char* taps : {"1", "5", "9", "15", "31"})
+        EXPECT_GT(rms(study, "blur", taps), 1.5 * rms(study, "matrix, float", "16")) << taps;
+    EXPECT_EQ(rms(study, "blur", "1"), rms(study, "pcf", "1"));  // one look each
 }
 
 TEST(SoftShadows, pcss_adapts) {
