@@ -4,8 +4,8 @@
 
 #include "extremes/measure.h"
 #include "extremes/row.h"
-#include "mv/math/transform.h"
 #include "lights/lamp_light.h"
+#include "mv/math/transform.h"
 
 using namespace mv;
 using namespace mv::test;

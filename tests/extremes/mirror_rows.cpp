@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "extremes/row.h"
+#include "mirror/mirrors.h"
 #include "mv/math/projection.h"
 #include "mv/math/shadow.h"
 #include "mv/math/transform.h"
-#include "mirror/mirrors.h"
 #include "support/random.h"
 
 using namespace mv;

@@ -1,8 +1,8 @@
 #include "gpu-stages/regular_meshes.h"
 
 #include "../math/support.h"
-#include "mv/geometry/check.h"
 #include "gpu-stages/control_net.h"
+#include "mv/geometry/check.h"
 
 using namespace mv;
 using namespace mv::test;
