@@ -6,14 +6,21 @@
 namespace mv::stereocube {
 
 void check(const Settings& s) {
-    for (const Eye& eye : {leftEye(s, 1), rightEye(s, 1)}) {
-        const bool isOpen = s.eyes == Eyes::both || s.eyes == eye.which;
-        if (isOpen && isInView(wireCube(), eye.clipFromEye * eye.eyeFromWorld * worldFromModelOf(s))) return;
+    if (s.shape == Shape::hypercube && leastDivisor(s.four) < 0.1)
+        throw Error("--inner", "must be more: turned so, a corner is as near as the eye in the fourth dimension",
+                    numberText(s.four.inner));
+    const Lens square{50, 1};
+    for (const Eye& eye : {leftEye(s, square), rightEye(s, square)}) {
+        const bool isClosed = s.eyes != eye.which && (s.eyes == Eyes::left || s.eyes == Eyes::right);
+        if (!isClosed && isInView(wireOf(s), eye.clipFromEye * eye.eyeFromWorld * worldFromModelOf(s))) return;
     }
     throw Error("--z-dist", "must leave some of the cube in view of an eye", numberText(s.zDist));
 }
 
 namespace {
+
+bool isHypercube(const Settings& s) { return s.shape == Shape::hypercube; }
+bool hasOnePicture(const Settings& s) { return !isBeside(s); }
 
 constexpr Declaration about{
     .name = "stereocube",
@@ -26,23 +33,48 @@ constexpr Declaration about{
     .needs = {.depth = true},
 };
 
+std::vector<Row<Hypercube>> hypercubeRows() {
+    return {angle("turn-xy", &Hypercube::xy, "turn in the plane of x and y"),
+            angle("turn-xw", &Hypercube::xw, "turn in the plane of x and w, the fourth coordinate"),
+            angle("turn-yw", &Hypercube::yw, "the same of y and w"),
+            angle("turn-zw", &Hypercube::zw, "the same of z and w"),
+            number("inner", &Hypercube::inner, {0.05, 1},
+                   "side of the farthest cell where the nearest has 1; at 1 nothing grows smaller along w")};
+}
+
+std::vector<Row<Settings>> rows() {
+    const Literal apart = "each eye has a picture of its own";
+    return together(
+        number("eye-sep", &Settings::eyeSep, {0, 1}, "distance between the eyes"),
+        number("z-dist", &Settings::zDist, {-10, 2}, "z of the eyes, which look along +z"),
+        number("convergence", &Settings::convergence, {0.25, 10}, "how far ahead of the eyes the screen is"),
+        angle("spin-x", &Settings::spinX, "turn about the x axis"),
+        angle("spin-y", &Settings::spinY, "turn about the y axis"),
+        word("stereo", &Settings::stereo,
+             {{"toe-in", "both eyes look at one point"}, {"off-axis", "parallel, through one window"}},
+             "how the two eyes are aimed"),
+        word("colors", &Settings::colors,
+             {{"lines", "lines in red and in cyan"}, {"masks", "the red channel, then green and blue"}},
+             "how the two pictures become one")
+            .when(hasOnePicture, apart),
+        word("background", &Settings::background, {{"white"}, {"black"}}, "what the lines are drawn on"),
+        word("eyes", &Settings::eyes,
+             {{"both"},
+              {"left"},
+              {"right"},
+              {"side-by-side", "two pictures, as a headset shows them"},
+              {"crossed", "the same exchanged, for crossed eyes"}},
+             "whose picture is drawn"),
+        number("screen-width", &Settings::screenWidth, {100, 20000, Scale::logarithmic, true},
+               "how wide the picture is where it is shown, for a ruler over it; 0: not known", "mm")
+            .when(hasOnePicture, apart),
+        word("shape", &Settings::shape, {{"cube"}, {"4d-cube", "of four dimensions, projected to three"}},
+             "what is seen"),
+        part(&Settings::four, hypercubeRows(), isHypercube, "a cube of three dimensions has no w"));
+}
+
 const Lesson<Settings, Gpu> lesson{
-    .rows =
-        {
-            number("eye-sep", &Settings::eyeSep, {0, 1}, "distance between the eyes"),
-            number("z-dist", &Settings::zDist, {-10, 2}, "z of the eyes, which look along +z"),
-            number("convergence", &Settings::convergence, {0.25, 10}, "how far ahead of the eyes the screen is"),
-            angle("spin-x", &Settings::spinX, "turn about the x axis"),
-            angle("spin-y", &Settings::spinY, "turn about the y axis"),
-            word("stereo", &Settings::stereo,
-                 {{"toe-in", "both eyes look at one point"}, {"off-axis", "parallel, through one window"}},
-                 "how the two eyes are aimed"),
-            word("colors", &Settings::colors,
-                 {{"lines", "lines in red and in cyan"}, {"masks", "the red channel, then green and blue"}},
-                 "how the two pictures become one"),
-            word("background", &Settings::background, {{"white"}, {"black"}}, "what the lines are drawn on"),
-            word("eyes", &Settings::eyes, {{"both"}, {"left"}, {"right"}}, "whose picture is drawn"),
-        },
+    .rows = rows(),
     .presets =
         {
             {"turned",
@@ -56,21 +88,35 @@ const Lesson<Settings, Gpu> lesson{
              "is one picture.",
              {.stereo = Stereo::offAxis, .colors = Colors::masks},
              {{"vertical-parallax", 0, 1e-9}}},
-            {"on-black",
-             "On black each glass passes its own colour, so the two have changed places.",
-             {.stereo = Stereo::offAxis, .background = Paper::black}},
-            {"before-the-screen",
-             "The screen is behind the cube, which comes out of it.",
-             {.zDist = -2, .convergence = 6, .stereo = Stereo::offAxis}},
+            {"side-by-side",
+             "Two pictures, left for left: a headset shows each to its eye. The screen is behind the cube, which comes "
+             "out of it.",
+             {.zDist = -2.2, .convergence = 6, .stereo = Stereo::offAxis, .eyes = Eyes::sideBySide}},
             {"squint",
-             "Eyes far apart that meet near: the heights of the two pictures differ by many pixels.",
-             {.eyeSep = 0.5, .convergence = 1}},
+             "Eyes far apart that meet near: heights differ by many pixels, and on a laptop's screen the parallax is "
+             "twice what two eyes are apart.",
+             {.eyeSep = 0.5, .convergence = 1, .screenWidth = 345},
+             {{"parallax-mm", 127, 190}}},
+            {"4d-cube",
+             "A cube of four dimensions, turned in two planes with w: eight cubes, each of which shares its six faces "
+             "with "
+             "six others.",
+             {.spinY = 20,
+              .stereo = Stereo::offAxis,
+              .colors = Colors::masks,
+              .background = Paper::black,
+              .shape = Shape::hypercube,
+              .four = {.xw = 20, .yw = 10, .inner = 0.45}}},
         },
-    .controls = {drag("spin-y", 1, "spin-x", -1), keys(Key::down, Key::up, "z-dist", 0.1), wheel("z-dist", 0.1)},
+    .controls = {drag("spin-y", 1, "spin-x", -1), keys(Key::down, Key::up, "z-dist", 0.1), wheel("z-dist", 0.1),
+                 keys(Key::left, Key::right, "turn-xw", 5)},
     .readouts = {{"vertical-parallax", "largest difference in height between the two pictures of a corner", "px"},
                  {"parallax-min", "the right eye's picture of a corner is this much to the right, least", "px"},
-                 {"parallax-max", "the same, most; positive is behind the screen, negative before it", "px"}},
+                 {"parallax-max", "the same, most; positive is behind the screen, negative before it", "px"},
+                 {"parallax-mm", "parallax-max on a screen of that width; eyes are 63.5 mm apart", "mm"},
+                 {"infinity-mm", "off-axis: the parallax there of what is infinitely far away", "mm"}},
     .draw = draw,
+    .figure = figure,
     .readOut = readOut,
     .check = check,
 };

@@ -1,6 +1,10 @@
-// stereocube: a wire cube seen by two eyes, one picture in red and one in cyan for coloured glasses.
+// stereocube: a wire cube seen by two eyes, one picture in red and one in cyan for coloured glasses, or side by side.
 #include "stereocube.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include "mv/geometry/shapes.h"
 #include "mv/gl/functions.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
@@ -8,7 +12,8 @@
 namespace mv::stereocube {
 
 void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
-    const Eye left = leftEye(s, frame.aspect()), right = rightEye(s, frame.aspect());
+    const Lens lens = lensOf(s, frame);
+    const Eye left = leftEye(s, lens), right = rightEye(s, lens);
     frame.show("leftFromWorld", left.eyeFromWorld);
     frame.show("clipFromLeft", left.clipFromEye);
     frame.show("rightFromWorld", right.eyeFromWorld);
@@ -23,53 +28,83 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
 
     // Draw. The red filter is before the left eye and shows it the red channel: so the left picture is the one that
     // changes red
+    if (gpu.wireFor.changed(s.shape, s.four)) gpu.wire = Mesh(wireOf(s), "cube");
     gpu.program.use();
-    const auto drawPictures = s.colors == Colors::lines ? drawLines : drawMasked;
-    drawPictures(gpu, s, left, right);
+    const auto drawColored = s.colors == Colors::lines ? drawLines : drawMasked;
+    const auto drawPictures = isBeside(s) ? drawBeside : drawColored;
+    drawPictures(gpu, s, left, right, frame);
 }
 
 // Draw the lines in two colours. On black the red lines change red; on white the cyan ones do, which take red away.
-void drawLines(Gpu& gpu, const Settings& s, const Eye& left, const Eye& right) {
+void drawLines(Gpu& gpu, const Settings& s, const Eye& left, const Eye& right, const FrameInfo&) {
     const bool isWhite = s.background == Paper::white;
-    drawCube(gpu, s, isWhite ? right : left, vec4(1, 0, 0, 1));
-    drawCube(gpu, s, isWhite ? left : right, vec4(0, 1, 1, 1));
+    drawWire(gpu, s, isWhite ? right : left, vec4(1, 0, 0, 1));
+    drawWire(gpu, s, isWhite ? left : right, vec4(0, 1, 1, 1));
 }
 
 // Draw each picture into channels of its own, in black on white or white on black.
-void drawMasked(Gpu& gpu, const Settings& s, const Eye& left, const Eye& right) {
+void drawMasked(Gpu& gpu, const Settings& s, const Eye& left, const Eye& right, const FrameInfo&) {
     const vec4 ink(vec3(s.background == Paper::black), 1);
     glColorMask(GL_TRUE, GL_FALSE, GL_FALSE, GL_TRUE);
-    drawCube(gpu, s, left, ink);
+    drawWire(gpu, s, left, ink);
     glClear(GL_DEPTH_BUFFER_BIT);  // the eyes do not hide things from each other
     glColorMask(GL_FALSE, GL_TRUE, GL_TRUE, GL_TRUE);
-    drawCube(gpu, s, right, ink);
+    drawWire(gpu, s, right, ink);
+}
+
+// Draw each picture into a half of its own: the left eye's on the left for a headset, on the right for crossed eyes.
+void drawBeside(Gpu& gpu, const Settings& s, const Eye& left, const Eye& right, const FrameInfo& frame) {
+    const vec4 ink(vec3(s.background == Paper::black), 1);
+    const int leftColumn = s.eyes == Eyes::crossed ? 1 : 0;
+    for (const auto& [eye, column] : {std::pair(&left, leftColumn), std::pair(&right, 1 - leftColumn)}) {
+        const auto [x, y, width, height] = paneOf(s, frame, column);
+        glViewport(x, y, width, height);
+        drawWire(gpu, s, *eye, ink);
+    }
+    glViewport(0, 0, frame.width(), frame.height());
 }
 
 // A closed eye has no picture.
-void drawCube(Gpu& gpu, const Settings& s, const Eye& eye, const vec4& color) {
-    if (s.eyes != Eyes::both && s.eyes != eye.which) return;
+void drawWire(Gpu& gpu, const Settings& s, const Eye& eye, const vec4& color) {
+    const bool isOneOpen = s.eyes == Eyes::left || s.eyes == Eyes::right;
+    if (isOneOpen && s.eyes != eye.which) return;
     gpu.program.set("clipFromModel", eye.clipFromEye * eye.eyeFromWorld * worldFromModelOf(s));
     gpu.program.set("color", color);
-    gpu.cube.draw();
+    gpu.wire.draw();
 }
 
 // The eyes look along +z with y upwards, so their right is -x: the left eye is the one at positive x.
-Eye leftEye(const Settings& s, double aspect) { return eyeAt(s.eyeSep / 2, Eyes::left, s, aspect); }
-Eye rightEye(const Settings& s, double aspect) { return eyeAt(-s.eyeSep / 2, Eyes::right, s, aspect); }
+Eye leftEye(const Settings& s, const Lens& lens) { return eyeAt(s.eyeSep / 2, Eyes::left, s, lens); }
+Eye rightEye(const Settings& s, const Lens& lens) { return eyeAt(-s.eyeSep / 2, Eyes::right, s, lens); }
 
-Eye eyeAt(double x, Eyes which, const Settings& s, double aspect) {
+Eye eyeAt(double x, Eyes which, const Settings& s, const Lens& lens) {
     const vec3 place(x, 0, s.zDist), ahead(0, 0, s.zDist + s.convergence);
     if (s.stereo == Stereo::toeIn)
-        return {which, lookAt(place, ahead, vec3(0, 1, 0)), perspective(fovy, aspect, near, far)};
+        return {which, lookAt(place, ahead, vec3(0, 1, 0)), perspective(lens.fovy, lens.aspect, near, far)};
 
     // Look straight ahead, and shift the window so that both eyes' windows are one at the convergence distance
-    FrustumBounds window = frustumBounds(fovy, aspect, near, far);
+    FrustumBounds window = frustumBounds(lens.fovy, lens.aspect, near, far);
     const double shift = x * near / s.convergence;
     window.left += shift;
     window.right += shift;
     return {which, lookAt(place, ahead + vec3(x, 0, 0), vec3(0, 1, 0)), frustum(window)};
 }
 
+// 50 degrees upwards. A narrow half sees as much across, and so more upwards.
+Lens lensOf(const Settings& s, const FrameInfo& frame) {
+    const double aspect = paneOf(s, frame, 0).aspect(), narrow = isBeside(s) ? std::min(aspect, 1.0) : 1;
+    return {narrow < 1 ? 2 * degrees(std::atan(std::tan(radians(25.0)) / narrow)) : 50, aspect};
+}
+
+bool isBeside(const Settings& s) { return s.eyes == Eyes::sideBySide || s.eyes == Eyes::crossed; }
+// The whole picture, or the left (0) or right (1) half of it.
+Pane paneOf(const Settings& s, const FrameInfo& frame, int column) {
+    if (!isBeside(s)) return {0, 0, frame.width(), frame.height()};
+    const int width = std::max(frame.width() / 2, 1);
+    return {column * (frame.width() - width), 0, width, frame.height()};
+}
+
+MeshData wireOf(const Settings& s) { return s.shape == Shape::cube ? wireCube() : wireHypercube(s.four); }
 mat4 worldFromModelOf(const Settings& s) { return rotateX(s.spinX) * rotateY(s.spinY); }
 
 }  // namespace mv::stereocube

@@ -1,23 +1,18 @@
 // What stereocube tells in numbers.
-#include <vector>
-
-#include "mv/math/stereo.h"
 #include "stereocube.h"
 
 namespace mv::stereocube {
 
-// Of the corners that are before both eyes' near planes.
 void readOut(Gpu&, const Settings& s, const Frame& frame, Numbers& numbers) {
-    const Eye left = leftEye(s, frame.aspect()), right = rightEye(s, frame.aspect());
-    const mat4 worldFromModel = worldFromModelOf(s);
-    std::vector<vec3> corners;
-    for (const fvec3& corner : wireCube().positions) corners.emplace_back(worldFromModel * vec4(vec3(corner), 1));
-    const auto parallax = parallaxOf(corners, left.clipFromEye * left.eyeFromWorld,
-                                     right.clipFromEye * right.eyeFromWorld, frame.width(), frame.height(), near);
+    const std::optional<Parallax> parallax = parallaxOf(s, frame);
     if (!parallax) return;
     numbers.set("vertical-parallax", parallax->vertical);
     numbers.set("parallax-min", parallax->leastAcross);
     numbers.set("parallax-max", parallax->mostAcross);
+    const std::optional<OnScreen> here = onScreen(s, frame);
+    if (!here) return;
+    numbers.set("parallax-mm", here->most);
+    if (here->atInfinity) numbers.set("infinity-mm", *here->atInfinity);
 }
 
 }  // namespace mv::stereocube

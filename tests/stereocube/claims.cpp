@@ -7,17 +7,26 @@
 // - [off-axis-is-level] Off-axis leaves no vertical parallax at all, whatever the convergence.
 // - [zero-at-convergence] Off-axis, what is at the convergence distance has no parallax: the screen is there.
 // - [cube-out-of-view] With nothing of the cube before the eyes the setting is refused.
+// - [eyes-turn-outwards] On a screen of a known width the parallax is told in millimetres, the ruler is 63.5 mm long, and what is
+//   more than that is warned of. Off-axis no depth has more than the parallax at infinity.
+// - [side-by-side] Each half is one eye's picture; for crossed eyes they are exchanged.
+// - [four-dimensions] The unturned cube of four dimensions is the original's: 32 edges, a cube of side 0.3 in a cube of side 1.
+//   Turns keep all its lengths, and a corner at the eye in the fourth dimension is refused.
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
+#include "stereocube/stereocube.h"
 #include "support/demo_run.h"
 
 using namespace mv;
@@ -252,4 +261,109 @@ TEST(Stereocube, cube_out_of_view) {
     // Each setting is in its range, and yet the eyes squint past the cube.
     run.set("spin-y", 0).set("spin-x", 0).set("z-dist", -3).set("eye-sep", 1).set("convergence", 0.25);
     EXPECT_EQ(run.refusal().rfind("--z-dist", 0), 0U);
+}
+
+TEST(Stereocube, eyes_turn_outwards) {
+    DemoRun run("stereocube");
+    run.set("stereo", "off-axis").set("colors", "masks");
+    run.picture();
+    EXPECT_FALSE(run.measured("parallax-mm")) << "of no width nothing is known";
+    const double pixels = run.readout("parallax-max");
+    for (const double width : {160.0, 345.0, 6000.0}) {
+        run.set("screen-width", width).picture();
+        EXPECT_NEAR(run.readout("parallax-mm"), pixels * width / 600, rounding * width);
+        // Similar triangles: at infinity it is the eyes' distance, at the scale of the screen's window
+        EXPECT_NEAR(run.readout("infinity-mm"), 0.2 * width / (4 * std::tan(radians(25.0))), 1e-12 * width);
+        EXPECT_LT(run.readout("parallax-mm"), run.readout("infinity-mm"));
+        EXPECT_EQ(run.messages().size(), run.readout("parallax-mm") > 63.5 ? 1U : 0U) << width;
+    }
+    EXPECT_EQ(run.messages().front().rfind("eyes that are 63.5 mm apart", 0), 0U);
+    // The lower bar, dark grey, from 10 on: 63.5 of 345 mm are 110.4 of 600 pixels
+    const Picture ruled = run.set("screen-width", 345).set("z-dist", -3).picture();
+    long longest = 0;
+    for (int y = 540; y < 600; ++y) {
+        long inRow = 0;
+        for (int x = 0; x < 600; ++x) inRow += sameColor(ruled.at(x, y), {64, 64, 64});
+        longest = std::max(longest, inRow);
+    }
+    EXPECT_NEAR(static_cast<double>(longest), 63.5 / 345 * 600, 2);
+    // What lies before the screen asks for no turn outwards, however wide it is
+    run.set("z-dist", -2).set("convergence", 6).set("screen-width", 20000).picture();
+    EXPECT_LT(run.readout("parallax-mm"), 0);
+    EXPECT_EQ(run.messages().size(), 0U);
+}
+
+TEST(Stereocube, side_by_side) {
+    const auto alone = [](const std::string& eye) {
+        DemoRun run("stereocube", 600, 600);
+        return anyInk(run.set("stereo", "off-axis").set("colors", "masks").set("eyes", eye).picture(), 255);
+    };
+    const Ink left = alone("left"), right = alone("right");
+    EXPECT_GT(lost(left, right), count(left) / 4) << "the eyes see it differently: the check can fail";
+    DemoRun run("stereocube", 1200, 600);
+    run.set("stereo", "off-axis");
+    for (const std::string eyes : {"side-by-side", "crossed"}) {
+        const Picture both = run.set("eyes", eyes).picture();
+        std::array<Ink, 2> halves;
+        for (int y = 0; y < 600; ++y) {
+            for (int x = 0; x < 1200; ++x)
+                halves.at(std::size_t(x / 600)).push_back(both.at(x, y) != Pixel{255, 255, 255});
+        }
+        const bool isCrossed = eyes == "crossed";
+        // A line may be drawn beside where it was, since the half begins at another pixel
+        EXPECT_LE(lost(left, halves.at(isCrossed ? 1 : 0)), count(left) / 100) << eyes;
+        EXPECT_LE(lost(right, halves.at(isCrossed ? 0 : 1)), count(right) / 100) << eyes;
+        EXPECT_EQ(countColors(both), 2) << "ink and paper: no colour takes part";
+    }
+    // In narrow halves the whole cube has room, too
+    DemoRun narrow("stereocube", 600, 600);
+    const Picture halves = narrow.set("eyes", "side-by-side").picture();
+    for (const int x : {0, 299, 300, 599}) {
+        for (int y = 0; y < 600; ++y) ASSERT_EQ(halves.at(x, y), (Pixel{255, 255, 255})) << x << " " << y;
+    }
+}
+
+TEST(Stereocube, four_dimensions) {
+    using namespace stereocube;
+    // Unturned it is the original's: corners at 0.5 and at 0.15, of each sign
+    const MeshData still = wireHypercube({});
+    ASSERT_EQ(still.positions.size(), 64U);
+    std::map<double, int> sizes;
+    for (const fvec3& at : still.positions) {
+        EXPECT_EQ(std::abs(at.x), std::abs(at.y));
+        EXPECT_EQ(std::abs(at.x), std::abs(at.z));
+        ++sizes[std::round(1e6 * std::abs(at.x)) / 1e6];
+    }
+    EXPECT_EQ(sizes, (std::map<double, int>{{0.15, 32}, {0.5, 32}}));
+    // A turn keeps lengths: its columns are orthonormal, to some roundings, and it does turn
+    const Hypercube turned{.xy = 31, .xw = 25, .yw = -170, .zw = 77, .inner = 0.9};
+    EXPECT_LT(glm::length(turnOf(turned)[0] - vec4(1, 0, 0, 0)), 2);
+    const mat4 product = glm::transpose(turnOf(turned)) * turnOf(turned);
+    for (int column = 0; column < 4; ++column) {
+        for (int row = 0; row < 4; ++row) EXPECT_NEAR(product[column][row], column == row ? 1 : 0, 1e-15);
+    }
+    // At inner = 1 nothing is divided: edges that were parallel stay so, and there are four directions, eight edges each
+    const MeshData parallel = wireHypercube({.xy = 31, .xw = 25, .yw = -170, .zw = 77, .inner = 1});
+    std::vector<std::pair<vec3, int>> directions;
+    for (std::size_t i = 0; i < 64; i += 2) {
+        const vec3 edge = vec3(parallel.positions[i + 1]) - vec3(parallel.positions[i]);
+        // Positions are floats below 1: differences are right to 2e-7
+        const auto same = std::ranges::find_if(
+            directions, [&](const auto& each) { return glm::length(glm::cross(each.first, edge)) < 1e-6; });
+        if (same == directions.end())
+            directions.emplace_back(edge, 1);
+        else
+            ++same->second;
+    }
+    ASSERT_EQ(directions.size(), 4U);
+    for (const auto& [direction, edges] : directions) EXPECT_EQ(edges, 8);
+
+    // In the picture: turns with w change it; a corner at the eye is refused
+    DemoRun run("stereocube");
+    run.preset("4d-cube");
+    const Picture first = run.picture();
+    EXPECT_NE(run.set("turn-yw", 40).picture(), first);
+    run.set("turn-xw", 45).set("turn-yw", 45).set("turn-zw", 45).set("inner", 0.3);
+    EXPECT_EQ(run.refusal().rfind("--inner: must be more", 0), 0U);
+    EXPECT_EQ(run.set("inner", 0.6).refusal(), "");
 }
