@@ -24,7 +24,7 @@ function widget(knob, kind, id, set, choose) {
   }
   const typed = tag('input', { type: 'text', id, inputmode: kind.kind === 'number' ? 'decimal' : undefined, autocomplete: 'off', spellcheck: 'false', size: kind.kind === 'number' ? 7 : 24, onchange: () => set(typed.value) });
   if (kind.kind === 'file') {
-    const chosen = tag('input', { type: 'file', accept: 'image/png,image/jpeg', 'aria-label': word('chooseFile', { knob: knob.name }), onchange: () => chosen.files.length && choose(chosen.files[0]) });
+    const chosen = tag('input', { type: 'file', accept: kind.accept, 'aria-label': word('chooseFile', { knob: knob.name }), onchange: () => chosen.files.length && choose(chosen.files[0]) });
     return { element: tag('span', { class: 'file' }, typed, chosen), show: (value) => document.activeElement !== typed && (typed.value = value) };
   }
   if (kind.kind !== 'number') return { element: typed, show: (value) => document.activeElement !== typed && (typed.value = value) };

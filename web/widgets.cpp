@@ -3,6 +3,8 @@
 #include <utility>
 #include <vector>
 
+#include "mv/demo/file_knob.h"
+
 namespace mv {
 namespace {
 
@@ -16,7 +18,10 @@ class Described final : public Panel {
     bool slider(const Knob&, int&, int low, int high) override { return isNumber(low, high, true, false, false); }
     bool checkbox(const Knob&, bool&) override { return is("switch"); }
     bool words(const Knob&) override { return is("words"); }
-    bool file(const Knob&) override { return is("file"); }
+    bool file(const Knob& knob) override {
+        json_.add("accept", static_cast<const FileKnob&>(knob).endings());
+        return is("file");
+    }
     bool button(const Knob&, const std::string& label, bool enabled) override {
         buttons_.push_back({label, enabled});
         return false;

@@ -28,4 +28,10 @@ bool FileKnob::takes(std::string_view file) const {
                        [&](std::string_view ending) { return small.ends_with(ending); });
 }
 
+std::string FileKnob::endings() const {
+    std::string list;
+    for (const Literal ending : kind_.endings) list += (list.empty() ? "" : ",") + std::string(ending);
+    return list;
+}
+
 }  // namespace mv

@@ -20,6 +20,8 @@ class FileKnob : public Knob {
     void check() const;
     // Whether a file of this name is of the knob's kind, by its ending alone.
     bool takes(std::string_view file) const;
+    // The endings of the kind's names, as a page's field lists them: ".png,.jpg,.jpeg".
+    std::string endings() const;
 
     std::string text() const override {
         noteRead();
