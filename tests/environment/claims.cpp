@@ -7,6 +7,7 @@
 // - [kept] While nothing moves no face is drawn; where the ball moves only those are in which it is or was.
 // - [total-reflection] In a bubble, beyond the limiting angle, everything is mirrored, and nothing shines through.
 // - [no-surface] Glass with the index of what is around it is not to be seen.
+// - [indices] Water, glass and diamond reflect ((n - 1) / (n + 1))^2 head on, and from inside all beyond the angle whose sine is 1/n.
 // - [own-model] A model of one's own, an OBJ file, is as large as the sphere wherever and however large its corners are.
 #include <gtest/gtest.h>
 
@@ -320,4 +321,17 @@ TEST(Environment, own_model) {
     // A model without size is refused.
     writeFileAtomically(folder / "point.obj", "v 1 2 3\nv 1 2 3\nv 1 2 3\nf 1 2 3\n");
     EXPECT_NE(run.set("model", (folder / "point.obj").string()).refusal(), "");
+}
+
+TEST(Environment, indices) {
+    DemoRun run("environment", side, side);
+    run.set("material", "glass");
+    for (const double n : {1.0003, 1.3333, 1.5, 2.417}) {
+        (void)run.set("index", n).picture();
+        const double part = std::pow((n - 1) / (n + 1), 2);
+        // n - 1 of air has lost four of sixteen digits.
+        EXPECT_NEAR(run.readout("head-on"), part, 1e-11 * part) << n;
+        (void)run.set("index", 1 / n).picture();
+        EXPECT_NEAR(std::sin(radians(run.readout("limit"))), 1 / n, 1e-12) << n;
+    }
 }
