@@ -1,5 +1,5 @@
-// Makes the pictures of this folder: node assets/make.mjs FOLDER. Each is a function of its place and nothing else, so that they
-// are the same pixels wherever they are made.
+// Makes the pictures and the model of this folder: node assets/make.mjs FOLDER. Each is a function of its place and nothing else, so that
+// they are the same wherever they are made.
 import fs from 'node:fs';
 import path from 'node:path';
 import zlib from 'node:zlib';
@@ -147,6 +147,29 @@ function cross(x, y) {
   return evening(way.map((one) => one / length));
 }
 
+// ---- a trefoil knot, as a tube of squares with normals
+
+function knot(along, around, thick) {
+  const lines = ['# A trefoil knot, made by make.mjs'], normals = [], faces = [];
+  const less = (a, b) => a.map((one, i) => one - b[i]), unit = (a) => a.map((one) => one / Math.hypot(...a));
+  const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+  const middle = (t) => [Math.sin(t) + 2 * Math.sin(2 * t), Math.cos(t) - 2 * Math.cos(2 * t), -Math.sin(3 * t)];
+  const written = (word, numbers) => `${word} ${numbers.map((one) => (Math.round(1000 * one) / 1000 || 0).toString()).join(' ')}`;
+  for (let i = 0; i < along; ++i) {
+    const t = (2 * Math.PI * i) / along, forward = unit(less(middle(t + 1e-4), middle(t - 1e-4)));
+    const aside = unit(cross(forward, [0, 0, 1])), up = cross(aside, forward); // the knot is nowhere upright
+    for (let j = 0; j < around; ++j) {
+      const turn = (2 * Math.PI * j) / around, out = aside.map((one, k) => Math.cos(turn) * one + Math.sin(turn) * up[k]);
+      lines.push(written('v', middle(t).map((one, k) => one + thick * out[k])));
+      normals.push(written('vn', out));
+      const corner = (a, b) => 1 + ((i + a) % along) * around + ((j + b) % around);
+      faces.push(`f ${[corner(0, 0), corner(0, 1), corner(1, 1), corner(1, 0)].map((n) => `${n}//${n}`).join(' ')}`);
+    }
+  }
+  return [...lines, ...normals, ...faces, ''].join('\n');
+}
+
+fs.writeFileSync(path.join(folder, 'knot.obj'), knot(66, 12, 0.62));
 write('postcard.png', 320, 240, postcard);
 write('tiles.png', 128, 128, tiles);
 write('coin.png', 256, 256, coin);

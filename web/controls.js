@@ -67,7 +67,7 @@ function widget(knob, kind, id, help, set, choose) {
     if (document.activeElement !== typed) typed.value = value;
   };
   if (kind.kind === 'file') {
-    const chosen = tag('input', { type: 'file', accept: 'image/png,image/jpeg', 'aria-label': word('chooseFile', { knob: knob.name }), onchange: () => chosen.files.length && choose(chosen.files[0]) });
+    const chosen = tag('input', { type: 'file', accept: kind.accept, 'aria-label': word('chooseFile', { knob: knob.name }), onchange: () => chosen.files.length && choose(chosen.files[0]) });
     return { element: tag('span', { class: 'file' }, typed, chosen), show: showTyped };
   }
   if (!isNumber) return { element: typed, show: showTyped };

@@ -4,7 +4,7 @@ import { comparison } from './compare.js';
 import { knobRows, matrixTables, presetButtons, readoutTable, tag } from './controls.js';
 import { shaderEditor } from './edit.js';
 import { handIn } from './hand.js';
-import { fetched, provide, take } from './pictures.js';
+import { fetched, isNamedAs, provide, take } from './pictures.js';
 import { fromAddress, fromCommand, toAddress, typedNumber } from './settings.js';
 import { drawSteps } from './steps.js';
 
@@ -38,10 +38,10 @@ async function open(canvas) {
     does: call('boolean'),
     says: text,
     tells: (name, ...given) => JSON.parse(text(name, ...given)),
-    // A picture of that name, for knobs that take a file.
-    give(name, { width, height, pixels }) {
-      const at = call('number')('ReceivePicture', name, width, height);
-      if (at) module.HEAPU8.set(pixels, at);
+    // A picture or a text of that name, for knobs that take a file.
+    give(name, { width, height, pixels, text }) {
+      const at = text ? call('number')('ReceiveText', name, text.length) : call('number')('ReceivePicture', name, width, height);
+      if (at) module.HEAPU8.set(pixels ?? text, at);
     },
     // The bytes of so many pixels: of the picture, or by another function's name of what that one gives.
     pixels(size, name = 'Pixels', ...given) {
@@ -229,21 +229,22 @@ export async function live(box) {
     after();
     return withoutFlags(words);
   });
-  // A picture of the user's own. What is none is told, and the knob stays as it was.
-  const choose = (knob, file) => take(file).then(() => {
+  // A file of the user's own. What is none of its kind is told, and the knob stays as it was.
+  const choose = (knob, file) => take(file, file.name, what.widgets[knob].accept).then(() => {
     set(knob, file.name);
-    demo.does('Touch'); // the same name may be another picture
+    demo.does('Touch'); // the same name may be another file
     after();
   }, (error) => after(`--${knob}: ${error.message}`));
   const asks = new URLSearchParams(location.search), isEmbedded = asks.has('embed');
   const knobs = knobRows(what, { only: asks.get('knobs')?.split(','), set, press: (knob, label) => after(demo.says('PressButton', knob, label)), choose });
-  const takesFile = what.knobs.find((knob) => what.widgets[knob.name].kind === 'file');
-  if (takesFile) {
+  const takeFiles = what.knobs.filter((knob) => what.widgets[knob.name].kind === 'file');
+  if (takeFiles.length) {
     view.addEventListener('dragover', (event) => event.preventDefault()); // or the browser would open it in the place of the page
     view.addEventListener('drop', (event) => {
       event.preventDefault();
       const [file] = event.dataTransfer.files;
-      if (file) choose(takesFile.name, file);
+      const fits = takeFiles.find((knob) => isNamedAs(file?.name ?? '', what.widgets[knob.name].accept));
+      if (file) choose((fits ?? takeFiles[0]).name, file);
     });
   }
   const presets = presetButtons(what, (preset) => settle({ settings: preset.settings }));

@@ -216,7 +216,7 @@ for (const file of ['site.js', 'curve.js', ...(module ? ['begin.js', 'live.js', 
 if (module) {
   scripts['mvgl.js'] = fs.readFileSync(path.join(module, 'mvgl.js'), 'utf8');
   // What knobs that take a file may name, in lessons' commands, say
-  for (const file of fs.readdirSync(path.join(root, 'assets'))) if (file.endsWith('.png')) copy(`assets/${file}`);
+  for (const file of fs.readdirSync(path.join(root, 'assets'))) if (/\.(png|obj)$/.test(file)) copy(`assets/${file}`);
   write('mvgl.wasm', fs.readFileSync(path.join(module, 'mvgl.wasm')));
 }
 for (const [file, script] of Object.entries(shorter(scripts))) write(file, script);

@@ -160,6 +160,15 @@ EMSCRIPTEN_KEEPALIVE unsigned char* mvReceivePicture(const char* name, int width
     }
 }
 
+// The same of a model's text. `bytes`: how many it has.
+EMSCRIPTEN_KEEPALIVE char* mvReceiveText(const char* name, int bytes) {
+    try {
+        return receiveText(name, static_cast<std::size_t>(bytes));
+    } catch (const std::exception&) {
+        return nullptr;
+    }
+}
+
 EMSCRIPTEN_KEEPALIVE const char* mvPressButton(const char* knob, const char* label) {
     return attempt([&] {
         if (pressButton(demo().knob(knob), label)) session().touch();

@@ -1,4 +1,4 @@
-// Picture files in a page: the browser has read them.
+// Files of pictures and models in a page: the browser has read them.
 #include "pictures.h"
 
 #include <filesystem>
@@ -6,6 +6,7 @@
 #include <string>
 
 #include "mv/error.h"
+#include "mv/image/file.h"
 #include "mv/image/load.h"
 
 namespace mv {
@@ -13,35 +14,54 @@ namespace {
 
 struct Given {
     Picture picture;
+    std::string text;
     int version = 0;
 };
 
-std::map<std::string, Given>& pictures() {
+std::map<std::string, Given>& files() {
     static std::map<std::string, Given> all;
     return all;
+}
+Given& received(const std::string& name) {
+    Given& given = files()[name];
+    const int version = given.version + 1;
+    given = {.version = version};
+    return given;
+}
+const Given& givenAs(const std::filesystem::path& path) {
+    const auto found = files().find(path.string());
+    if (found == files().end())
+        throw Error(path.string(), "must be chosen in this page, which cannot open files by itself");
+    return found->second;
 }
 
 }  // namespace
 
 std::uint8_t* receivePicture(const std::string& name, int width, int height) {
-    Given& given = pictures()[name];
+    Given& given = received(name);
     given.picture = Picture(width, height);
-    ++given.version;
     return given.picture.rgba.data();
+}
+
+char* receiveText(const std::string& name, std::size_t bytes) {
+    Given& given = received(name);
+    given.text.assign(bytes, ' ');
+    return given.text.data();
 }
 
 // What the library asks of files.
 
 std::string pictureStamp(const std::filesystem::path& path) {
-    const auto found = pictures().find(path.string());
-    return found == pictures().end() ? "" : std::to_string(found->second.version);
+    const auto found = files().find(path.string());
+    return found == files().end() ? "" : std::to_string(found->second.version);
 }
 
 Picture loadPicture(const std::filesystem::path& path) {
-    const auto found = pictures().find(path.string());
-    if (found == pictures().end())
-        throw Error(path.string(), "must be chosen in this page, which cannot open files by itself");
-    return found->second.picture;
+    const Given& given = givenAs(path);
+    if (given.picture.rgba.empty()) throw Error(path.string(), "must be a PNG or JPEG file");
+    return given.picture;
 }
+
+std::string readTextFile(const std::filesystem::path& path, std::size_t) { return givenAs(path).text; }
 
 }  // namespace mv

@@ -1,5 +1,6 @@
-// The pictures that a page has handed over, which stand for files.
+// The pictures and models that a page has handed over, which stand for files.
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -8,5 +9,8 @@ namespace mv {
 // Where the pixels of that picture are to be written: red, green, blue, alpha, the upper row first. It replaces one of the same
 // name. Error: sides that no picture has.
 std::uint8_t* receivePicture(const std::string& name, int width, int height);
+
+// Where the bytes of that text are to be written. It replaces one of the same name.
+char* receiveText(const std::string& name, std::size_t bytes);
 
 }  // namespace mv

@@ -1,8 +1,12 @@
-// Pictures of the user's own, for knobs that take a file: the browser reads them, and the module gets them by their names. What an
-// address or a command names is one of the site's own, or was chosen before.
+// Pictures and models of the user's own, for knobs that take a file: the browser reads them, and the module gets them by their names. What
+// an address or a command names is one of the site's own, or was chosen before.
 const most = { bytes: 64 << 20, side: 8192, pixels: 8192 * 4096 }; // as mv/image/load.h has it
+const mostText = 32 << 20; // bytes, as mv/demo/own_file.h has it
 
-const read = new Map(); // by their names: { width, height, pixels }, of this page
+const read = new Map(); // by their names: { width, height, pixels } or { text }, of this page
+
+// Whether a file has one of the endings that a knob accepts.
+export const isNamedAs = (name, accept) => accept.split(',').some((ending) => name.toLowerCase().endsWith(ending));
 
 const begins = (bytes, ...with_) => with_.every((byte, i) => bytes[i] === byte);
 
@@ -31,22 +35,30 @@ async function pixelsOf(file, name) {
   return { width, height, pixels };
 }
 
-// The file, chosen or dropped, under its own name; a promise. Error: it is no picture, or too large.
-export async function take(file, name = file.name) {
-  read.set(name, await pixelsOf(file, name));
+// A model's text as bytes, which the module reads.
+async function textOf(file, name) {
+  if (file.size > mostText) throw new Error(word('pictureLarge', { name, value: file.size, most: mostText }));
+  return { text: new Uint8Array(await file.arrayBuffer()) };
 }
 
-const filesIn = (what, settings) =>
-  what.knobs.filter((knob) => what.widgets[knob.name].kind === 'file' && settings[knob.name]).map((knob) => settings[knob.name]);
+// The file, chosen or dropped, under its own name, for a knob that accepts such endings; a promise. Error: it is no picture where the
+// knob takes pictures, or too large.
+export async function take(file, name, accept) {
+  read.set(name, await (accept === '.obj' ? textOf : pixelsOf)(file, name));
+}
 
-// Fetches those of the site's own pictures that the settings name and the page does not have yet: a promise, or nothing where there are
+// Of the knobs that take files: { name, accept }, where one is set.
+const filesIn = (what, settings) =>
+  what.knobs.filter((knob) => what.widgets[knob.name].kind === 'file' && settings[knob.name]).map((knob) => ({ name: settings[knob.name], accept: what.widgets[knob.name].accept }));
+
+// Fetches those of the site's own files that the settings name and the page does not have yet: a promise, or nothing where there are
 // none. What cannot be had is the module's to refuse.
 export function fetched(what, settings) {
-  const missing = filesIn(what, settings).filter((name) => /^assets\/[\w.-]+$/.test(name) && !read.has(name));
+  const missing = filesIn(what, settings).filter(({ name }) => /^assets\/[\w.-]+$/.test(name) && !read.has(name));
   if (!missing.length) return undefined;
-  return Promise.all(missing.map(async (name) => {
+  return Promise.all(missing.map(async ({ name, accept }) => {
     const answer = await fetch(`../${name}`);
-    if (answer.ok) await take(await answer.blob(), name).catch(() => {});
+    if (answer.ok) await take(await answer.blob(), name, accept).catch(() => {});
   }));
 }
 
@@ -55,7 +67,7 @@ const had = new WeakMap(); // by the module: a map from names to what it was giv
 export function provide(demo, what, settings) {
   if (!had.has(demo)) had.set(demo, new Map());
   const given = had.get(demo);
-  for (const name of filesIn(what, settings)) {
+  for (const { name } of filesIn(what, settings)) {
     const picture = read.get(name);
     if (!picture || given.get(name) === picture) continue;
     demo.give(name, picture);

@@ -11,7 +11,7 @@ import zlib from 'node:zlib';
 
 const [folder, port] = process.argv.slice(2);
 const kinds = { '.html': 'text/html; charset=utf-8', '.css': 'text/css', '.js': 'text/javascript', '.json': 'application/json',
-  '.csv': 'text/csv', '.svg': 'image/svg+xml', '.png': 'image/png', '.wasm': 'application/wasm' };
+  '.csv': 'text/csv', '.svg': 'image/svg+xml', '.png': 'image/png', '.wasm': 'application/wasm', '.obj': 'model/obj' };
 const hosts = /^(127\.0\.0\.1|localhost)(:\d+)?$/i;
 const root = realpathSync(folder);
 const compressed = promisify(zlib.gzip);

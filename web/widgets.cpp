@@ -2,6 +2,8 @@
 
 #include "mv/demo/demo.h"
 
+#include "mv/demo/file_knob.h"
+
 namespace mv {
 namespace {
 
@@ -28,7 +30,7 @@ void addWidget(JsonText& json, const Knob& knob) {
             json.end().add("kind", "choice");
             return;
         case Knob::Kind::file:
-            json.add("kind", "file");
+            json.add("accept", knob.endings()).add("kind", "file");
             return;
         case Knob::Kind::points:
             json.add("kind", "words");

@@ -8,7 +8,7 @@
 namespace mv {
 
 // Adds {"kind": "number" with "low", "high", "whole", "logarithmic", "orZero"; "switch"; "choice" with "options" of "word" and
-// "meaning"; "file"; or "words"; and "buttons" of "label" and "enabled"} for each knob, by its name.
+// "meaning"; "file", with the endings that it "accept"s; or "words"; and "buttons" of "label" and "enabled"} for each knob, by its name.
 void addWidgets(JsonText& json, Demo& demo);
 
 // Presses that button of the knob; whether the knob moved.

@@ -1,9 +1,13 @@
 // environment: bodies that mirror and refract what is around them, looked up in a cube map as if it were infinitely far.
 #include "environment.h"
 
+#include <algorithm>
+#include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <utility>
 
 #include "mv/demo/seen.h"
+#include "mv/geometry/bounds.h"
 #include "mv/gl/gl.h"
 #include "mv/math/transform.h"
 #include "shared/own_picture.h"
@@ -14,7 +18,6 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     const Scene scene = seen(sceneOf(s, frame), frame);
     glEnable(GL_DEPTH_TEST);
     if (s.seamless && !isEs()) glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
-    if (!s.seamless && isEs()) frame.say("OpenGL ES always filters across the edges of a cube.");
 
     // 1. Draw what is around into a cube
     gpu.facesDrawn = inRoom(s) && looksUp(s) ? drawFaces(gpu, s, frame) : 0;  // room.cpp
@@ -25,6 +28,7 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
 
     // 3. Draw what is around, as the eye sees it
     if (!frame.measuring()) drawAround(gpu, s, scene, frame);  // room.cpp
+    tell(s, frame);
 }
 
 // The cube of the room has been drawn; the cubes of a sky and of a picture are computed.
@@ -43,9 +47,9 @@ void drawBody(Gpu& gpu, const Settings& s, const Scene& scene, const Frame& fram
     glViewport(pane.x, pane.y, pane.width, pane.height);
     const Program& program = gpu.program;
     program.use();
-    program.set("clipFromBody", scene.clipFromWorld() * worldFromBody(s.body));
-    program.set("worldFromBody", worldFromBody(s.body));
-    program.set("worldFromNormal", normalMatrix(worldFromBody(s.body)));
+    program.set("clipFromBody", scene.clipFromWorld() * worldFromBody(s));
+    program.set("worldFromBody", worldFromBody(s));
+    program.set("worldFromNormal", normalMatrix(worldFromBody(s)));
     program.set("eye", eyeOf(scene));
     setSurface(program, s);
 
@@ -53,7 +57,7 @@ void drawBody(Gpu& gpu, const Settings& s, const Scene& scene, const Frame& fram
     program.set("lookup", inRoom(s) ? static_cast<int>(s.lookup) : 0);
     program.set("raysFrom", splits(s) && !frame.measuring() ? 0.5 * pane.width : 1e9);
     if (inRoom(s)) setRoom(program, roomOf(s, frame));
-    (s.body == Body::sphere ? *gpu.round : *gpu.teapotMesh).draw();
+    bodyOf(gpu, s).draw();
 }
 
 void setSurface(const Program& program, const Settings& s) {
@@ -63,13 +67,13 @@ void setSurface(const Program& program, const Settings& s) {
     program.set("metalIndex", surface.metal.n);
     program.set("metalAbsorption", surface.metal.k);
     program.set("bySchlick", s.fresnel == Curve::schlick);
-    program.set("isSphere", s.body == Body::sphere);
+    program.set("isSphere", isSphere(s));
     program.set("waysOut", waysOut(s));
 }
 
 // At how many surfaces light may leave the glass: by formula, that is known of a sphere alone.
 int waysOut(const Settings& s) {
-    if (s.body != Body::sphere || s.refract == Through::first) return 0;
+    if (!isSphere(s) || s.refract == Through::first) return 0;
     return s.refract == Through::both ? 1 : 5;
 }
 
@@ -82,7 +86,30 @@ Coating coatingOf(const Settings& s) {
             .index = s.index};
 }
 
-mat4 worldFromBody(Body body) { return body == Body::sphere ? mat4(1) : scale(0.36) * translate(-0.25, -1.55, 0); }
+// A model of the user's own stands in the place of the body, as large as the sphere.
+const Mesh& bodyOf(Gpu& gpu, const Settings& s) {
+    if (!s.model.isSet()) return isSphere(s) ? *gpu.round : *gpu.teapotMesh;
+    if (gpu.modelFor.changed(s.model.version())) gpu.model = Mesh(fitted(s.model.content()->mesh), "model");
+    return gpu.model;
+}
+MeshData fitted(MeshData mesh) {
+    const vec3 middle = boundsOf(mesh).middle();
+    const double reach = reachOf(mesh);
+    for (fvec3& position : mesh.positions) position = fvec3((vec3(position) - middle) / reach);
+    return withoutTexCoords(std::move(mesh));
+}
+// From the middle of its box to its farthest point.
+double reachOf(const MeshData& mesh) {
+    const vec3 middle = boundsOf(mesh).middle();
+    double reach = 0;
+    for (const fvec3& position : mesh.positions) reach = std::max(reach, glm::distance(vec3(position), middle));
+    return reach;
+}
+bool isSphere(const Settings& s) { return s.body == Body::sphere && !s.model.isSet(); }
+mat4 worldFromBody(const Settings& s) {
+    const bool isTeapot = s.body == Body::teapot && !s.model.isSet();
+    return isTeapot ? scale(0.36) * translate(-0.25, -1.55, 0) : mat4(1);
+}
 vec3 eyeOf(const Scene& scene) { return vec3(glm::inverse(scene.viewFromWorld)[3]); }
 
 // A picture of the user's own stands in the place of the sky. Rays ask no cube.

@@ -42,6 +42,7 @@ struct Settings {
     bool moving = true;
     bool keep = true;
     OwnFile<Picture> picture = {};
+    OwnFile<ObjMesh> model = {};
     Orbit orbit = {};
 };
 
@@ -56,6 +57,8 @@ struct Gpu {
         pane{MeshData{.primitive = Primitive::triangleStrip,
                       .positions = {{-1, -1, 0}, {1, -1, 0}, {-1, 1, 0}, {1, 1, 0}}},
              "pane"};
+    Mesh model;
+    MadeFor<int> modelFor;
     CubeMap skyMap, roomMap;
     OnDemand<CubeMap> noCube{skyCube(1), "no cube"};  // its sampler must have one, though rays ask none
     MadeFor<int, int> skyFor;
@@ -73,7 +76,11 @@ void drawBody(Gpu& gpu, const Settings& s, const Scene& scene, const Frame& fram
 void setSurface(const Program& program, const Settings& s);
 int waysOut(const Settings& s);
 Coating coatingOf(const Settings& s);
-mat4 worldFromBody(Body body);
+const Mesh& bodyOf(Gpu& gpu, const Settings& s);
+MeshData fitted(MeshData mesh);
+double reachOf(const MeshData& mesh);
+mat4 worldFromBody(const Settings& s);
+bool isSphere(const Settings& s);
 bool inRoom(const Settings& s);
 bool looksUp(const Settings& s);
 bool splits(const Settings& s);
@@ -92,6 +99,7 @@ const char* nameOf(Lookup lookup);
 Scene sceneOf(const Settings& s, const FrameInfo& frame);
 Pane viewPane(const FrameInfo& frame);
 Pane paneOf(const Frame& frame);
+void tell(const Settings& s, const Frame& frame);
 void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame);
 void readOut(Gpu& gpu, const Settings& s, const Frame& frame, Numbers& numbers);
 

@@ -54,6 +54,13 @@ Pane paneOf(const Frame& frame) {
     return frame.measuring() ? Pane{0, 0, frame.width(), frame.height()} : viewPane(frame);
 }
 
+void tell(const Settings& s, const Frame& frame) {
+    if (!s.seamless && isEs()) frame.say("OpenGL ES always filters across the edges of a cube.");
+    if (!s.model.isSet()) return;
+    const std::size_t leftOut = s.model.content()->leftOut;
+    if (leftOut > 0) frame.say("Points and lines of the model are left out: " + std::to_string(leftOut) + ".");
+}
+
 void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
     const Pane left = viewPane(frame);
     if (inRoom(s)) glDisable(GL_CULL_FACE);

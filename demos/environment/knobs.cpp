@@ -25,14 +25,14 @@ namespace {
 bool hasNoPicture(const Settings& s) { return !s.picture.isSet(); }
 bool isGlass(const Settings& s) { return s.material == Material::glass; }
 bool isNoMirror(const Settings& s) { return s.material != Material::mirror; }
-bool isSphere(const Settings& s) { return s.body == Body::sphere; }
+bool hasNoModel(const Settings& s) { return !s.model.isSet(); }
 
 std::vector<Row<Settings>> rows() {
     return together(
         word("around", &Settings::around, {{"room", "drawn into the cube"}, {"sky", "infinitely far"}},
              "what is mirrored")
             .when(hasNoPicture, "your picture is around"),
-        word("body", &Settings::body, bodyWords, "what mirrors it"),
+        word("body", &Settings::body, bodyWords, "what mirrors it").when(hasNoModel, "your model is the body"),
         word("material", &Settings::material, materialWords, "how much it reflects of which colour"),
         number("index", &Settings::index, {0.4, 3},
                "of the glass over that of what is around it; below 1 it is a bubble")
@@ -47,6 +47,7 @@ std::vector<Row<Settings>> rows() {
               {"inside", "and where it is reflected inside, up to four times"}},
              "at which surfaces of the glass sphere")
             .when(isGlass, "nothing shines through the material")
+            .when(hasNoModel, "the way through a model is no formula")
             .when(isSphere, "the way through a teapot is no formula"),
         word("lookup", &Settings::lookup, lookupWords, "how the mirrored light is found")
             .when(inRoom, "the sky is infinitely far, and at rest"),
@@ -68,6 +69,7 @@ std::vector<Row<Settings>> rows() {
             .when(looksUp, "rays ask no cube"),
         file("picture", &Settings::picture, "assets/evening.png",
              "your own around the body: a panorama, twice as wide as high, or a cube cut open into 4 x 3 squares"),
+        file("model", &Settings::model, "assets/knot.obj", "your own body, made as large as the sphere"),
         part(&Settings::orbit, orbitRows({-3, 20})));
 }
 
@@ -116,6 +118,8 @@ std::vector<SettingsPreset<Settings>> presets() {
 
 void check(const Settings& s) {
     if (s.picture.isSet()) surroundingOf(*s.picture.content(), "--picture");
+    if (s.model.isSet() && !(reachOf(s.model.content()->mesh) > 0))
+        throw Error("--model", "must have corners in more than one place", s.model.name);
 }
 
 std::optional<vec2> placeOfBall(const Settings& s, const FrameInfo& frame) {

@@ -75,8 +75,7 @@ void drawAround(Gpu& gpu, const Settings& s, const Scene& scene, const Frame& fr
     if (!inRoom(s)) return drawSky(gpu, scene);
     const Room room = roomOf(s, frame);
     useRoom(gpu, room, gpu.facesDrawn > 0);
-    const bool mayHide = s.body == Body::sphere;
-    drawRoom(gpu, scene.clipFromWorld(), room, mayHide ? std::optional(eyeOf(scene)) : std::nullopt);
+    drawRoom(gpu, scene.clipFromWorld(), room, isSphere(s) ? std::optional(eyeOf(scene)) : std::nullopt);
 }
 
 // From wherever the eye is, infinity looks the same: the view without its way.

@@ -25,10 +25,12 @@ ShinySphere sphereOf(const Settings& s, const FrameInfo& frame) {
 }
 
 // The sphere, in the room.
-bool isMeasured(const Settings& s) { return s.body == Body::sphere && inRoom(s); }
+bool isMeasured(const Settings& s) { return isSphere(s) && inRoom(s); }
 
 Reference byRays(const Settings& s, const FrameInfo& frame) {
-    if (!isMeasured(s)) throw Error("--body", "must be the sphere, in the room, to be measured", nameOf(s.body));
+    if (!isMeasured(s))
+        throw Error("--body", "must be the sphere, in the room, to be measured",
+                    s.model.isSet() ? s.model.name : nameOf(s.body));
     Reference reference{.values = sphereOf(s, frame).picture(sceneOf(s, frame), frame.width(), frame.height())};
     reference.regions.reserve(reference.values.size());
     for (const double value : reference.values) {
@@ -63,8 +65,8 @@ Study study() {
     study.makeReference = [](const Demo& demo, const ReferenceFrame& frame, const auto&) {
         return byRays(settingsOf<Settings>(demo), frame);
     };
-    study.reads = {"around", "body",    "material", "index",  "room",    "ball",
-                   "moving", "picture", "spin-x",   "spin-y", "distance"};
+    study.reads = {"around", "body",    "material", "index",  "room",   "ball",
+                   "moving", "picture", "model",    "spin-x", "spin-y", "distance"};
     study.width = 320;
     study.height = 320;
     study.problem = "room";

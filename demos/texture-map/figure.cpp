@@ -19,13 +19,17 @@ void drawQuad(Drawing& drawing, const Settings& s, const Frame& frame, const Tex
     const Pane left = leftPane(frame);
     const double ratio = s.surface.ratio;
     const mat3 pixels = pixelFromQuad(ratio, left);
-    for (int i = 0; i <= 8; ++i) {
-        drawing.line(projected(pixels, {i / 8.0, 0}), projected(pixels, {i / 8.0, 1}), {ink, 1});
-        drawing.line(projected(pixels, {0, i / 8.0}), projected(pixels, {1, i / 8.0}), {ink, 1});
+    // Eighths of the texture; where u and v reach beyond 0..1, its edges
+    const bool isBeyond = s.reach > 1;
+    for (int i = 0; i <= 8; i += isBeyond ? 8 : 1) {
+        const double at = isBeyond ? 0.5 + (i / 8.0 - 0.5) / s.reach : i / 8.0;
+        drawing.line(projected(pixels, {at, 0}), projected(pixels, {at, 1}), {ink, 1});
+        drawing.line(projected(pixels, {0, at}), projected(pixels, {1, at}), {ink, 1});
     }
     drawing.text({8, 1.5 * words.height + 4},
-                 s.picture.isSet() ? "black lines: where eighths of the picture belong"
-                                   : "black lines: where the squares belong",
+                 isBeyond            ? "black lines: where u and v are 0 and 1"
+                 : s.picture.isSet() ? "black lines: where eighths of the picture belong"
+                                     : "black lines: where the squares belong",
                  words);
     const Slip most = largestSlip(ratio, s.surface.divisions, left);
     if (s.surface.method == Method::affine && most.pixels > 2) drawing.arrow(most.shown, most.right, {red, 3});

@@ -32,6 +32,7 @@ constexpr auto isRound = is<Shape::cylinder, Shape::sphere>;
 bool isNoTriangle(const Settings& s) { return !isTriangle(s); }
 bool hasCells(const Settings& s) { return !isForward(s); }
 bool hasFaces(const Settings& s) { return !isCircle(s); }
+bool goesBeyond(const Settings& s) { return s.reach > 1; }
 bool hasTexels(const Settings& s) { return !s.picture.isSet() || isForward(s); }
 
 std::vector<Row<Settings>> rows() {
@@ -68,7 +69,15 @@ std::vector<Row<Settings>> rows() {
         angle("turn", within(&Settings::surface, &Surface::turn), "of the cylinder or the sphere about its axis")
             .when(isRound, "the shape does not turn"),
         file("picture", &Settings::picture, "assets/postcard.png",
-             "your own on the surface, in at most 1024 x 1024 texels"));
+             "your own on the surface, in at most 1024 x 1024 texels"),
+        number("reach", &Settings::reach, {1, 8}, "of u and v: so many textures, with one in the middle")
+            .when(hasFaces, "the lecture's cylinder has no faces"),
+        word("wrap", &Settings::wrap,
+             {{"clamp", "the texels at the edge go on (GL_CLAMP_TO_EDGE)"},
+              {"repeat", "the texture begins anew (GL_REPEAT)"},
+              {"mirror", "every other one is turned about (GL_MIRRORED_REPEAT)"}},
+             "what a texture shows beyond 0..1")
+            .when(goesBeyond, "u and v stay within 0..1"));
 }
 
 constexpr Declaration about{

@@ -1,6 +1,8 @@
 // texture-map: which point of a texture a pixel shows: parametrized surfaces, and what is interpolated between corners.
 #include "texture-map.h"
 
+#include <array>
+
 #include "mv/gl/gl.h"
 #include "perspective_quad.h"
 
@@ -16,6 +18,7 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     const Program& program = programOf(gpu, s);
     program.use();
     program.set("clipFromModel", clipFromModel(s, pane));
+    program.set("beyond", s.reach - 1);
     if (isByHand(s)) program.set("divided", s.surface.method == Method::byHand);
     if (isTriangle(s)) setPlaneMap(program, planeMap(s.triangle));  // triangle.cpp
     if (frame.measuring()) setMeasured(program, s, pane);
@@ -28,12 +31,18 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     gpu.mesh.draw();
 }
 
-// Upload the texture when another one is set; else bind the one that is there.
+// Upload the texture when another one is set, and say what is beyond 0..1; else bind the one that is there.
 void bindTexture(Gpu& gpu, const Settings& s) {
-    if (gpu.imageFor.changed(s.texels, s.picture.version()))
-        gpu.image = Texture(imageOf(s), GL_NEAREST, "chart");
-    else
-        gpu.image.bind(0);
+    if (!gpu.imageFor.changed(s.texels, s.picture.version(), s.wrap)) return gpu.image.bind(0);
+    gpu.image = Texture(imageOf(s), GL_NEAREST, "chart");  // which clamps
+    if (s.wrap == Wrap::clamp) return;
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, static_cast<GLint>(wrapping(s.wrap)));
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, static_cast<GLint>(wrapping(s.wrap)));
+}
+// GL_TEXTURE_WRAP_S for u, GL_TEXTURE_WRAP_T for v.
+GLenum wrapping(Wrap wrap) {
+    constexpr std::array<GLenum, 3> names{GL_CLAMP_TO_EDGE, GL_REPEAT, GL_MIRRORED_REPEAT};
+    return names.at(static_cast<std::size_t>(wrap));
 }
 Picture imageOf(const Settings& s) {
     return s.picture.isSet() ? shrink(*s.picture.content(), 1024, 1024) : chart(s.texels);

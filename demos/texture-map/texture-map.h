@@ -22,6 +22,7 @@ enum class Method { affine, correct, byHand, undivided, forward };
 enum class Formula { corrected, lecture };
 enum class Seam { doubled, shared };
 enum class Map { edges, matrix };
+enum class Wrap { clamp, repeat, mirror };
 
 // A square, a cylinder or a sphere, which brings its texture coordinates along.
 struct Surface {
@@ -43,6 +44,8 @@ struct Settings {
     Triangle triangle = {};
     int texels = 128;  // along a side of the texture
     OwnFile<Picture> picture = {};
+    double reach = 1;  // of u and v: so many textures, with one in the middle
+    Wrap wrap = Wrap::clamp;
 };
 
 struct Gpu {
@@ -51,7 +54,7 @@ struct Gpu {
     Mesh mesh;
     MadeFor<Shape, Method, int, int, Formula, Seam, double> meshFor;
     Texture image;
-    MadeFor<int, int> imageFor;
+    MadeFor<int, int, Wrap> imageFor;
     Drawing drawing;
 };
 
@@ -59,6 +62,7 @@ struct Gpu {
 void draw(Gpu& gpu, const Settings& s, const Frame& frame);
 void bindTexture(Gpu& gpu, const Settings& s);
 Picture imageOf(const Settings& s);
+GLenum wrapping(Wrap wrap);
 Picture chart(int side);
 const Program& programOf(Gpu& gpu, const Settings& s);
 mat4 clipFromModel(const Settings& s, const Pane& pane);

@@ -7,20 +7,27 @@
 // - [kept] While nothing moves no face is drawn; where the ball moves only those are in which it is or was.
 // - [total-reflection] In a bubble, beyond the limiting angle, everything is mirrored, and nothing shines through.
 // - [no-surface] Glass with the index of what is around it is not to be seen.
+// - [indices] Water, glass and diamond reflect ((n - 1) / (n + 1))^2 head on, and from inside all beyond the angle whose sine is 1/n.
+// - [own-model] A model of one's own, an OBJ file, is as large as the sphere wherever and however large its corners are.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include "environment/shiny_sphere.h"
+#include "mv/geometry/shapes.h"
 #include "mv/gl/functions.h"
+#include "mv/image/file.h"
 #include "mv/math/reflect.h"
 #include "mv/paper/audit.h"
 #include "support/demo_run.h"
+#include "support/temporary_folder.h"
 
 using namespace mv;
 using namespace mv::test;
@@ -266,4 +273,65 @@ TEST(Environment, no_surface) {
     EXPECT_EQ(countPixels(run.set("body", "teapot").picture(), {0, 0, 0}), 0);
     run.set("body", "sphere");
     EXPECT_GT(difference(drawn(run.set("index", 1.05)), empty).typical, 10 * floats);
+}
+
+TEST(Environment, own_model) {
+    const TemporaryFolder folder;
+    const auto written = [&](const char* name, const MeshData& mesh, double times, const vec3& moved) {
+        std::ostringstream text;
+        text.precision(17);
+        for (const fvec3& position : mesh.positions) {
+            const vec3 at = times * vec3(position) + moved;
+            text << "v " << at.x << " " << at.y << " " << at.z << "\n";
+        }
+        for (const fvec3& n : mesh.normals) text << "vn " << n.x << " " << n.y << " " << n.z << "\n";
+        for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+            text << "f";
+            for (std::size_t k = i; k < i + 3; ++k) text << " " << mesh.indices[k] + 1 << "//" << mesh.indices[k] + 1;
+            text << "\n";
+        }
+        writeFileAtomically(folder / name, text.str());
+        return (folder / name).string();
+    };
+    DemoRun run("environment", side, side);
+    run.set("around", "sky").set("material", "gold");
+    const Picture exact = run.picture();
+    const MeshData ball = sphere(1, 128, 64);
+    const Picture asFile = run.set("model", written("ball.obj", ball, 1, vec3(0))).picture();
+    // Cells of a 128th of a turn are off by 1 - cos(pi / 128), 0.0003 of the radius: the sky is the same but at edges, and the outline
+    // is. Its pixels are 2 pi times the radius, which is less than a third of the side.
+    long off = 0;
+    for (int y = 0; y < side; ++y) {
+        for (int x = 0; x < side; ++x) {
+            const Pixel a = exact.at(x, y), b = asFile.at(x, y);
+            off += std::max({std::abs(a.red - b.red), std::abs(a.green - b.green), std::abs(a.blue - b.blue)}) > 8;
+        }
+    }
+    EXPECT_LT(off, 2 * pi * side / 3);
+    EXPECT_GT(differentPixels(run.set("material", "mirror").picture(), asFile), 1000) << "it has the material";
+    run.set("material", "gold");
+
+    // Times a power of two and moved by whole numbers, corners on a grid of 1/1024 are told apart exactly as before.
+    MeshData grid = ball;
+    for (fvec3& position : grid.positions) position = glm::round(position * 1024.0F) / 1024.0F;
+    const Picture onGrid = run.set("model", written("grid.obj", grid, 1, vec3(0))).picture();
+    EXPECT_EQ(differentPixels(run.set("model", written("far.obj", grid, 64, vec3(1000, -300, 77))).picture(), onGrid),
+              0);
+
+    // A model without size is refused.
+    writeFileAtomically(folder / "point.obj", "v 1 2 3\nv 1 2 3\nv 1 2 3\nf 1 2 3\n");
+    EXPECT_NE(run.set("model", (folder / "point.obj").string()).refusal(), "");
+}
+
+TEST(Environment, indices) {
+    DemoRun run("environment", side, side);
+    run.set("material", "glass");
+    for (const double n : {1.0003, 1.3333, 1.5, 2.417}) {
+        (void)run.set("index", n).picture();
+        const double part = std::pow((n - 1) / (n + 1), 2);
+        // n - 1 of air has lost four of sixteen digits.
+        EXPECT_NEAR(run.readout("head-on"), part, 1e-11 * part) << n;
+        (void)run.set("index", 1 / n).picture();
+        EXPECT_NEAR(std::sin(radians(run.readout("limit"))), 1 / n, 1e-12) << n;
+    }
 }

@@ -1,5 +1,5 @@
 // node assets_test.mjs SOURCE: the pictures of assets/ are those that its script makes, pixel by pixel (another zlib may pack them
-// otherwise), are small, and each stands in the list of licences.
+// otherwise), its model is that byte by byte, they are small, and each stands in the list of licences.
 import { execFileSync } from 'node:child_process';
 import fs from 'node:fs';
 import os from 'node:os';
@@ -12,9 +12,10 @@ process.on('exit', () => fs.rmSync(folder, { recursive: true, force: true }));
 let failures = 0;
 const expect = (holds, says) => holds || (++failures, console.log(`FAILED: ${says}`));
 
-// Header and unpacked rows of a PNG file.
+// Header and unpacked rows of a PNG file, the text of another.
 function contents(file) {
   const bytes = fs.readFileSync(file), packed = [];
+  if (!file.endsWith('.png')) return bytes.toString('latin1');
   let header = '';
   for (let at = 8; at < bytes.length; at += 12 + bytes.readUInt32BE(at)) {
     const type = bytes.toString('latin1', at + 4, at + 8), data = bytes.subarray(at + 8, at + 8 + bytes.readUInt32BE(at));
@@ -25,7 +26,7 @@ function contents(file) {
 }
 
 execFileSync('node', [path.join(assets, 'make.mjs'), folder]);
-const made = fs.readdirSync(folder).sort(), kept = fs.readdirSync(assets).filter((file) => /\.(png|jpe?g)$/.test(file)).sort();
+const made = fs.readdirSync(folder).sort(), kept = fs.readdirSync(assets).filter((file) => /\.(png|jpe?g|obj)$/.test(file)).sort();
 expect(made.join() === kept.join(), `assets/ has ${kept}, and the script makes ${made}`);
 const licences = fs.readFileSync(path.join(assets, 'LICENSES.md'), 'utf8');
 for (const file of made) {

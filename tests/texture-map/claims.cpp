@@ -8,6 +8,7 @@
 // - [one-strip-runs-back] Where the corners of a seam are shared, one strip shows the whole texture backwards.
 // - [half-at-the-pole] At a pole each cell of the texture is shown by a single triangle: half of it is lost.
 // - [through-the-origin] A triangle's texture matrix has no inverse when its plane holds the origin; edges always work.
+// - [beyond] Beyond 0..1 a texture repeats itself, or every other one is its mirror image, or its edge goes on; within, nothing changes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -262,4 +263,36 @@ TEST(TextureMap, through_the_origin) {
     // By edges it is the same picture near and far, but for pixels at the very edges of squares.
     const Picture far = run.set("distance", 0.5).picture();
     EXPECT_LT(otherSquares(far, sound), 50);
+}
+
+TEST(TextureMap, beyond) {
+    // Seen straight on, in panes of 3 x 3 textures: u and v from a pixel, without rounding that matters.
+    DemoRun run("texture-map", 480, 480);
+    run.set("method", "correct").set("ratio", 1).set("reach", 3).set("texels", 16);
+    const auto pictureOf = [&](const char* wrap) { return run.set("wrap", wrap).picture(); };
+    const Picture clamped = pictureOf("clamp"), repeated = pictureOf("repeat"), mirrored = pictureOf("mirror");
+    const mat3 quad = glm::inverse(pixelFromQuad(1, {0, 0, 300, 480})), pixels = glm::inverse(quad);
+    const auto at = [&](const Picture& picture, const vec2& uv) {
+        const vec2 place = projected(pixels, 0.5 + (uv - 0.5) / 3.0);
+        return picture.at(static_cast<int>(place.x), 479 - static_cast<int>(place.y));
+    };
+    // Middles of texels, clear of the lines that are drawn over the picture.
+    for (const double u : {1.5 / 16, 4.5 / 16, 9.5 / 16, 13.5 / 16}) {
+        for (const double v : {2.5 / 16, 6.5 / 16, 12.5 / 16}) {
+            const Pixel inside = at(clamped, {u, v});
+            EXPECT_EQ(at(repeated, {u, v}), inside);
+            EXPECT_EQ(at(mirrored, {u, v}), inside);
+            EXPECT_EQ(at(repeated, {u - 1, v}), inside);
+            EXPECT_EQ(at(repeated, {u + 1, v + 1}), inside);
+            EXPECT_EQ(at(mirrored, {-u, v}), inside);
+            EXPECT_EQ(at(mirrored, {2 - u, 2 - v}), inside);
+            EXPECT_EQ(at(clamped, {-u, v}), at(clamped, {0.5 / 16, v}));
+            EXPECT_EQ(at(clamped, {1 + u, 1 + v}), at(clamped, {15.5 / 16, 15.5 / 16}));
+        }
+    }
+    EXPECT_GT(differentPixels(repeated, mirrored), 1000);
+    EXPECT_GT(differentPixels(repeated, clamped), 1000);
+    // Within 0..1 there is no difference.
+    run.set("reach", 1);
+    EXPECT_EQ(differentPixels(pictureOf("repeat"), pictureOf("clamp")), 0);
 }

@@ -353,6 +353,12 @@ bool Knob::takes(std::string_view file) const {
                        [&](std::string_view ending) { return small.ends_with(ending); });
 }
 
+std::string Knob::endings() const {
+    std::string list;
+    for (const Literal ending : row_.files->endings) list += (list.empty() ? "" : ",") + std::string(ending);
+    return list;
+}
+
 // ---- Points
 
 std::span<const vec2> Knob::points() const { return row_.places(&value<std::byte>()); }

@@ -142,6 +142,8 @@ class Knob {
     // name is of the knob's kind, by its ending alone.
     void checkFile() const;
     bool takes(std::string_view file) const;
+    // The endings of these names, as a page's field lists them: ".png,.jpg,.jpeg".
+    std::string endings() const;
     // Of points; x (0) or y (1) of one, for a handle, and of a number the number itself.
     std::span<const vec2> points() const;
     bool isFixedNumber() const { return row_.limits.least == row_.limits.most; }

@@ -4,6 +4,7 @@
 #include <mutex>
 
 #include "mv/error.h"
+#include "mv/image/file.h"
 #include "mv/image/load.h"
 
 namespace mv {
@@ -15,6 +16,10 @@ Content contentOf(const std::string& name);
 template <>
 Picture contentOf<Picture>(const std::string& name) {
     return loadPicture(name);
+}
+template <>
+ObjMesh contentOf<ObjMesh>(const std::string& name) {
+    return meshFromObj(readTextFile(name, maximumModelFileBytes), name);
 }
 
 template <class Content>
@@ -68,6 +73,12 @@ const FileKind& fileKind<Picture>() {
     static const FileKind kind{"none or a PNG or JPEG file", {".png", ".jpg", ".jpeg"}, check<Picture>};
     return kind;
 }
+template <>
+const FileKind& fileKind<ObjMesh>() {
+    static const FileKind kind{"none or an OBJ file", {".obj"}, check<ObjMesh>};
+    return kind;
+}
 template struct OwnFile<Picture>;
+template struct OwnFile<ObjMesh>;
 
 }  // namespace mv

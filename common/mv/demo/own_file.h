@@ -1,10 +1,12 @@
 // A file of the user's own, as a setting of a lesson: by its flag, dropped onto the window, chosen in the page.
 #pragma once
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "mv/demo/literal.h"
+#include "mv/geometry/obj.h"
 #include "mv/image/picture.h"
 
 namespace mv {
@@ -20,7 +22,7 @@ struct OwnFile {
 
     bool isSet() const { return name != "none"; }
     // What is in the file as it is now; the last two that were read are kept, since a window draws two settings that are
-    // compared in turn. Error: none is set; as loadPicture.
+    // compared in turn. Error: none is set; as loadPicture, or as meshFromObj.
     std::shared_ptr<const Content> content() const;
     // Another number for each content that was read; 0 where none is set. Error: as content().
     int version() const;
@@ -33,12 +35,19 @@ struct FileKind {
     void (*check)(const std::string& name);  // Error: it cannot be read
 };
 
-// The kind of files that have such content. There is one for pictures; another one is an entry of own_file.cpp.
+// The kind of files that have such content: PNG and JPEG files are pictures, OBJ files are meshes. Another one is an entry of
+// own_file.cpp.
 template <class Content>
 const FileKind& fileKind();
 
 template <>
 const FileKind& fileKind<Picture>();
+template <>
+const FileKind& fileKind<ObjMesh>();
 extern template struct OwnFile<Picture>;
+extern template struct OwnFile<ObjMesh>;
+
+// An OBJ file holds at most so many bytes: a mesh takes a few times as many.
+inline constexpr std::size_t maximumModelFileBytes = std::size_t{32} << 20U;
 
 }  // namespace mv
