@@ -7,6 +7,11 @@
 
 namespace mv {
 
+// 0 for what is left of roundings beside the largest number that it stands with; never -0.
+inline double withoutRounding(double value, double largest) {
+    return (value < 0 ? -value : value) < 1e-12 * largest ? 0 : value + 0.0;
+}
+
 struct FrameTimes {
     double firstMs = 0;   // the first draw, with what it compiles and uploads
     double medianMs = 0;  // of the later ones, each finished with glFinish
