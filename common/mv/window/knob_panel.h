@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <string>
+#include <vector>
 
 #include "mv/demo/demo.h"
 #include "mv/run/session.h"
@@ -16,7 +17,11 @@ class KnobPanel final : public Panel {
 
     // A row for each knob: name, widget, unit, and a button that sets it back; a second row for the other value of the
     // one that is compared. True when one was moved.
-    bool show(Comparison& comparison);
+    // `refused`: names of knobs whose values make no picture together.
+    bool show(Comparison& comparison, const std::vector<std::string>& refused);
+    // A bar that goes there and back by itself; true while it does.
+    bool advance(double seconds);
+    bool sweeping() const { return !sweep_.empty(); }
 
     bool slider(const Knob& knob, double& value, const NumberRange& range) override;
     bool slider(const Knob& knob, int& value, int low, int high) override;
@@ -35,6 +40,7 @@ class KnobPanel final : public Panel {
     bool otherRow(const Demo& demo, Knob& knob, float labelWidth, Comparison& comparison);
     bool bar(const Knob& knob, double& value, double low, double high, double digits, const std::string& text);
     bool logarithmicBar(const Knob& knob, double& value, const NumberRange& range);
+    void sweepButton(float width);
     bool field(Knob& knob);
     void openField(const Knob& knob);
 
@@ -47,6 +53,11 @@ class KnobPanel final : public Panel {
     std::array<char, 1024> text_{};
     std::string refusal_;
     bool focusField_ = false;
+    std::vector<std::string> refused_;
+    std::string sweep_;    // the row whose bar goes by itself; "" for none
+    double place_ = 0;     // of it, 0..1
+    double barPlace_ = 0;  // of the bar that was made last
+    bool backwards_ = false, hasMoved_ = false;
 };
 
 // Name, range, unit, initial value: what the mouse over a knob tells.
