@@ -126,7 +126,9 @@ bool KnobPanel::row(const Demo& demo, Knob& knob, float labelWidth, const std::s
 
     if (isBar) {
         ImGui::SameLine(0, style.ItemSpacing.x / 2);
+        ImGui::BeginDisabled(!idle.empty());
         sweepButton(resetWidth);
+        ImGui::EndDisabled();
     }
     ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - resetWidth);
     if (knob.isInitial()) {
