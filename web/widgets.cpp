@@ -2,7 +2,6 @@
 
 #include "mv/demo/demo.h"
 
-#include "mv/demo/file_knob.h"
 
 namespace mv {
 namespace {

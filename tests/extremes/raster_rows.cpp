@@ -1,4 +1,4 @@
-// X23, X24, X57: edges through the middles of pixels, edge functions far from the origin, and a large circle.
+// X23, X24, X59: edges through the middles of pixels, edge functions far from the origin, and a large circle.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -111,8 +111,8 @@ double wrongOfCircle(CircleMethod method, int radius) {
     return 100 * wrong / asked;
 }
 
-[[maybe_unused]] const bool x57 = addRow([] {
-    return Row{.id = "X57",
+[[maybe_unused]] const bool x59 = addRow([] {
+    return Row{.id = "X59",
                .input = "a circle of radius 100000 pixels",
                .measured = "pixels of an eighth that are not the nearest, %",
                .naive = "the square root of r^2 - x^2 in floats, rounded",

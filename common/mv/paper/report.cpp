@@ -26,11 +26,19 @@ std::string readoutLines(const Demo& demo) {
 
 }  // namespace
 
+double largestOf(const mat4& matrix) {
+    double largest = 0;
+    for (int i = 0; i < 16; ++i) largest = std::max(largest, std::abs(matrix[i / 4][i % 4]));
+    return largest;
+}
+
 std::string matrixText(const mat4& matrix) {
     std::string text;
+    const double largest = largestOf(matrix);
     for (int row = 0; row < 4; ++row) {
         text += "   ";
-        for (int column = 0; column < 4; ++column) text += formatted(" %11.6g", matrix[column][row]);
+        for (int column = 0; column < 4; ++column)
+            text += formatted(" %11.6g", withoutRounding(matrix[column][row], largest));
         text += "\n";
     }
     return text;
@@ -137,7 +145,7 @@ std::string reportJson(Stage& stage, int index, const FrameTimes& times) {
         json.array(name);
         for (int row = 0; row < 4; ++row) {
             json.array();
-            for (int column = 0; column < 4; ++column) json.add({}, matrix[column][row]);
+            for (int column = 0; column < 4; ++column) json.add({}, matrix[column][row] + 0.0);  // no -0
             json.end();
         }
         json.end();

@@ -8,6 +8,11 @@
 
 namespace mv {
 
+// 0 for what is left of roundings beside the largest number that it stands with; never -0.
+inline double withoutRounding(double value, double largest) {
+    return (value < 0 ? -value : value) < 1e-12 * largest ? 0 : value + 0.0;
+}
+
 // The draws of a frame that was stopped, what each is made of, and its buffers, a line each.
 std::string stepsText(const FrameSteps& steps);
 

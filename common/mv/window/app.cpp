@@ -1,4 +1,7 @@
 // The loop of the window: waits, hands on what the user did, and draws when there is something to draw.
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
 #include <algorithm>
 #include <chrono>
 #include <memory>
@@ -22,11 +25,34 @@ constexpr auto leastFrameTime = std::chrono::milliseconds(16);
 // So often a window that does not come to rest is reported.
 constexpr auto reportTime = std::chrono::seconds(1);
 
+// What holds of every screen: F11, and Ctrl with + and - and 0.
+bool isOfTheWindow(Window& window, Gui& gui, const Event& event) {
+    if (event.kind != Event::Kind::key) return false;
+    if (event.key == GLFW_KEY_F11) {
+        if (!event.repeat) window.toggleFullScreen();
+        return true;
+    }
+    if ((event.modifiers & GLFW_MOD_CONTROL) == 0) return false;
+    const char* name = glfwGetKeyName(event.key, event.scancode);
+    const std::string sign = name ? name : "";
+    if (event.key == GLFW_KEY_0 || event.key == GLFW_KEY_KP_0) {
+        gui.setZoom(1);
+    } else if (event.key == GLFW_KEY_KP_ADD || sign == "+" || sign == "=") {
+        gui.setZoom(std::min(gui.zoom() * 1.125, 2.5));
+    } else if (event.key == GLFW_KEY_KP_SUBTRACT || sign == "-") {
+        gui.setZoom(std::max(gui.zoom() / 1.125, 0.6));
+    } else {
+        return false;
+    }
+    return true;
+}
+
 // Shows a screen until it wishes for another one, or the window closes. It reports each time that what was done to the
 // window is handled and seen, so that a program that drives it knows when to go on.
 Wish show(Window& window, Gui& gui, Screen& screen, bool reporting) {
     using Clock = std::chrono::steady_clock;
     gui.forgetPlaces();  // the screen before had them
+    gui.setNavigation(false);
     const auto start = Clock::now();
     auto last = start, reported = start;
     int settling = framesToSettle;
@@ -49,7 +75,7 @@ Wish show(Window& window, Gui& gui, Screen& screen, bool reporting) {
         const bool hidden = window.hidden();
         const bool awake = !hidden && (settling > 0 || screen.moving() || screen.pending() || window.eventsLeft());
         for (const Event& event : window.waitForEvents(awake ? 0 : idleSeconds)) {
-            screen.handle(event);
+            if (!isOfTheWindow(window, gui, event)) screen.handle(event);
             gui.feed(event);
             settling = framesToSettle;
             due = true;
@@ -94,7 +120,7 @@ void runWindow(const Command& command) {
         std::unique_ptr<Screen> screen;
         if (next.demo) {
             try {
-                screen = std::make_unique<DemoScreen>(window, gui, stage, next, menu);
+                screen = std::make_unique<DemoScreen>(window, gui, stage, next, menu, !first);
                 cards.selected = next.demo->name;
             } catch (const std::exception&) {
                 if (first) throw;  // asked for by name on the command line: no menu instead

@@ -41,7 +41,7 @@ SessionStart startOf(const Command& command) {
 
 }  // namespace
 
-DemoScreen::DemoScreen(Window& window, Gui& gui, Stage& stage, const Command& command, bool menu)
+DemoScreen::DemoScreen(Window& window, Gui& gui, Stage& stage, const Command& command, bool menu, bool fromMenu)
     : window_(window),
       gui_(gui),
       stage_(stage),
@@ -50,6 +50,7 @@ DemoScreen::DemoScreen(Window& window, Gui& gui, Stage& stage, const Command& co
       report_(command.report),
       program_(command.program),
       menu_(menu),
+      fromMenu_(fromMenu),
       knobs_(gui, session_),
       study_(*command.demo, gui, stage.driver().renderer),
       steps_(window, session_) {
@@ -62,7 +63,7 @@ DemoScreen::DemoScreen(Window& window, Gui& gui, Stage& stage, const Command& co
     }
     // A size that was asked for is meant in pixels; an original's canvas grows with the screen's density, like the panel.
     const double units = (sizeGiven ? 1 : window_.contentScale()) / window_.size().pixelsPerUnit();
-    const double panel = panelUnits * window_.contentScale() / window_.size().pixelsPerUnit();
+    const double panel = panelPixels() / window_.size().pixelsPerUnit();
     window_.setTitle("mvgl: " + info_.name);
     window_.show(static_cast<int>(std::lround(width * units + panel)), static_cast<int>(std::lround(height * units)),
                  !sizeGiven);
@@ -70,10 +71,11 @@ DemoScreen::DemoScreen(Window& window, Gui& gui, Stage& stage, const Command& co
 
 // ---- What the user does
 
+double DemoScreen::panelPixels() const { return panelUnits * window_.contentScale() * gui_.zoom(); }
+
 int DemoScreen::pictureWidth() const {
     if (!panelShown_) return window_.size().pixelWidth();
-    return std::max(0,
-                    window_.size().pixelWidth() - static_cast<int>(std::lround(panelUnits * window_.contentScale())));
+    return std::max(0, window_.size().pixelWidth() - static_cast<int>(std::lround(panelPixels())));
 }
 
 bool DemoScreen::overPicture(double x) const {
@@ -108,6 +110,7 @@ void DemoScreen::handle(const Event& event) {
             return onKey(event);
         case Event::Kind::press:
             dropError_.clear();  // it has been read
+            if (overPicture(event.x)) leavePanel();
             if (event.key != GLFW_MOUSE_BUTTON_LEFT) break;
             draggingDivider_ = overDivider(event.x);
             if (overPicture(event.x) && !draggingDivider_ &&
@@ -165,27 +168,90 @@ void DemoScreen::onKey(const Event& event) {
     // The field first: newer Dear ImGui may give it the keyboard back only frames after a refusal.
     if (event.key == GLFW_KEY_ESCAPE && knobs_.fieldOpen()) return knobs_.closeField();
     if (gui_.typing()) return;
+    if (event.key == GLFW_KEY_F6 && panelShown_) return gui_.navigating() ? leavePanel() : enterPanel();
+    if (gui_.navigating() && panelTakes(event)) return;
     bool moved = false;
     const std::optional<Hand::Move> move = handMove(event.key);
     if (move && !gui_.popupOpen() &&
         hand_.key(session_.demo(), shownFrame(), *move, (event.modifiers & GLFW_MOD_SHIFT) != 0, moved)) {
         if (moved) session_.touch();
+        if (*move == Hand::Move::next && !hand_.picks() && panelShown_) enterPanel();  // after the last of them
         return;
     }
+    if (event.key == GLFW_KEY_TAB && panelShown_ && !gui_.popupOpen()) return enterPanel();
     if (event.key == GLFW_KEY_ESCAPE) {
         if (gui_.popupOpen()) return gui_.closePopup();
-        wish_ = {Wish::Kind::quit};
+        wish_ = {fromMenu_ ? Wish::Kind::menu : Wish::Kind::quit};
         return;
     }
     const std::optional<Key> pressed = demoKey(event.key, event.scancode);
     const bool control = (event.modifiers & GLFW_MOD_CONTROL) != 0;
     if ((event.modifiers & (GLFW_MOD_ALT | GLFW_MOD_SUPER)) != 0) return;
     if (pressed && !control && session_.press(*pressed)) return;
+    if (control && pressed == key('Z'))
+        return (event.modifiers & GLFW_MOD_SHIFT) != 0 ? recall(future_, past_) : recall(past_, future_);
     if (event.repeat) return;
     if (pressed == key('H')) panelShown_ = !panelShown_;
     if (pressed == key('S')) save();
     if (event.key == GLFW_KEY_SPACE) session_.playback().toggle();
     if (event.key == GLFW_KEY_BACKSPACE && menu_) wish_ = {Wish::Kind::menu};
+}
+
+// What the panel has while the keys are in it; true: the key is for it.
+bool DemoScreen::panelTakes(const Event& event) {
+    if (event.key == GLFW_KEY_ESCAPE) {
+        if (gui_.popupOpen())
+            gui_.closePopup();
+        else if (!ImGui::IsAnyItemActive())  // a bar that is moved lets go of it first
+            leavePanel();
+        return true;
+    }
+    switch (event.key) {
+        case GLFW_KEY_TAB:
+        case GLFW_KEY_LEFT:
+        case GLFW_KEY_RIGHT:
+        case GLFW_KEY_UP:
+        case GLFW_KEY_DOWN:
+        case GLFW_KEY_SPACE:
+        case GLFW_KEY_ENTER:
+            return true;
+        default:
+            return false;
+    }
+}
+
+void DemoScreen::enterPanel() {
+    gui_.setNavigation(true);
+    panelComes_ = 2;
+}
+
+void DemoScreen::leavePanel() {
+    gui_.setNavigation(false);
+    panelComes_ = 0;
+}
+
+void DemoScreen::remember() {
+    if (ImGui::IsAnyMouseDown() || knobs_.sweeping()) return;
+    std::vector<KnobSetting> now;
+    for (const Knob* knob : session_.demo().knobs()) now.push_back({knob->name(), knob->text()});
+    const auto isSame = [](const KnobSetting& a, const KnobSetting& b) { return a.text == b.text; };
+    if (std::ranges::equal(now, present_, isSame)) return;
+    if (!present_.empty()) {
+        past_.push_back(std::move(present_));
+        future_.clear();
+    }
+    present_ = std::move(now);
+}
+
+void DemoScreen::recall(std::vector<std::vector<KnobSetting>>& from, std::vector<std::vector<KnobSetting>>& to) {
+    remember();  // of the key just before
+    if (from.empty()) return;
+    to.push_back(present_);
+    present_ = std::move(from.back());
+    from.pop_back();
+    knobs_.closeField();
+    for (const KnobSetting& setting : present_) session_.set(setting.name, setting.text);
+    session_.touch();
 }
 
 // ---- Time
@@ -200,6 +266,7 @@ bool DemoScreen::advance(double seconds) {
         changed = before != shaderErrors_;
     }
     changed |= study_.advance();
+    changed |= knobs_.advance(seconds);
     if (!study_.measuring()) session_.advance(seconds);  // two that draw would spoil what one measures
     return changed || pending();
 }
@@ -249,6 +316,12 @@ void DemoScreen::draw() {
     if (pictureWidth() > 0 && session_.due(pictureWidth(), window_.size().pixelHeight())) redraw();
     showPicture();
     gui_.begin();
+    // Settings that make no picture: what is shown is another's
+    if (!session_.error().empty() && shownTarget()) {
+        const float wide = float(pictureWidth() / window_.size().pixelsPerUnit());
+        ImGui::GetBackgroundDrawList()->AddRectFilled({0, 0}, {wide, float(window_.size().height())},
+                                                      IM_COL32(30, 33, 38, 150));
+    }
     if (panelShown_) {
         showPanel();
     } else {
@@ -257,16 +330,18 @@ void DemoScreen::draw() {
     handled_ = showHand(hand_, session_.demo(), shownFrame(), pictureInWindow(),
                         overPicture(double(ImGui::GetMousePos().x)), gui_);
     showDividerHandle();
+    remember();
     gui_.end();
 }
 
 // ---- The panel
 
-std::vector<Message> DemoScreen::messages() const {
+std::vector<Message> DemoScreen::messages(bool plain) const {
     std::vector<Message> all;
     for (const std::string& error : shaderErrors_) all.push_back({error, true});
     if (!dropError_.empty()) all.push_back({dropError_, true});
-    if (!session_.error().empty()) all.push_back({session_.error(), true});
+    if (!session_.error().empty())
+        all.push_back({plain ? inPlainWords(session_.error(), session_.demo()) : session_.error(), true});
     if (session_.error().empty()) {
         const auto notes = comparison_.on() ? comparison_.messages() : session_.notes().messages;
         for (const std::string& note : notes) all.push_back({note, false});
@@ -279,12 +354,16 @@ void DemoScreen::showPanel() {
     const float left = float(pictureWidth()) * units, height = float(window_.size().height());
     ImGui::SetNextWindowPos({left, 0});
     ImGui::SetNextWindowSize({float(window_.size().width()) - left, height});
+    if (panelComes_ == 2) ImGui::SetNextWindowFocus();
+    if (panelComes_ > 0) {
+        --panelComes_;
+        showFocus();
+    }
     ImGui::Begin("panel", nullptr, fixedWindow | ImGuiWindowFlags_NoScrollWithMouse);
-    const std::vector<Message> shown = messages();
+    const std::vector<Message> shown = messages(true);
     const float below = messagesHeight(shown, ImGui::GetContentRegionAvail().x, height * 0.5F);
     // The messages stand at the bottom, always in sight; the rest scrolls above them.
-    ImGui::BeginChild("scroll", {0, below > 0 ? -below - ImGui::GetStyle().ItemSpacing.y : 0}, false,
-                      ImGuiWindowFlags_AlwaysVerticalScrollbar);
+    beginReachable("scroll", {0, below > 0 ? -below - ImGui::GetStyle().ItemSpacing.y : 0});
     showPanelContent();
     ImGui::EndChild();
     if (below > 0) showMessages(shown, below);
@@ -293,7 +372,7 @@ void DemoScreen::showPanel() {
 
 // With the panel away, what went wrong is still told: over the picture's lower edge.
 void DemoScreen::showOverlay() {
-    const std::vector<Message> shown = messages();
+    const std::vector<Message> shown = messages(true);
     if (shown.empty()) return;
     const auto width = float(window_.size().width()), height = float(window_.size().height());
     const float padding = ImGui::GetStyle().WindowPadding.x;
@@ -341,7 +420,8 @@ void DemoScreen::showPanelContent() {
         knobs_.closeField();
         moved = true;
     }
-    if (!demo.knobs().empty() && section("Settings")) moved |= knobs_.show(comparison_);
+    if (!demo.knobs().empty() && section("Settings"))
+        moved |= knobs_.show(comparison_, knobsNamed(session_.error(), demo));
     if (!demo.knobs().empty() && section("Compare")) moved |= showComparison(demo, comparison_, gui_);
     if (section("Draw by draw")) {
         if (comparison_.on()) {
@@ -359,7 +439,8 @@ void DemoScreen::showPanelContent() {
         showMatrices(session_.notes());
     }
     if (section("Picture")) showFile();
-    if (section("Keys and mouse")) showControls(demo, session_.playback().animated(), menu_, comparison_.on());
+    if (section("Keys and mouse"))
+        showControls(demo, session_.playback().animated(), menu_, fromMenu_, comparison_.on());
 }
 
 std::string DemoScreen::defaultName() const {

@@ -20,9 +20,9 @@ namespace mv {
 
 class DemoScreen final : public Screen {
   public:
-    // Opens command.demo on the stage and shows the window at its size. With `menu`, there is a way back to one.
+    // Opens command.demo on the stage and shows the window at its size. With `menu`, there is a way back to one; Escape is it, too, where it comes `fromMenu`.
     // Error: the demo cannot be opened.
-    DemoScreen(Window& window, Gui& gui, Stage& stage, const Command& command, bool menu);
+    DemoScreen(Window& window, Gui& gui, Stage& stage, const Command& command, bool menu, bool fromMenu);
 
     void handle(const Event& event) override;
     bool advance(double seconds) override;
@@ -43,6 +43,13 @@ class DemoScreen final : public Screen {
     FrameInfo shownFrame() const;
     PictureInWindow pictureInWindow() const;
     void onKey(const Event& event);
+    bool panelTakes(const Event& event);
+    void enterPanel();
+    void leavePanel();
+    // Notes what settings there are once nothing moves them any more; goes back to those before, or forth again.
+    void remember();
+    void recall(std::vector<std::vector<KnobSetting>>& from, std::vector<std::vector<KnobSetting>>& to);
+    double panelPixels() const;
     void onDrop(const std::string& file);
     void reloadShaders();
     void redraw(bool whole = false);  // with all passes of the picture, or one more
@@ -57,7 +64,8 @@ class DemoScreen final : public Screen {
     void copyCommand();
     std::string commandLine() const;
     std::string defaultName() const;
-    std::vector<Message> messages() const;
+    // `plain`: in words about knobs, else as the command line says it.
+    std::vector<Message> messages(bool plain = false) const;
 
     Window& window_;
     Gui& gui_;
@@ -66,7 +74,7 @@ class DemoScreen final : public Screen {
     Session session_;
     ReportForm report_;
     std::string program_;  // how it was started
-    bool menu_;
+    bool menu_, fromMenu_;
     KnobPanel knobs_;
     Comparison comparison_;
     StudySection study_;
@@ -75,6 +83,9 @@ class DemoScreen final : public Screen {
     std::string handled_;  // what the hand is on
 
     bool panelShown_ = true;
+    int panelComes_ = 0;  // frames until the keys that have gone to the panel are seen there
+    std::vector<std::vector<KnobSetting>> past_, future_;  // settings, to go back and forth
+    std::vector<KnobSetting> present_;
     bool draggingDivider_ = false;
     double untilReload_ = 0;  // seconds
 

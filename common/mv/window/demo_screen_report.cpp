@@ -32,6 +32,7 @@ void DemoScreen::report(const WindowState& state) {
     }
     window["playing"] = session_.playback().playing();
     window["hovered"] = handled_;
+    window["focused"] = gui_.focused();
     if (study_.any()) {
         window["study"] = study_.origin();
         window["here"] = study_.here(session_.demo());

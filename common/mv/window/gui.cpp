@@ -4,6 +4,7 @@
 #include <GLFW/glfw3.h>
 #include <imgui_impl_glfw.h>
 #include <imgui_impl_opengl3.h>
+#include <imgui_internal.h>  // what makes the focus visible, in older ones
 
 #include <algorithm>
 #include <cfloat>
@@ -55,6 +56,7 @@ void setColors(ImGuiStyle& style) {
     set(ImGuiCol_HeaderActive, 0.243F, 0.282F, 0.345F);
     set(ImGuiCol_Separator, 0.235F, 0.259F, 0.298F);
     set(ImGuiCol_ScrollbarBg, 0, 0, 0, 0);
+    set(ImGuiCol_NavHighlight, 1.0F, 0.80F, 0.35F);
     set(ImGuiCol_ScrollbarGrab, 0.290F, 0.318F, 0.365F);
 }
 
@@ -66,7 +68,7 @@ Gui::Gui(Window& window) : window_(window) {
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;  // nothing is written into the folder one happens to stand in
     io.LogFilename = nullptr;
-    io.UserData = &places_;                 // what notePlace() finds without being told of it
+    io.UserData = this;                     // what notePlace() finds without being told of it
     io.ConfigInputTextCursorBlink = false;  // a blinking bar would have the window drawn for ever
     ImGui_ImplGlfw_InitForOpenGL(window.handle(), false);
     ImGui_ImplOpenGL3_Init("#version 330");
@@ -80,10 +82,11 @@ Gui::~Gui() {
 
 void Gui::setLooks() {
     const double contentScale = window_.contentScale(), pixelsPerUnit = window_.size().pixelsPerUnit();
-    if (contentScale == contentScale_ && pixelsPerUnit == pixelsPerUnit_) return;
+    if (contentScale == contentScale_ && pixelsPerUnit == pixelsPerUnit_ && zoom_ == zoomed_) return;
+    zoomed_ = zoom_;
     contentScale_ = contentScale;
     pixelsPerUnit_ = pixelsPerUnit;
-    scale_ = static_cast<float>(contentScale / pixelsPerUnit);
+    scale_ = static_cast<float>(contentScale * zoom_ / pixelsPerUnit);
 
     ImGuiStyle style;
     setColors(style);
@@ -102,8 +105,8 @@ void Gui::setLooks() {
     // Letters are made for the framebuffer's own pixels and laid out in window coordinates.
     ImGuiIO& io = ImGui::GetIO();
     io.Fonts->Clear();
-    ImFont* body = addFont(15 * contentScale);
-    title_ = addFont(20 * contentScale);
+    ImFont* body = addFont(15 * contentScale * zoom_);
+    title_ = addFont(20 * contentScale * zoom_);
     if (!body || !title_) throw Error("font", "must be a TrueType file");
     io.FontDefault = body;
     io.FontGlobalScale = static_cast<float>(1 / pixelsPerUnit);
@@ -115,8 +118,19 @@ void Gui::feed(const Event& event) {
     GLFWwindow* handle = window_.handle();
     mouseX_ = event.x;
     mouseY_ = event.y;
-    // Tab goes from handle to handle of the picture; to Dear ImGui it would open the next field for typing
-    if ((event.kind == Event::Kind::key || event.kind == Event::Kind::keyUp) && event.key == GLFW_KEY_TAB) return;
+    // Tab goes from handle to handle of the picture, and in the panel from widget to widget: to Dear ImGui it would open the
+    // next field for typing.
+    if ((event.kind == Event::Kind::key || event.kind == Event::Kind::keyUp) && event.key == GLFW_KEY_TAB) {
+        if (event.kind == Event::Kind::key)
+            tabAs_ = !navigating_ || typing()                  ? 0
+                     : (event.modifiers & GLFW_MOD_SHIFT) != 0 ? GLFW_KEY_UP
+                                                               : GLFW_KEY_DOWN;
+        if (tabAs_ != 0 && !event.repeat) {
+            ImGui_ImplGlfw_KeyCallback(handle, tabAs_, 0, event.kind == Event::Kind::key ? GLFW_PRESS : GLFW_RELEASE,
+                                       0);
+        }
+        return;
+    }
     switch (event.kind) {
         case Event::Kind::key:
             if (!event.repeat) {
@@ -145,8 +159,18 @@ void Gui::feed(const Event& event) {
     }
 }
 
+void Gui::setNavigation(bool on) {
+    navigating_ = on;
+    ImGuiIO& io = ImGui::GetIO();
+    if (on)
+        io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+    else
+        io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
+}
+
 void Gui::begin() {
     places_.clear();
+    focusing_.clear();
     setLooks();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
@@ -168,6 +192,7 @@ void Gui::begin() {
 void Gui::end() {
     popupOpen_ = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     closePopup_ = false;
+    focused_ = navigating_ ? focusing_ : "";
     ImGui::Render();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
@@ -175,16 +200,33 @@ void Gui::end() {
 void notePlace(const std::string& name) {
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     notePlace(name, {low.x, low.y, high.x, high.y});
+    if (ImGui::IsItemFocused()) static_cast<Gui*>(ImGui::GetIO().UserData)->focusing_ = name;
 }
 
 void notePlace(const std::string& name, const ImVec4& place) {
-    (*static_cast<Places*>(ImGui::GetIO().UserData))[name] = place;
+    static_cast<Gui*>(ImGui::GetIO().UserData)->places_[name] = place;
 }
 
 bool button(const char* label, ImVec2 size) {
     const bool pressed = ImGui::Button(label, size);
     notePlace(label);
     return pressed;
+}
+
+void showFocus() {
+#if IMGUI_VERSION_NUM >= 19140
+    ImGui::SetNavCursorVisible(true);
+#else
+    ImGui::GetCurrentContext()->NavDisableHighlight = false;
+#endif
+}
+
+void beginReachable(const char* name, const ImVec2& size) {
+#if IMGUI_VERSION_NUM >= 19090
+    ImGui::BeginChild(name, size, ImGuiChildFlags_NavFlattened, ImGuiWindowFlags_AlwaysVerticalScrollbar);
+#else
+    ImGui::BeginChild(name, size, false, ImGuiWindowFlags_AlwaysVerticalScrollbar | ImGuiWindowFlags_NavFlattened);
+#endif
 }
 
 std::string brokenAtSpaces(const std::string& text, float width) {

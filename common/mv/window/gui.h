@@ -41,6 +41,14 @@ class Gui {
     // Window coordinates for each pixel of a design at ordinary density.
     float scale() const { return scale_; }
     ImFont* titleFont() const { return title_; }
+    // Words and widgets as many times as large as the screen's density has them.
+    void setZoom(double zoom) { zoom_ = zoom; }
+    double zoom() const { return zoom_; }
+    // The keys go from widget to widget: arrows and Tab, Space presses, Enter types. Else they are the screen's.
+    void setNavigation(bool on);
+    bool navigating() const { return navigating_; }
+    // The widget that the keys are at, by its place's name; "" for none.
+    const std::string& focused() const { return focused_; }
     // The keyboard writes into a field just now.
     bool typing() const { return ImGui::GetIO().WantTextInput; }
     // A list hangs open; a click or Escape is for it.
@@ -54,6 +62,8 @@ class Gui {
     void forgetPlaces() { places_.clear(); }
 
   private:
+    friend void notePlace(const std::string& name);
+    friend void notePlace(const std::string& name, const ImVec4& place);
     void setLooks();
     Window& window_;
     ImFont* title_ = nullptr;
@@ -62,6 +72,10 @@ class Gui {
     float scale_ = 1;
     double contentScale_ = 0, pixelsPerUnit_ = 0;  // what the looks were made for
     bool popupOpen_ = false, closePopup_ = false;
+    double zoom_ = 1, zoomed_ = 0;  // asked for; what the looks were made for
+    bool navigating_ = false;
+    int tabAs_ = 0;                   // the key that Tab went down as
+    std::string focused_, focusing_;  // of the last frame, and of this one so far
     Places places_;
 };
 
@@ -72,6 +86,10 @@ void notePlace(const std::string& name, const ImVec4& place);
 bool button(const char* label, ImVec2 size = {0, 0});
 // Words under the last widget while the mouse is on it, also where it is disabled.
 void tooltip(const std::string& text);
+// The widget that the keys are at is framed from now on, also where the mouse has just moved.
+void showFocus();
+// A child window that scrolls, and whose widgets the keys reach like those beside it.
+void beginReachable(const char* name, const ImVec2& size);
 // The words in lines no wider than that, broken at spaces alone: Dear ImGui breaks after a point as well, and so "0.0108" in
 // two. What is to stay together has U+00A0 between.
 std::string brokenAtSpaces(const std::string& text, float width);

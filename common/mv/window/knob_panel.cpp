@@ -51,7 +51,8 @@ std::string knobTip(const Knob& knob) {
     return tip;
 }
 
-bool KnobPanel::show(Comparison& comparison) {
+bool KnobPanel::show(Comparison& comparison, const std::vector<std::string>& refused) {
+    refused_ = refused;
     const Demo& demo = session_.demo();
     float labelWidth = 0;
     for (const Knob* knob : demo.knobs()) {
@@ -103,7 +104,9 @@ bool KnobPanel::row(Knob& knob, float labelWidth, const std::string& side) {
     const float left = ImGui::GetCursorPosX();
     ImGui::AlignTextToFramePadding();
     ImGui::BeginDisabled(!idle.empty());
-    if (side.empty()) {
+    if (std::ranges::find(refused_, knob.name()) != refused_.end()) {
+        ImGui::TextColored(color::error, "%s%s", knob.name().c_str(), side.c_str());
+    } else if (side.empty()) {
         ImGui::TextUnformatted(knob.name().c_str());
     } else {
         ImGui::TextColored(color::heading, "%s%s", knob.name().c_str(), side.c_str());
@@ -112,12 +115,20 @@ bool KnobPanel::row(Knob& knob, float labelWidth, const std::string& side) {
     if (ImGui::GetItemRectSize().x <= labelWidth) ImGui::SameLine(left + labelWidth);
 
     const float resetWidth = ImGui::CalcTextSize(resetSign).x + 2 * style.FramePadding.x;
-    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - resetWidth - style.ItemSpacing.x);
+    const bool isBar = dynamic_cast<const Real*>(&knob) != nullptr || dynamic_cast<const Whole*>(&knob) != nullptr;
+    const float sweepWidth = isBar ? resetWidth + style.ItemSpacing.x / 2 : 0;
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - resetWidth - sweepWidth - style.ItemSpacing.x);
     const bool typing = typed_ == rowName_;
     bool moved = typing ? field(knob) : widget(knob);
     if (!typing) tooltip(tip);
     ImGui::EndDisabled();
 
+    if (isBar) {
+        ImGui::SameLine(0, style.ItemSpacing.x / 2);
+        ImGui::BeginDisabled(!idle.empty());
+        sweepButton(resetWidth);
+        ImGui::EndDisabled();
+    }
     ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - resetWidth);
     if (knob.isInitial()) {
         ImGui::Dummy({resetWidth, ImGui::GetFrameHeight()});
@@ -195,19 +206,54 @@ bool KnobPanel::logarithmicBar(const Knob& knob, double& value, const NumberRang
 bool KnobPanel::bar(const Knob& knob, double& value, double low, double high, double digits, const std::string& text) {
     const double before = value;
     double shown = value;
+    if (sweep_ == rowName_ && hasMoved_) {
+        hasMoved_ = false;
+        value = std::clamp(rounded(low + place_ * (high - low), static_cast<int>(digits)), low, high);
+        shown = value;
+    }
     // The format is the text itself, so that the bar shows all digits there are and ImGui rounds nothing.
     ImGui::SliderScalar("##bar", ImGuiDataType_Double, &shown, &low, &high, asFormat(knob, text).c_str(),
                         ImGuiSliderFlags_NoInput);
     notePlace(rowName_);
+    barPlace_ = high > low ? (before - low) / (high - low) : 0;
     const bool byHand = ImGui::IsItemHovered() && (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) ||
                                                    (ImGui::IsItemClicked() && ImGui::GetIO().KeyCtrl));
     if (byHand) {
         openField(knob);
         return false;
     }
+    if (ImGui::IsItemFocused() && gui_.navigating() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false)) {
+        openField(knob);
+        return false;
+    }
+    if (ImGui::IsItemActive() && sweep_ == rowName_) sweep_.clear();  // the hand has it
+    if (sweep_ == rowName_) return value != before;
     if (shown == before || !ImGui::IsItemActive()) return false;
     value = std::clamp(rounded(shown, static_cast<int>(digits)), low, high);
     return value != before;
+}
+
+// Four seconds there and four back.
+bool KnobPanel::advance(double seconds) {
+    if (sweep_.empty()) return false;
+    place_ += (backwards_ ? -1 : 1) * seconds / 4;
+    if (place_ >= 1 || place_ <= 0) backwards_ = place_ >= 1;
+    place_ = std::clamp(place_, 0.0, 1.0);
+    hasMoved_ = true;
+    return true;
+}
+
+void KnobPanel::sweepButton(float width) {
+    const bool isOn = sweep_ == rowName_;
+    ImGui::PushID("sweep");
+    if (ImGui::Button(isOn ? "\u25A0" : "\u25B6", {width, 0})) {
+        sweep_ = isOn ? "" : rowName_;
+        place_ = barPlace_;
+        backwards_ = false;
+    }
+    ImGui::PopID();
+    notePlace("sweep " + rowName_);
+    tooltip(isOn ? "stop here" : "go through the range by itself, there and back");
 }
 
 void KnobPanel::openField(const Knob& knob) {

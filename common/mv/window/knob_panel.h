@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <string>
+#include <vector>
 
 #include "mv/demo/demo.h"
 #include "mv/show/session.h"
@@ -16,7 +17,11 @@ class KnobPanel {
 
     // A row for each knob: name, widget, unit, and a button that sets it back; a second row for the other value of the
     // one that is compared. True when one was moved.
-    bool show(Comparison& comparison);
+    // `refused`: names of knobs whose values make no picture together.
+    bool show(Comparison& comparison, const std::vector<std::string>& refused);
+    // A bar that goes there and back by itself; true while it does.
+    bool advance(double seconds);
+    bool sweeping() const { return !sweep_.empty(); }
 
     // A field for a value to be typed hangs open in the place of a bar; closing it leaves the value as it was.
     bool fieldOpen() const { return !typed_.empty(); }
@@ -35,6 +40,7 @@ class KnobPanel {
     bool file(const Knob& knob);
     bool bar(const Knob& knob, double& value, double low, double high, double digits, const std::string& text);
     bool logarithmicBar(const Knob& knob, double& value, const NumberRange& range);
+    void sweepButton(float width);
     bool field(Knob& knob);
     void openField(const Knob& knob);
 
@@ -47,6 +53,11 @@ class KnobPanel {
     std::array<char, 1024> text_{};
     std::string refusal_;
     bool focusField_ = false;
+    std::vector<std::string> refused_;
+    std::string sweep_;    // the row whose bar goes by itself; "" for none
+    double place_ = 0;     // of it, 0..1
+    double barPlace_ = 0;  // of the bar that was made last
+    bool backwards_ = false, hasMoved_ = false;
 };
 
 // Name, range, unit, initial value: what the mouse over a knob tells.

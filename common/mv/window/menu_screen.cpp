@@ -37,9 +37,15 @@ void MenuScreen::open(const DemoInfo& info) {
 }
 
 void MenuScreen::handle(const Event& event) {
+    if (event.kind == Event::Kind::character && event.codePoint >= ' ' && event.codePoint < 0x7F)
+        return search(search_ + static_cast<char>(event.codePoint));
     if (event.kind != Event::Kind::key) return;
     switch (event.key) {
+        case GLFW_KEY_BACKSPACE:
+            if (!search_.empty()) search(search_.substr(0, search_.size() - 1));
+            break;
         case GLFW_KEY_ESCAPE:
+            if (!search_.empty()) return search("");
             wish_ = {Wish::Kind::quit};
             break;
         case GLFW_KEY_LEFT:
@@ -53,12 +59,36 @@ void MenuScreen::handle(const Event& event) {
         case GLFW_KEY_ENTER:
         case GLFW_KEY_KP_ENTER:
             for (const DemoInfo& info : catalogue()) {
-                if (info.name == cards_.selected && !event.repeat) open(info);
+                if (info.name == cards_.selected && isFound(info) && !event.repeat) open(info);
             }
             break;
         default:
             break;
     }
+}
+
+// Its name, its sentence or its chapter has the words, in whatever letters.
+bool MenuScreen::isFound(const DemoInfo& info) const {
+    const auto small = [](std::string text) {
+        for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+        return text;
+    };
+    return small(info.name + " " + info.sentence + " " + info.chapter).find(small(search_)) != std::string::npos;
+}
+
+// The first one that is found is chosen, where the one before is not.
+void MenuScreen::search(const std::string& words) {
+    search_ = words;
+    scrollToSelected_ = true;
+    const DemoInfo* first = nullptr;
+    for (const Chapter& chapter : catalogueByChapter()) {
+        for (const DemoInfo* info : chapter.demos) {
+            if (!isFound(*info)) continue;
+            if (info->name == cards_.selected) return;
+            if (!first) first = info;
+        }
+    }
+    if (first) cards_.selected = first->name;
 }
 
 // Left and right go through all demos in reading order; up and down to the row above and below.
@@ -140,7 +170,8 @@ void MenuScreen::showContent() {
     ImGui::PopFont();
     wrapped(color::dim,
             "Small OpenGL programs for learning computer graphics. Click one, or choose with the arrow keys "
-            "and Enter; Esc quits.");
+            "and Enter; letters search; Esc quits.");
+    if (!search_.empty()) ImGui::TextColored(color::note, "Search: %s", search_.c_str());
     const float scale = gui_.scale(), side = pictureSide * scale, padding = cardPadding * scale;
     const float spacing = ImGui::GetStyle().ItemSpacing.x * 1.5F;
     const float cardWidth = side + 2 * padding;
@@ -154,16 +185,19 @@ void MenuScreen::showContent() {
 
     rows_.clear();
     for (const Chapter& chapter : catalogueByChapter()) {
+        if (std::ranges::none_of(chapter.demos, [&](const DemoInfo* info) { return isFound(*info); })) continue;
         ImGui::Dummy({0, padding / 3});
         ImGui::TextColored(color::heading, "%s", chapter.name.c_str());
         rows_.emplace_back();
         for (const DemoInfo* info : chapter.demos) {
+            if (!isFound(*info)) continue;
             if (rows_.back().size() == columns) rows_.emplace_back();
             if (!rows_.back().empty()) ImGui::SameLine(0, spacing);
             rows_.back().push_back(info);
             showCard(*info, cardWidth, cardHeight, side);
         }
     }
+    if (rows_.empty()) wrapped(color::dim, "No demo has that.");
     scrollToSelected_ = false;
 }
 
@@ -214,6 +248,7 @@ void MenuScreen::report(const WindowState& state) {
     }
     nlohmann::ordered_json json;
     json["menu"] = cards_.selected;
+    json["search"] = search_;
     if (!problem_.empty()) json["error"] = problem_;
     json["window"] = windowJson(state);
     json["places"] = placesJson(gui_.places());

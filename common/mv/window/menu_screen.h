@@ -35,6 +35,8 @@ class MenuScreen final : public Screen {
 
   private:
     void makeNextPicture();
+    bool isFound(const DemoInfo& info) const;
+    void search(const std::string& words);
     void showContent();
     void showCard(const DemoInfo& info, float width, float height, float side);
     void moveSelection(int across, int down);
@@ -48,6 +50,7 @@ class MenuScreen final : public Screen {
     ReportForm report_;
     // The demos by rows, as they stood in the last frame: what the arrow keys walk over.
     std::vector<std::vector<const DemoInfo*>> rows_;
+    std::string search_;  // what was typed: demos that have it are shown
     bool scrollToSelected_ = true;
     bool drawnOnce_ = false;
 };

@@ -1,5 +1,6 @@
 #include "mv/window/panel_parts.h"
 #include "mv/demo/controls.h"
+#include "mv/paper/report.h"
 #include "mv/paper/tables.h"
 
 #include <algorithm>
@@ -19,7 +20,8 @@ struct Cell {
     std::size_t after = 0;
 };
 
-Cell cellOf(double number) {
+Cell cellOf(double exact, double largest) {
+    const double number = withoutRounding(exact, largest);
     const double size = std::abs(number);
     if (number == 0) return {"0"};
     if (size >= 1e6 || size < 5e-5) return {formatted("%.2e", number)};
@@ -55,11 +57,13 @@ void showMatrix(const mat4& matrix) {
     const float step = (ImGui::GetWindowContentRegionMax().x - left - 2 * margin) / 4;
     const float digit = ImGui::CalcTextSize("0").x, point = ImGui::CalcTextSize(".").x;
     const ImVec2 top = ImGui::GetCursorScreenPos();
+    double largest = 0;
+    for (int i = 0; i < 16; ++i) largest = std::max(largest, std::abs(matrix[i / 4][i % 4]));
     std::array<std::size_t, 4> after{};  // of each column, the longest part from the point on
     for (int column = 0; column < 4; ++column) {
         for (int row = 0; row < 4; ++row) {
             auto& longest = after[static_cast<std::size_t>(column)];
-            longest = std::max(longest, cellOf(matrix[column][row]).after);
+            longest = std::max(longest, cellOf(matrix[column][row], largest).after);
         }
     }
     const auto width = [&](std::size_t part) { return part == 0 ? 0 : point + digit * float(part - 1); };
@@ -67,11 +71,12 @@ void showMatrix(const mat4& matrix) {
     for (int row = 0; row < 4; ++row) {
         for (int column = 0; column < 4; ++column) {
             if (column > 0) ImGui::SameLine();
-            const Cell cell = cellOf(matrix[column][row]);
+            const Cell cell = cellOf(matrix[column][row], largest);
             const float missing = width(after[static_cast<std::size_t>(column)]) - width(cell.after);
             // One in the form 1e+06 is as long as the column is wide: it goes to its right end.
             const bool longForm = cell.text.find('e') != std::string::npos;
             rightAligned(cell.text, left + step * float(column + 1) - (longForm ? 0 : missing));
+            tooltip(numberText(matrix[column][row] + 0.0));  // exactly
         }
     }
     ImGui::PopStyleVar();
@@ -150,6 +155,7 @@ bool section(const char* title) {
     ImGui::Spacing();
     ImGui::PushStyleColor(ImGuiCol_Text, color::heading);
     const bool open = ImGui::CollapsingHeader(title, ImGuiTreeNodeFlags_DefaultOpen);
+    notePlace(std::string("section ") + title);
     ImGui::PopStyleColor();
     return open;
 }
@@ -293,7 +299,7 @@ bool showTime(Session& session, float scale) {
     return moved;
 }
 
-void showControls(const Demo& demo, bool animated, bool menu, bool comparing) {
+void showControls(const Demo& demo, bool animated, bool menu, bool fromMenu, bool comparing) {
     std::vector<std::pair<std::string, std::string>> lines = controlsOf(demo);
     if (!demo.handles().empty())
         lines.emplace_back("Tab, arrows", "pick what can be dragged, and move it by a pixel (Shift: ten)");
@@ -311,7 +317,12 @@ void showControls(const Demo& demo, bool animated, bool menu, bool comparing) {
     if (comparing) lines.emplace_back("[ and ]", "move the line between A and B");
     if (animated) lines.emplace_back("Space", "pause and play");
     if (menu) lines.emplace_back("Backspace", "back to the menu");
-    lines.emplace_back("Esc", "quit");
+    lines.emplace_back("Tab, F6", demo.handles().empty() ? "to this panel" : "after the last one, to this panel");
+    lines.emplace_back("in the panel", "Tab, arrows: on; Space: press, or move by arrows; Enter: type; Esc: back");
+    lines.emplace_back("Ctrl+Z", "undo a setting (with Shift: redo)");
+    lines.emplace_back("F11", "full screen");
+    lines.emplace_back("Ctrl + and -", "larger and smaller words (Ctrl+0: as they were)");
+    lines.emplace_back("Esc", menu && fromMenu ? "back to the menu" : "quit");
     lines.emplace_back("Ctrl+click", "type the value of a slider");
     float width = 0;
     for (const auto& [what, does] : lines) width = std::max(width, ImGui::CalcTextSize(what.c_str()).x);

@@ -30,7 +30,7 @@ bool showTime(Session& session, float scale);
 void showPasses(int done, int passes);
 
 // What keys, drag and wheel do: the demo's own, then the window's.
-void showControls(const Demo& demo, bool animated, bool menu, bool comparing);
+void showControls(const Demo& demo, bool animated, bool menu, bool fromMenu, bool comparing);
 
 // Messages in a box at the bottom: errors red, notes amber. The height they take, 0 where there are none.
 struct Message {

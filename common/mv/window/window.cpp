@@ -192,6 +192,18 @@ void Window::show(int width, int height, bool fit) {
     size_.take();
 }
 
+void Window::toggleFullScreen() {
+    if (glfwGetWindowMonitor(handle_))
+        return glfwSetWindowMonitor(handle_, nullptr, before_.x, before_.y, before_.width, before_.height,
+                                    GLFW_DONT_CARE);
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
+    if (!mode) return;
+    glfwGetWindowPos(handle_, &before_.x, &before_.y);
+    glfwGetWindowSize(handle_, &before_.width, &before_.height);
+    glfwSetWindowMonitor(handle_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+}
+
 void Window::copyToClipboard(const std::string& text) { glfwSetClipboardString(handle_, text.c_str()); }
 
 bool Window::hidden() const {

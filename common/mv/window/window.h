@@ -48,6 +48,8 @@ class Window final : public Context {
     // Asks for an inner size in window coordinates, and shows the window. A maximised window stays as it is.
     // With `fit`, never larger than the screen.
     void show(int width, int height, bool fit);
+    // Over the whole screen, or back to where it was.
+    void toggleFullScreen();
     void copyToClipboard(const std::string& text);
 
     // Its size as of the last waitForEvents: the same in all of a frame.
@@ -80,6 +82,9 @@ class Window final : public Context {
     std::deque<Event> events_;  // that no frame has had yet
     Inputs inputs_;
     double mouseX_ = 0, mouseY_ = 0;
+    struct Rectangle {
+        int x = 0, y = 0, width = 640, height = 480;
+    } before_;  // the full screen
 };
 
 }  // namespace mv
