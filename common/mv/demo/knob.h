@@ -1,5 +1,5 @@
 // Knobs: the settings of a demo. Declared once as a member, a knob is a value in the code, a flag on the command line,
-// a widget in the window, a row in the documentation and a case in the sweep test.
+// a widget in the window, a row in the documentation and a state of the visits (tests/visits).
 #pragma once
 #include <atomic>
 #include <functional>
