@@ -2,7 +2,6 @@
 
 #include "mv/demo/demo.h"
 
-
 namespace mv {
 namespace {
 

@@ -30,7 +30,7 @@ using mv::vec4;
 namespace {
 
 constexpr int lap = 120;  // pictures of 3 degrees
-// The picture of the sweeps: the matrices do not depend on its size while it is square.
+// The picture of the visits: the matrices do not depend on its size while it is square.
 constexpr int small = 70;
 
 // ---- the WebGL page written out once more, with GLM's functions, which take radians

@@ -129,7 +129,7 @@ struct Needs {
     bool stencil = false;
     int samples = 0;  // 0 or what the driver has; another number is refused by name
     int gl = 33;      // core version, 10 * major + minor
-    // All that ES 3.0 lacks and the demo uses in any of its settings: the sweep holds it to the calls and formats it sees.
+    // All that ES 3.0 lacks and the demo uses in any of its settings: the visits hold it to the calls and formats it sees.
     std::initializer_list<BeyondEs> beyondEs = {};
 };
 

@@ -1,5 +1,5 @@
 // Knobs: the settings of a lesson by their names. A row (mv/demo/row.h) makes of a member of the lesson's settings a flag on the command
-// line, a widget in the window, a row in the documentation and a case in the sweep test; all these reach it as a knob.
+// line, a widget in the window, a row in the documentation and a state of the visits (tests/visits); all these reach it as a knob.
 #pragma once
 #include <cstddef>
 #include <functional>

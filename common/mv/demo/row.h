@@ -1,4 +1,4 @@
-// Rows: how the settings of a lesson, a plain struct, come to be flags, widgets, rows of a page and cases of the sweep test.
+// Rows: how the settings of a lesson, a plain struct, come to be flags, widgets, rows of a page and states of the visits (tests/visits).
 //
 //     struct Settings { double bias = 0.006; Faces faces = Faces::front; vec3 light{2, 5, 4}; };
 //
