@@ -36,7 +36,7 @@ constexpr double shortMs = 40;
 
 class Studies : public testing::TestWithParam<std::string> {};
 
-std::string nameOf(const StudyRow& row) { return row.scene + ", " + row.method + " " + row.parameter; }
+std::string ownName(const StudyRow& row) { return row.scene + ", " + row.method + " " + row.parameter; }
 
 std::set<std::string> rowsOfShortRun(const StudyRun& run, const std::string& lastScene) {
     std::map<std::pair<std::string, std::string>, const StudyRow*> fastest;
@@ -44,9 +44,9 @@ std::set<std::string> rowsOfShortRun(const StudyRun& run, const std::string& las
     for (const StudyRow& row : run.rows) {
         const StudyRow*& known = fastest[{row.scene, row.method}];
         if (!known || (row.ok() && (!known->ok() || row.msMedian < known->msMedian))) known = &row;
-        if (row.scene == lastScene && row.msMedian < shortMs) names.insert(nameOf(row));
+        if (row.scene == lastScene && row.msMedian < shortMs) names.insert(ownName(row));
     }
-    for (const auto& [line, row] : fastest) names.insert(nameOf(*row));
+    for (const auto& [line, row] : fastest) names.insert(ownName(*row));
     return names;
 }
 
@@ -222,7 +222,7 @@ TEST_P(Studies, errors_and_counts_hold) {
     stage().open(demo, demo.study->width, demo.study->height);
     StudyOptions options{.timed = false};
     const std::set<std::string> shortRun = rowsOfShortRun(before, demo.study->scenes.back().name);
-    options.wanted = [&](const StudyRow& row) { return isLong() || shortRun.contains(nameOf(row)); };
+    options.wanted = [&](const StudyRow& row) { return isLong() || shortRun.contains(ownName(row)); };
     const StudyRun now = runStudy(stage(), *demo.study, options);
     stage().close();
     ASSERT_EQ(now.rows.size(), before.rows.size());
@@ -230,12 +230,12 @@ TEST_P(Studies, errors_and_counts_hold) {
     std::set<std::string> lines, linesMet;
     for (std::size_t i = 0; i < now.rows.size(); ++i) {
         const StudyRow &old = before.rows[i], &row = now.rows[i];
-        const std::string what = nameOf(row);
+        const std::string what = ownName(row);
         lines.insert(row.scene + ", " + row.method);
         if (row.status == notMeasured) continue;
         linesMet.insert(row.scene + ", " + row.method);
         ++compared;
-        EXPECT_EQ(nameOf(old), what);
+        EXPECT_EQ(ownName(old), what);
         EXPECT_EQ(row.status, old.status) << what;
         const auto expectSame = demo.study->ofValues ? expectSameValues : expectSamePixels;
         expectSame(old.all, row.all, what);

@@ -126,6 +126,7 @@ Study study() {
     Study study;
     study.quantity = "the length of each step of a strip as seen (OKLab), by the mean of its steps";
     study.reference = "steps of one length";
+    study.reads = {"steps"};
     study.makeReference = [](const Demo& demo, const ReferenceFrame&, const auto&) {
         return Reference{.values = std::vector<double>(static_cast<std::size_t>(demo.number("steps")), 1.0)};
     };

@@ -121,6 +121,7 @@ Study study() {
     study.quantity = "depth of the patch in each pixel, seen from above, where a cell of the net is 1 wide";
     study.reference =
         "a line of sight a pixel to the patch itself: the first zero of a polynomial of degree 6, in double precision";
+    study.reads = {"show", "bend", "spin-x", "spin-y"};
     study.makeReference = [](const Demo& demo, const ReferenceFrame& frame, const auto&) {
         return exactPatch(demo, frame);
     };

@@ -53,6 +53,7 @@ Study study() {
         "covered; of 32 circles, how far up or out the pixel of each column or row of an eighth is";
     study.reference =
         "of lines and circles their own height; of triangles the rows' crossings in fractions of whole numbers";
+    study.reads = {"subject", "cells"};
     study.makeReference = [](const Demo& demo, const ReferenceFrame&, const auto&) { return truth(demo); };
     study.axis = ErrorAxis::fraction;
     study.ofValues = true;

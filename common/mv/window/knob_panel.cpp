@@ -115,7 +115,8 @@ bool KnobPanel::row(Knob& knob, float labelWidth, const std::string& side) {
     if (ImGui::GetItemRectSize().x <= labelWidth) ImGui::SameLine(left + labelWidth);
 
     const float resetWidth = ImGui::CalcTextSize(resetSign).x + 2 * style.FramePadding.x;
-    const bool isBar = dynamic_cast<const Real*>(&knob) != nullptr || dynamic_cast<const Whole*>(&knob) != nullptr;
+    using Kind = Knob::Kind;
+    const bool isBar = knob.kind() == Kind::number || knob.kind() == Kind::angle || knob.kind() == Kind::whole;
     const float sweepWidth = isBar ? resetWidth + style.ItemSpacing.x / 2 : 0;
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - resetWidth - sweepWidth - style.ItemSpacing.x);
     const bool typing = typed_ == rowName_;
