@@ -339,7 +339,7 @@ TEST(Program, several_frames_and_comparisons_are_written) {
 
 // The page of environment says how six files become the one that its knob takes.
 TEST(Program, six_faces_become_one_picture) {
-    const std::string page = fileText(MVGL_SOURCE_DIR "/demos/environment.md");
+    const std::string page = fileText(MVGL_SOURCE_DIR "/demos/environment/environment.md");
     const std::size_t begin = page.find("\nmontage ");
     ASSERT_NE(begin, std::string::npos);
     std::string command = page.substr(begin + 1, page.find('\n', begin + 1) - begin - 1);

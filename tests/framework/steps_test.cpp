@@ -27,8 +27,8 @@ TEST(StepRules, what_is_out_of_range_is_refused_with_the_number_of_draws) {
         try {
             stage().stopAfter(1, draws);
             FAIL() << draws;
-        } catch (const UsageError& error) {
-            EXPECT_EQ(std::string(error.what()).find("--until: must be 0 .. " + std::to_string(all) + ","), 0U)
+        } catch (const Error& error) {
+            EXPECT_EQ(std::string(error.what()).find("draws: must be 0 .. " + std::to_string(all) + ","), 0U)
                 << error.what();
         }
     }

@@ -517,7 +517,7 @@ TEST(StudyData, committed_studies_are_of_the_same_rows) {
             }
         }
     }
-    EXPECT_EQ(ofGpu, 26);
+    EXPECT_EQ(ofGpu, 25);
 }
 
 TEST(StudyPlot, is_an_svg_with_every_method) {

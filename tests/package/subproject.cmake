@@ -48,7 +48,7 @@ endif()
 # Alone, a user's own flags and newer standard stay.
 set(configure ${CMAKE_COMMAND} -G Ninja -DMVGL_TESTS=OFF -DMVGL_WINDOW=OFF -S "${SOURCE}" -B "${work}/chosen")
 run(${configure} "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -g1" -DCMAKE_CXX_STANDARD=23)
-has_line("${work}/chosen/compile_commands.json" " *\"command\": .* -O1 -g1 .*-std=c\\+\\+2[3b] .*/mv[.]dir/.*")
+has_line("${work}/chosen/compile_commands.json" " *\"command\": .* -O1 -g1 .*-std=c\\+\\+2[3b] .*/mv-base[.]dir/.*")
 # What changes the numbers, or is too old, is refused.
 foreach(flag IN ITEMS -ffast-math -Ofast -funsafe-math-optimizations)
   refused("CMAKE_CXX_FLAGS: must not have a flag that changes what is computed; take it out, ${flag}"
