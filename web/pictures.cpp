@@ -62,6 +62,6 @@ Picture loadPicture(const std::filesystem::path& path) {
     return given.picture;
 }
 
-std::string readTextFile(const std::filesystem::path& path, std::size_t) { return givenAs(path).text; }
+const std::string& givenText(const std::filesystem::path& path) { return givenAs(path).text; }
 
 }  // namespace mv

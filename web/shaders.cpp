@@ -11,6 +11,7 @@
 #include "mv/gl/shader_folder.h"
 #include "mv/gl/shader_source.h"
 #include "mv/image/file.h"
+#include "pictures.h"
 
 namespace mv {
 namespace {
@@ -47,7 +48,8 @@ std::optional<std::filesystem::file_time_type> writtenAt(const std::filesystem::
 }
 
 std::string readTextFile(const std::filesystem::path& path, std::size_t largest) {
-    const std::string& text = files().at(path.string()).text;
+    const auto shader = files().find(path.string());
+    const std::string& text = shader == files().end() ? givenText(path) : shader->second.text;
     if (text.size() > largest) throw Error(path.string(), "must have " + std::to_string(largest) + " bytes at most");
     return text;
 }

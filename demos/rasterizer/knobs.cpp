@@ -40,6 +40,21 @@ const char* nameOf(Flood flood) { return wordOf(floodWords, flood); }
 const char* nameOf(Winding winding) { return wordOf(windingWords, winding); }
 const char* nameOf(CircleMethod method) { return wordOf(circleWords, method); }
 
+// The same pixels, whatever a recursion would say of its depth.
+Fill bySpans(Fill fill) {
+    fill.flood = Flood::spans;
+    return fill;
+}
+
+void check(const Settings& s) {
+    if (s.subject != Subject::fill || s.fill.flood == Flood::spans) return;
+    try {
+        (void)countFill(s.fill, s.corners, Grid(s));
+    } catch (const Error& error) {
+        throw Error("--flood", error.what());  // too deep for the stack
+    }
+}
+
 int mostSteps(const Settings& s) {
     const Grid grid(s);
     const auto count = [&]() -> std::size_t {
@@ -49,7 +64,7 @@ int mostSteps(const Settings& s) {
             case Subject::triangle:
                 return countTriangles(s.triangles, s.corners, grid);
             case Subject::fill:
-                return countFill(s.fill, s.corners, grid);
+                return countFill(bySpans(s.fill), s.corners, grid);
             case Subject::star:
                 return countStar(s.star, grid);
             case Subject::circle:
@@ -208,6 +223,7 @@ const bool added =
                                       {"deepest", "calls within each other, or runs that wait"}},
                          .draw = draw,
                          .readOut = readOut,
+                         .check = check,
                          .values = values,
                          .valueCounts = valueCounts,
                      });

@@ -13,9 +13,12 @@
 
 namespace mv::rasterizer {
 
+// A smooth line is thin.
+static int thicknessOf(const Line& line) { return line.method == LineMethod::smooth ? 1 : line.thickness; }
+
 static std::vector<PixelStep> pixelsOf(const Line& line, const Grid& grid) {
     const auto [from, to] = line.ends;
-    return thickLine(line.method, line.thicken, line.thickness, grid.whole(from.x), grid.whole(from.y),
+    return thickLine(line.method, line.thicken, thicknessOf(line), grid.whole(from.x), grid.whole(from.y),
                      grid.whole(to.x), grid.whole(to.y));
 }
 
@@ -28,25 +31,25 @@ void drawLine(Gpu& gpu, const Line& line, const Grid& grid, const Frame& frame) 
     const Picture mine = inked(grid, pixels), glPicture = byOpenGl(gpu, meshOf(line, grid), grid, frame);
 
     showPictures(gpu, frame, grid, mine, glPicture, {{{line.ends[0] + 0.5, line.ends[1] + 0.5}}});
-    if (line.thickness == 1) showErrors(gpu, pixels, grid, frame);
+    if (thicknessOf(line) == 1) showErrors(gpu, pixels, grid, frame);
     showWords(gpu, frame, grid, std::string(nameOf(line.method)) + ": " + countOf(grid, pixels.size()),
               rounded("OpenGL: pixels set otherwise: %.0f", double(countDifferent(mine, glPicture))));
 }
 
 // For OpenGL: a thin line is a line, a thick one a strip of two triangles.
 static MeshData meshOf(const Line& line, const Grid& grid) {
-    MeshData data{.primitive = line.thickness == 1 ? Primitive::lines : Primitive::triangles};
+    MeshData data{.primitive = thicknessOf(line) == 1 ? Primitive::lines : Primitive::triangles};
     const auto add = [&](const vec2& at) {
         data.positions.emplace_back(at.x, at.y, 1);
         data.colors.emplace_back(fvec3(colorOf(first)), 1);
     };
     const auto [from, to] = line.ends;
-    if (line.thickness == 1) {
+    if (thicknessOf(line) == 1) {
         for (const vec2& end : {from, to}) add({grid.whole(end.x) + 0.5, grid.whole(end.y) + 0.5});
         return data;
     }
     const auto corners =
-        stripOf(line.thickness, grid.whole(from.x), grid.whole(from.y), grid.whole(to.x), grid.whole(to.y));
+        stripOf(thicknessOf(line), grid.whole(from.x), grid.whole(from.y), grid.whole(to.x), grid.whole(to.y));
     for (const std::size_t i : {0, 1, 2, 0, 2, 3}) add(corners.at(i));
     return data;
 }
@@ -197,7 +200,7 @@ std::vector<PixelStep> linePixels(LineMethod method, int x1, int y1, int x2, int
 
 std::vector<PixelStep> thickLine(LineMethod method, Thicken thicken, int thickness, int x1, int y1, int x2, int y2) {
     const std::vector<PixelStep> thin = linePixels(method, x1, y1, x2, y2);
-    if (thickness == 1 || method == LineMethod::smooth) return thin;
+    if (thickness == 1) return thin;
     std::vector<PixelStep> set;
     if (thicken == Thicken::across) {
         const auto corners = stripOf(thickness, x1, y1, x2, y2);

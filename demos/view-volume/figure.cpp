@@ -67,7 +67,8 @@ static void nameStage(Drawing& drawing, const Settings& s, const Pane& pane) {
 }
 
 void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
-    if (std::ranges::count(cameraPlanes(s), vec4(0)) > 0)
+    const SixPlanes planes = cameraPlanes(s);
+    if (std::count(planes.begin(), planes.end(), vec4(0)) > 0)
         frame.say("A plane's normal has cancelled to 0 in float: that plane culls nothing.");
 
     const std::vector<Pane> panes = frame.panes(2);

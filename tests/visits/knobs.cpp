@@ -121,7 +121,7 @@ const std::set<std::string> unseen{
     "color-models written",  // numbers in words, likewise
     "clipping polygon",      // its ends, all corners in one place or on one line, are refused: they are no polygon
     "clipping against",      // the same
-    "ray-cast plane",        // three forms of one plane
+    "texture-map wrap",      // nothing lies beyond 0..1 before reach is set, too
     "ray-cast threads",      // who computes a row changes nothing
     "ray-trace structure",   // who is asked for a triangle, likewise
 };

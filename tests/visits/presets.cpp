@@ -114,7 +114,7 @@ TEST_P(Visits, presets) {
     if (sanitized) drawSmall();
     const std::vector<Preset>& presets = stage().info().presets;
     ASSERT_GE(presets.size(), 2U);
-    EXPECT_LE(presets.size(), 6U);
+    EXPECT_LE(presets.size(), 8U);
     std::vector<Picture> pictures;
     for (const Preset& preset : presets) {
         applyPreset(run.demo(), preset);
