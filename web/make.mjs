@@ -146,6 +146,9 @@ function quoted(file, name) {
       if (end >= i) found.push({ source, start, code: lines.slice(start, end + 1).join('\n') });
     });
   }
+  // The technique's own, where a figure has one of the same name.
+  const own = found.filter(({ source }) => source === `${path.basename(folder)}.cpp`);
+  if (own.length === 1) found.splice(0, found.length, ...own);
   if (found.length !== 1) fail(file, `must quote a function that its folder has once, <!-- code ${name} -->`, `${found.length} found`);
   const [{ source, start, code }] = found, html = run('highlight', ['-O', 'html', '-f', '--syntax=c++'], code);
   return `<figure class="quoted"><figcaption><code>${source}</code>, ${word('fromLine', { line: start + 1 })}</figcaption>\n<pre class="code" tabindex="0"><code>${html}</code></pre></figure>`;
