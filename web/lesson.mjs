@@ -50,5 +50,6 @@ export function fold(html) {
 export function wide(html) {
   let count = 0;
   const opening = () => `<div class="wide" tabindex="0" role="region" aria-label="${word('table')} ${++count}"><table>`;
-  return html.replace(/<table>/g, opening).replace(/<\/table>/g, '</table></div>');
+  // A column without a name is none to a screen reader; a long line of code moves sideways, by the keyboard, too.
+  return html.replace(/<th><\/th>/g, '<td></td>').replace(/<pre>/g, '<pre tabindex="0">').replace(/<table>/g, opening).replace(/<\/table>/g, '</table></div>');
 }

@@ -67,13 +67,13 @@ Pane cubePane(const FrameInfo& frame, int way) {
 void drawClocks(Drawing& drawing, const Settings& s, const std::array<double, 4>& time, const FrameInfo& frame) {
     static const std::array<std::string, 4> names{"per picture", "per second", "of the time", "in steps"};
     for (int way = 0; way < 4; ++way) {
-        const double here = time[way], right = time[2];
+        const double here = time[static_cast<std::size_t>(way)], right = time[2];
         const Pane pane = paneOf(frame, way);
         drawing.in(pane);
         drawClock(drawing, s, pane, here, right);
         drawBall(drawing, pane, here);
         const vec4 color = std::abs(here - right) > 2 * stepTime(s) ? red : ink;
-        words(drawing, pane, 0.99, names[way], ink, 1.2);
+        words(drawing, pane, 0.99, names[static_cast<std::size_t>(way)], ink, 1.2);
         words(drawing, pane, 0.91, rounded("%.2f s", here), color);
         words(drawing, pane, 0.85, offBy(here - right), color);
     }

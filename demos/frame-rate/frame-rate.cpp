@@ -19,7 +19,8 @@ void draw(Gpu& gpu, const Settings& s, const Running& now, const Frame& frame) {
     for (int way = 0; way < 4; ++way) {
         const auto [x, y, width, height] = cubePane(frame, way);
         glViewport(x, y, width, height);
-        gpu.program.set("clipFromModel", clipFromCube(turnOf(s, time[way]), double(width) / height));
+        gpu.program.set("clipFromModel",
+                        clipFromCube(turnOf(s, time[static_cast<std::size_t>(way)]), double(width) / height));
         gpu.cube.draw();
     }
     glViewport(0, 0, frame.width(), frame.height());

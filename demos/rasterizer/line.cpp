@@ -50,7 +50,7 @@ static MeshData meshOf(const Line& line, const Grid& grid) {
     }
     const auto corners =
         stripOf(thicknessOf(line), grid.whole(from.x), grid.whole(from.y), grid.whole(to.x), grid.whole(to.y));
-    for (const std::size_t i : {0, 1, 2, 0, 2, 3}) add(corners.at(i));
+    for (const int i : {0, 1, 2, 0, 2, 3}) add(corners.at(static_cast<std::size_t>(i)));
     return data;
 }
 
