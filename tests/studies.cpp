@@ -36,17 +36,15 @@ constexpr double shortMs = 40;
 
 class Studies : public testing::TestWithParam<std::string> {};
 
-std::string ownName(const StudyRow& row) { return row.scene + ", " + row.method + " " + row.parameter; }
-
 std::set<std::string> rowsOfShortRun(const StudyRun& run, const std::string& lastScene) {
     std::map<std::pair<std::string, std::string>, const StudyRow*> fastest;
     std::set<std::string> names;
     for (const StudyRow& row : run.rows) {
         const StudyRow*& known = fastest[{row.scene, row.method}];
         if (!known || (row.ok() && (!known->ok() || row.msMedian < known->msMedian))) known = &row;
-        if (row.scene == lastScene && row.msMedian < shortMs) names.insert(ownName(row));
+        if (row.scene == lastScene && row.msMedian < shortMs) names.insert(nameOf(row));
     }
-    for (const auto& [line, row] : fastest) names.insert(ownName(*row));
+    for (const auto& [line, row] : fastest) names.insert(nameOf(*row));
     return names;
 }
 
@@ -215,6 +213,51 @@ TEST_P(Studies, claims_can_fail) {
     std::printf("%s: %d claims, %d predicates\n", demo.name.c_str(), claims, predicates);
 }
 
+// A reference is kept while the settings that it says it reads are as they were, so it depends on no other: in each scene of the study and each preset
+// each end and word of each other knob makes the same one. (In a small picture: what is read is the same.)
+TEST_P(Studies, references_depend_on_what_they_read) {
+    const Study& study = *findDemo(GetParam()).study;
+    if (study.reads.empty()) return;  // it is made anew for each row
+    DemoRun run(GetParam(), 48, 36);
+    Demo& demo = run.demo();
+    const auto reference = [&]() -> std::optional<Reference> {
+        try {
+            if (!study.ofValues) demo.check();
+            return study.makeReference(demo, {FrameInfo(study.frame, 48, 36)}, [](double) {});
+        } catch (const Error&) {
+            return {};  // no picture, or none that has a reference
+        }
+    };
+    const auto sameNumbers = [](const std::vector<double>& a, const std::vector<double>& b) {
+        return std::ranges::equal(a, b, [](double x, double y) { return x == y || (x != x && y != y); });
+    };
+    // --study measures in any settings: in those of the presets, say.
+    std::vector<StudyScene> scenes = study.scenes;
+    for (const Preset& preset : findDemo(GetParam()).presets) scenes.push_back({preset.name, preset.settings});
+    int compared = 0;
+    for (const StudyScene& scene : scenes) {
+        for (Knob* knob : demo.knobs()) knob->reset();
+        applyKnobs(demo, scene.settings);
+        const std::optional<Reference> right = reference();
+        for (Knob* knob : demo.knobs()) {
+            if (!right || std::ranges::count(study.reads, std::string(knob->name())) > 0) continue;
+            const std::string usual = knob->text();
+            for (const std::string& text : {knob->sweep().front(), knob->sweep().back()}) {
+                knob->parse(text);
+                const std::optional<Reference> other = reference();
+                if (!other) continue;
+                ++compared;
+                EXPECT_TRUE(sameNumbers(other->values, right->values) &&
+                            sameNumbers(other->averages, right->averages) && other->regions == right->regions)
+                    << scene.name << ": --" << knob->name() << " " << text
+                    << " makes another reference, and is not among what it reads";
+            }
+            knob->parse(usual);
+        }
+    }
+    std::printf("%s: %d references compared\n", GetParam().c_str(), compared);
+}
+
 // Errors and counts, measured again.
 TEST_P(Studies, errors_and_counts_hold) {
     const DemoInfo& demo = findDemo(GetParam());
@@ -222,7 +265,7 @@ TEST_P(Studies, errors_and_counts_hold) {
     stage().open(demo, demo.study->width, demo.study->height);
     StudyOptions options{.timed = false};
     const std::set<std::string> shortRun = rowsOfShortRun(before, demo.study->scenes.back().name);
-    options.wanted = [&](const StudyRow& row) { return isLong() || shortRun.contains(ownName(row)); };
+    options.wanted = [&](const StudyRow& row) { return isLong() || shortRun.contains(nameOf(row)); };
     const StudyRun now = runStudy(stage(), *demo.study, options);
     stage().close();
     ASSERT_EQ(now.rows.size(), before.rows.size());
@@ -230,12 +273,12 @@ TEST_P(Studies, errors_and_counts_hold) {
     std::set<std::string> lines, linesMet;
     for (std::size_t i = 0; i < now.rows.size(); ++i) {
         const StudyRow &old = before.rows[i], &row = now.rows[i];
-        const std::string what = ownName(row);
+        const std::string what = nameOf(row);
         lines.insert(row.scene + ", " + row.method);
         if (row.status == notMeasured) continue;
         linesMet.insert(row.scene + ", " + row.method);
         ++compared;
-        EXPECT_EQ(ownName(old), what);
+        EXPECT_EQ(nameOf(old), what);
         EXPECT_EQ(row.status, old.status) << what;
         const auto expectSame = demo.study->ofValues ? expectSameValues : expectSamePixels;
         expectSame(old.all, row.all, what);

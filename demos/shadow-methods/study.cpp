@@ -39,7 +39,7 @@ Study study() {
                    mapLine("map, PCF 5x5", "pcf5", "6"),
                    mapLine("map, 1 tap, kept", "map", "2", "on", "on"),
                    mapLine("map, 1 tap, receiver left out, no bias", "map", "0", "off")};
-    study.reads = {"scene", "spin-x", "spin-y", "distance"};
+    study.reads = {"scene", "ball-height", "spin-x", "spin-y", "distance"};
     study.axis = ErrorAxis::fraction;
     const auto none = rows("no shadow"), matrix = rows("matrix"), map = rows("map, 1 tap"),
                kept = rows("map, 1 tap, kept");

@@ -40,8 +40,8 @@ struct ReferenceFrame : FrameInfo {
     bool ownError;  // Reference::ownError is asked for, too, which costs more than the reference itself
 };
 
-// What is right, by the demo's other method. Settings that it reads otherwise (the number of lights, say) get a reference
-// of their own; the knobs that it does not read are what is under study.
+// What is right, by the demo's other method. Other values of the settings that it reads (Study::reads: the number of
+// lights, say) get a reference of their own; the knobs that it does not read are what is under study.
 struct Reference {
     // One for each number compared: for a picture one a pixel, the upper row first.
     std::vector<double> values;
@@ -80,8 +80,8 @@ struct Study {
     std::vector<Saying> says = {};
     // True: the demo's values() are compared and timed, without GL. False: pictures, drawn with frame.measuring().
     bool ofValues = false;
-    // The knobs that the reference depends on, of a lesson: it is kept while these are as they were. Empty: those that it asked
-    // for by name, and all of them where it asked for the scene or the settings.
+    // The knobs that the reference depends on: it is kept while these are as they were, and a test holds it to them. Empty: it is made
+    // anew for each row.
     std::vector<std::string> reads = {};
     // What is right for the demo's present settings, in the picture that `frame` describes (its size and index; not drawn
     // into); made by a method that shares nothing with the one under study. Slow ones report the part that is done.
