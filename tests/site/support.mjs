@@ -4,6 +4,8 @@ import fs from 'node:fs';
 import { createRequire } from 'node:module';
 import os from 'node:os';
 import path from 'node:path';
+import zlib from 'node:zlib';
+import { liveParts } from '../../web/pages.mjs';
 
 export const counted = { checks: 0, failures: 0 };
 export function expect(holds, says) {
@@ -35,6 +37,15 @@ export async function served(source, site) {
   return (await new Promise((resolve) => server.stdout.once('data', resolve))).toString().split(' ')[0];
 }
 export const demosOf = (program) => all(execFileSync(program, ['--list'], { encoding: 'utf8' }), /^ {2}(\S+)/gm);
+
+// What a page of a demo loads, as it comes: [{ file, bytes, brotli }]. And the most of it: on slow 4G (1.6 Mb/s) a demo is to be movable
+// in 5 s, of which its page and its start take 1.5.
+export const loadedBy = (site) =>
+  ['mvgl.wasm', 'mvgl.js', 'begin.js', 'live.js', ...liveParts, 'words.js', 'site.js', 'curve.js', 'site.css'].map((file) => {
+    const bytes = fs.readFileSync(path.join(site, file));
+    return { file, bytes: bytes.length, brotli: zlib.brotliCompressSync(bytes).length };
+  });
+export const mostLoaded = 3.5 * 1.6e6 / 8;
 
 // Chromium's name here, or undefined.
 export const chromium = ['chromium', 'chromium-browser', 'google-chrome'].find((name) => !spawnSync(name, ['--version']).error);

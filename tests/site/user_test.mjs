@@ -3,8 +3,7 @@
 import fs from 'node:fs';
 import path from 'node:path';
 import { pathToFileURL } from 'node:url';
-import zlib from 'node:zlib';
-import { browserOf, counted, equal, expect, made, opened as openedIn, served, skipUnlessBuilt } from './support.mjs';
+import { browserOf, counted, equal, expect, loadedBy, made, mostLoaded, opened as openedIn, served, skipUnlessBuilt } from './support.mjs';
 
 const [source, program, build] = process.argv.slice(2);
 skipUnlessBuilt(build);
@@ -334,6 +333,26 @@ await page.click('[aria-label="spin-y there and back"]');
 await page.waitForFunction((before) => document.querySelector('#knob-spin-y').value !== before, {}, await page.$eval('#knob-spin-y', (field) => field.value));
 await page.click('[aria-label="spin-y there and back"]');
 await page.close();
+// What is copied is a link to all that is there, and a frame of it; a film has what the canvas shows
+page = await opened('cube-cull.html');
+await page.evaluate(() => Object.defineProperty(navigator, 'clipboard', { value: { writeText: async (words) => (globalThis.copied = words) } }));
+const pressed = (words) => page.evaluate((words) => [...document.querySelectorAll('.panel button')].find((button) => button.textContent === words).click(), words);
+await page.select('#knob-cull', 'both');
+await pressed('Copy link');
+await page.waitForFunction(() => globalThis.copied?.endsWith('cube-cull.html#cull=both'));
+await pressed('Copy iframe');
+await page.waitForFunction(() => /^<iframe src="[^"]*\?embed#cull=both" width="700" height="500" allow="[^"]*" title="[^"]*"><\/iframe>$/.test(globalThis.copied));
+await page.evaluate(() => {
+  const makeLink = URL.createObjectURL;
+  URL.createObjectURL = (blob) => ((globalThis.film = blob), makeLink(blob));
+  HTMLAnchorElement.prototype.click = () => {};
+});
+await pressed('Record');
+await page.select('#knob-cull', 'none');
+await pressed('End the film');
+await page.waitForFunction(() => globalThis.film?.size > 0 && /^video\//.test(globalThis.film.type));
+await page.close();
+
 // In the frame of another page: the picture and the knobs that are asked for
 page = await opened('cube-cull.html?embed&knobs=cull,z-dist', { width: 700, height: 500 });
 equal((await page.$$eval('.knob', (knobs) => knobs.map((knob) => knob.querySelector('label').textContent))).join(), 'cull,z-dist', 'knobs that are asked for');
@@ -385,13 +404,10 @@ for (const demo of ['shadow-map', 'springs']) {
   equal(await page.$$eval('article details', (answers) => answers.filter((answer) => !answer.open).length), 0, `${demo} on paper: answers that are folded`);
   await page.close();
 }
-await browser.close();
-
 // ---- what a page loads: docs/browser.md has it by files
 
-const loaded = fs.readdirSync(site).filter((file) => /\.(wasm|js|css)$/.test(file) && file !== 'search.js').map((file) => zlib.brotliCompressSync(fs.readFileSync(path.join(site, file))).length);
-const each = loaded.reduce((sum, bytes) => sum + bytes, 0) / 1024 / fs.readdirSync(path.join(site, 'demos')).filter((file) => file.endsWith('.html')).length;
-expect(each <= 17, `a demo, with its part of what all load, in brotli: at most 17 KB, ${each}`);
+const loaded = loadedBy(site).reduce((sum, { brotli }) => sum + brotli, 0);
+expect(loaded <= mostLoaded, `what a page loads, in brotli: at most ${mostLoaded} bytes, ${loaded}`);
 
 // ---- without WebGL, and from a disk: pictures and a sentence
 
@@ -403,6 +419,24 @@ expect((await text(still, '.refused')).includes('WebGL 2: must be there'), `a se
 expect(await still.$eval('.shown', (picture) => picture.clientWidth > 0), 'and the picture');
 await still.$$eval('.thumbs a', (links) => links[1].click());
 expect((await text(still, '.command code')).includes('--'), `a small picture is shown: ${await text(still, '.command code')}`);
+// Scripts that do not come are told, after ten seconds; and so is a page whose host forbids what a module needs
+const slow = await browser.newPage();
+await slow.setRequestInterception(true);
+slow.on('request', (request) => (request.url().endsWith('/live.js') ? undefined : request.continue()));
+await slow.goto(`${address}demos/cube-cull.html`, { waitUntil: 'domcontentloaded' });
+await slow.waitForFunction(() => document.querySelector('.loading')?.textContent.includes('has not come for ten seconds'));
+await slow.close();
+const strict = await browser.newPage();
+await strict.setRequestInterception(true);
+strict.on('request', async (request) => {
+  if (!request.isNavigationRequest()) return request.continue();
+  const answer = await fetch(request.url());
+  request.respond({ status: 200, headers: { 'content-type': 'text/html', 'content-security-policy': "default-src 'self'" }, body: await answer.text() });
+});
+await strict.goto(`${address}demos/cube-cull.html`);
+await strict.waitForSelector('.live.is-still');
+expect((await text(strict, '.refused')).startsWith('The demo cannot be drawn here'), `under a strict policy: ${await text(strict, '.refused')}`);
+await strict.close();
 // And where the page that holds this one forbids modules
 await still.setContent(`<iframe sandbox="allow-scripts" src="${address}demos/cube-cull.html"></iframe>`);
 const inner = await (await still.waitForSelector('iframe')).contentFrame();
@@ -411,6 +445,7 @@ await still.goto(`${pathToFileURL(site)}/demos/cube-cull.html`);
 expect((await text(still, '.panel')).includes('./run --site --serve'), `from a disk: ${await text(still, '.panel')}`);
 expect(await still.$eval('.shown', (picture) => picture.clientWidth > 0 && picture.naturalWidth > 0), 'with the picture');
 await plain.close();
+await browser.close();
 
 console.log(`${counted.checks} checks, ${counted.failures} failed`);
 process.exit(counted.failures ? 1 : 0);
