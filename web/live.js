@@ -6,6 +6,7 @@ import { shaderEditor } from './edit.js';
 import { handIn } from './hand.js';
 import { fetched, isNamedAs, provide, take } from './pictures.js';
 import { fromAddress, fromCommand, toAddress, typedNumber } from './settings.js';
+import { asCanvas, shareButtons } from './share.js';
 import { drawSteps } from './steps.js';
 
 const pause = 100; // milliseconds between two looks at the readouts of what moves
@@ -288,66 +289,11 @@ export async function live(box) {
   const command = box.closest('.stage').querySelector('.command code');
   const pictureRow = tag('div', { class: 'row' },
     tag('button', { type: 'button', onclick: () => settle({ settings: {}, frame: what.animated ? 1 : undefined }) }, word('reset')),
-    tag('button', { type: 'button', onclick: () => save() }, word('save')),
     document.fullscreenEnabled ? tag('button', { type: 'button', onclick: () => (document.fullscreenElement ? document.exitFullscreen() : box.requestFullscreen()) }, word('fullScreen')) : '',
-    tag('button', { type: 'button', onclick: (event) => copy(event.target, linkNow()) }, word('copyLink')),
-    isEmbedded ? '' : tag('button', { type: 'button', onclick: (event) => copy(event.target, frameNow()) }, word('copyFrame')),
-    canvas.captureStream && globalThis.MediaRecorder ? tag('button', { type: 'button', 'aria-pressed': 'false', onclick: (event) => film(event.target) }, word('record')) : '');
-  const linkNow = (search = location.search) => location.origin + location.pathname + search + addressNow(shaders.changed());
-  const frameNow = () => `<iframe src="${linkNow('?embed').replaceAll('&', '&amp;')}" width="${isWide ? 1000 : 700}" height="500" allow="fullscreen; clipboard-write" title="mvgl: ${name}"></iframe>`;
-  function copy(button, words) {
-    navigator.clipboard?.writeText(words).then(() => word('copied'), () => prompt(word('copyHere'), words)).then((done) => {
-      const before = button.dataset.says ??= button.textContent;
-      button.textContent = done ?? before;
-      setTimeout(() => (button.textContent = before), 2000);
-    });
-  }
-  // What the canvas shows from one press to the next, as a film.
-  let recorder;
-  function film(button) {
-    if (recorder) return recorder.stop();
-    const parts = [];
-    recorder = new MediaRecorder(canvas.captureStream());
-    recorder.ondataavailable = ({ data }) => parts.push(data);
-    recorder.onstop = () => {
-      handOver(new Blob(parts, { type: recorder.mimeType }), `${name}.${recorder.mimeType.includes('mp4') ? 'mp4' : 'webm'}`);
-      recorder = undefined;
-      button.setAttribute('aria-pressed', 'false');
-      button.textContent = word('record');
-    };
-    recorder.start();
-    button.setAttribute('aria-pressed', 'true');
-    button.textContent = word('recordEnd');
-  }
-  function asCanvas(width, height, pixels) {
-    const copy = tag('canvas', { width, height });
-    copy.getContext('2d').putImageData(new ImageData(pixels, width, height), 0, 0);
-    return copy;
-  }
-  function handOver(blob, file) {
-    const link = tag('a', { href: URL.createObjectURL(blob), download: file });
-    link.click();
-    setTimeout(() => URL.revokeObjectURL(link.href), 1000);
-  }
-  // A comparison as it is seen: both pictures, the line, and what each is.
-  function pictureNow() {
-    const { width, height } = canvas, picture = asCanvas(width, height, demo.pixels(width * height));
-    if (!compare.on()) return picture;
-    const pen = picture.getContext('2d'), at = Math.round(width * compare.at()), second = asCanvas(width, height, compare.second().pixels(width * height));
-    if (at < width) pen.drawImage(second, at, 0, width - at, height, at, 0, width - at, height);
-    pen.fillStyle = '#fff';
-    pen.fillRect(at - 1, 0, 2, height);
-    pen.font = '16px sans-serif';
-    compare.labels().forEach((label, i) => {
-      const wide = pen.measureText(label).width + 16, left = i ? width - wide : 0;
-      pen.fillStyle = '#000a';
-      pen.fillRect(left, height - 26, wide, 26);
-      pen.fillStyle = '#fff';
-      pen.fillText(label, left + 8, height - 8);
-    });
-    return picture;
-  }
-  const save = () => pictureNow().toBlob((blob) => handOver(blob, `${name}-${state.frame}.png`));
+    ...shareButtons({
+      name, canvas, demo, compare, isWide, isEmbedded, frame: () => state.frame,
+      address: (search) => location.origin + location.pathname + search + addressNow(shaders.changed()),
+    }));
 
   const steps = drawSteps({
     stop: (draws) => after(void demo.does('StopAfter', draws ?? -1)),
