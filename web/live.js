@@ -171,9 +171,13 @@ export async function live(box) {
     if (moved && !resting) resting = setTimeout(rest, quiet);
   }
   // What is shown, as an address. (The shaders are in what is copied: an address that changes with each letter is none.)
-  const addressNow = (shaders = []) => toAddress(what.knobs.map((knob) => ({ ...knob, value: values[knob.name] })), {
-    frame: what.animated && !state.playing && state.frame !== 1 ? state.frame : undefined, compared: compare.compared(), until: steps.until(), shaders,
-  });
+  // It asks the demo: what was set a moment ago is not drawn yet.
+  function addressNow(shaders = []) {
+    const { knobs: set } = demo.tells('Report');
+    return toAddress(what.knobs.map((knob) => ({ ...knob, value: set[knob.name] })), {
+      frame: what.animated && !state.playing && state.frame !== 1 ? state.frame : undefined, compared: compare.compared(), until: steps.until(), shaders,
+    });
+  }
   // Once nothing has changed for a while, the address says what there is: browsers allow a hundred changes in half a minute. And the
   // settings can be come back to.
   let resting = 0, undoing = false;

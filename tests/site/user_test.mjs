@@ -337,9 +337,14 @@ await page.close();
 page = await opened('cube-cull.html');
 await page.evaluate(() => Object.defineProperty(navigator, 'clipboard', { value: { writeText: async (words) => (globalThis.copied = words) } }));
 const pressed = (words) => page.evaluate((words) => [...document.querySelectorAll('.panel button')].find((button) => button.textContent === words).click(), words);
-await page.select('#knob-cull', 'both');
-await pressed('Copy link');
-await page.waitForFunction(() => globalThis.copied?.endsWith('cube-cull.html#cull=both'));
+await page.evaluate(() => { // in one breath, before a picture of it is drawn
+  const knob = document.querySelector('#knob-cull');
+  knob.value = 'both';
+  knob.dispatchEvent(new Event('change', { bubbles: true }));
+  [...document.querySelectorAll('.panel button')].find((button) => button.textContent === 'Copy link').click();
+});
+await page.waitForFunction(() => globalThis.copied);
+expect((await page.evaluate(() => globalThis.copied)).endsWith('cube-cull.html#cull=both'), 'a link has what was just set');
 await pressed('Copy iframe');
 await page.waitForFunction(() => /^<iframe src="[^"]*\?embed#cull=both" width="700" height="500" allow="[^"]*" title="[^"]*"><\/iframe>$/.test(globalThis.copied));
 await page.evaluate(() => {
