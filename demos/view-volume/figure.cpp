@@ -40,18 +40,24 @@ static void drawSight(Drawing& drawing, const Settings& s, const mat4& outsideFr
     drawing.text(outsideFromCamera, vec3(0), {-6, -4}, "eye", {.background = vec4(0)});
 }
 
-// Draw lines of sight through the volume, from near to far, through nine places of the near plane.
-static void drawSightLines(Drawing& drawing, const Settings& s, const mat4& paneFromCamera) {
+// Lines of sight through the volume, from near to far, through nine places of the near plane.
+std::vector<std::array<vec3, 2>> sightLines(const Settings& s) {
     const vec3 nearCorner = vec3(aspect, 1, 0) * std::tan(radians(fovy / 2)) * s.nearUsed();
     const double grown = s.far / s.nearUsed();
     const bool isParallel = s.projection == Projection::orthographic;
+    std::vector<std::array<vec3, 2>> lines;
     for (const double x : {-0.6, 0.0, 0.6}) {
         for (const double y : {-0.6, 0.0, 0.6}) {
             const vec2 from = vec2(x, y) * (isParallel ? boxHalf() * vec2(aspect, 1) : vec2(nearCorner));
-            const vec3 begin(from, -s.nearUsed()), end((isParallel ? 1 : grown) * from, -s.far);
-            drawing.edge(paneFromCamera, begin, end, {.color = sightColor, .width = 1.5});
-            drawing.point(paneFromCamera, begin, 5, sightColor);
+            lines.push_back({vec3(from, -s.nearUsed()), vec3((isParallel ? 1 : grown) * from, -s.far)});
         }
+    }
+    return lines;
+}
+static void drawSightLines(Drawing& drawing, const Settings& s, const mat4& paneFromCamera) {
+    for (const auto& [begin, end] : sightLines(s)) {
+        drawing.edge(paneFromCamera, begin, end, {.color = sightColor, .width = 1.5});
+        drawing.point(paneFromCamera, begin, 5, sightColor);
     }
 }
 

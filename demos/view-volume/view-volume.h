@@ -97,6 +97,7 @@ mat4 clipFromSides(const Settings& s);
 mat4 paneFromStage(const Settings& s, const Pane& pane);
 
 // figure.cpp, knobs.cpp, study.cpp.
+std::vector<std::array<vec3, 2>> sightLines(const Settings& s);  // in the camera's space, from near to far
 void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame);
 void check(const Settings& s);
 void readOut(Gpu& gpu, const Settings& s, const Frame& frame, Numbers& numbers);

@@ -6,12 +6,14 @@
 // - [one-piece-too-many] Of a concave polygon in two pieces Sutherland and Hodgman's method makes one, with edges on each
 //   other; its area is right, and the other method's pieces have the same.
 // - [sides-do-not-close] Sides clipped as segments are right one by one, and have no area together.
-// - [unit-normal] A line's product with a point is its distance where the normal is 1 long, not where all three numbers are.
+// - [unit-normal] A half plane's product with a point is its distance where the normal is 1 long, as of a window, not where all three
+//   numbers are; of a polygon's edge it is the distance times the edge's length.
 // - [inside-out] Clipped after the division, a segment from before the eye to behind it shows what is not seen of it; clipped
 //   before the projection or before the division, it shows the same, which is right.
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <string>
@@ -185,9 +187,26 @@ TEST(Clipping, sides_do_not_close) {
 }
 
 TEST(Clipping, unit_normal) {
-    // The line 3 x + 4 y = 10, whose distance from the origin is 2, by e = (3, 4, -10)
-    const vec3 line(3, 4, -10), point(5, 5, 1);
-    const double distance = 5;  // (15 + 20 - 10) / 5
-    EXPECT_NEAR(glm::dot(line, point) / std::hypot(line.x, line.y), distance, 1e-15);
-    EXPECT_NEAR(glm::dot(line, point) / glm::length(line), distance * 5 / std::sqrt(125), 1e-15);  // the slide's: 2.24
+    // A window's normals are 1 long: the four products are the distances from its sides.
+    const Box box{{3, -1}, {5, 2}};
+    const auto sides = halfPlanes(box);
+    for (const vec2& p : {vec2(4, 0), vec2(1, 7), vec2(5.5, -2.25)}) {
+        const std::array<double, 4> distances{p.x - 3, 5 - p.x, p.y + 1, 2 - p.y};
+        for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(sides.at(i).of(p), distances.at(i));
+        // Of all three numbers together the slide's is something else: on the line x = 3 the root of 10 divides.
+        const HalfPlane& left = sides[0];
+        const double length = std::hypot(left.normal.x, left.normal.y, left.distance);
+        EXPECT_NEAR(left.of(p) / length, (p.x - 3) / std::sqrt(10), 1e-15);  // three roundings of numbers of 1
+    }
+    // An edge's normal is as long as the edge. From (2, 1) to (-2, 4) it is 5, and across it the unit vector is (0.6, 0.8).
+    for (const bool turned : {false, true}) {
+        std::vector<vec2> corners{{2, 1}, {6, 6}, {-2, 4}};  // (6, 6) is the inner side
+        if (turned) std::reverse(corners.begin(), corners.end());
+        const HalfPlane edge = halfPlanes(corners).at(2);
+        EXPECT_EQ(glm::length(edge.normal), 5);
+        for (const double distance : {-10.0, -5.0, 0.0, 5.0}) {
+            const vec2 p(2 + distance * 3 / 5, 1 + distance * 4 / 5);
+            EXPECT_EQ(edge.of(p), 5 * distance) << turned;
+        }
+    }
 }

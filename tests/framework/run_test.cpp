@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <new>
 #include <optional>
@@ -14,6 +15,7 @@
 #include "mv/paper/report.h"
 #include "mv/run/command_line.h"
 #include "mv/show/caught.h"
+#include "support/demo_run.h"
 
 using namespace mv;
 
@@ -72,4 +74,43 @@ TEST(Run, what_a_library_throws_is_said_in_our_words) {
     EXPECT_EQ(told([] { (void)std::vector<int>().at(3); }), fault);
     EXPECT_EQ(told([] { (void)std::optional<int>().value(); }), fault);
     EXPECT_EQ(told([] { (void)std::stoi("x"); }), fault);
+}
+
+// What is said beside knobs names them as their labels do, and says what to do; a command line's words stay as they are elsewhere.
+TEST(Run, a_refusal_in_plain_words) {
+    const auto demo = findDemo("view-volume").make();
+    demo->knob("near").parse("20");
+    demo->knob("far").parse("15");
+    EXPECT_EQ(inPlainWords("--near: must be less than --far 15, 20", *demo),
+              "near is 20 m, and must be less than far 15: move near or far");
+    EXPECT_EQ(inPlainWords("--far: must be above 16, '15'", *demo), "far is 15 m, and must be above 16: move far");
+    EXPECT_EQ(inPlainWords("--near: needs a larger far, 20", *demo), "near: needs a larger far: move near");
+    // A reason behind a colon stands for what to do
+    EXPECT_EQ(inPlainWords("--near: has no volume: both planes are one", *demo),
+              "near: has no volume: both planes are one");
+    // Of no knob of this demo, or not of one first
+    for (const char* other : {"--spam: must be less than 3, 4", "view-volume: needs more memory than there is",
+                              "out.png: must be a folder, as --near says"})
+        EXPECT_EQ(inPlainWords(other, *demo), other);
+    EXPECT_EQ(knobsNamed("--near: must be less than --far 15, as --near says, not --nearer", *demo),
+              (std::vector<std::string>{"near", "far"}));
+}
+
+TEST(Run, roundings_are_told_as_none) {
+    EXPECT_EQ(withoutRounding(6.1e-17, 1), 0);
+    EXPECT_EQ(withoutRounding(-6.1e-14, 1000), 0);
+    EXPECT_FALSE(std::signbit(withoutRounding(-6.1e-17, 1)));
+    EXPECT_FALSE(std::signbit(withoutRounding(-0.0, 0)));
+    // Small is not nothing: beside others as small, and from some thousand roundings of the largest on
+    EXPECT_EQ(withoutRounding(-6.1e-17, 1e-16), -6.1e-17);
+    EXPECT_EQ(withoutRounding(1.1e-12, 1), 1.1e-12);
+
+    // A quarter turn has no 6e-17 in what is printed of its matrix.
+    test::DemoRun run("cube-cull");
+    (void)run.set("spin-x", 0).set("spin-y", 90).picture();
+    const mat4 turned = run.matrix("viewFromModel");
+    ASSERT_TRUE(turned[0][0] != 0 && std::abs(turned[0][0]) < 1e-15) << "there is one to leave out";
+    const std::string text = reportText(test::stage(), 1, {});
+    const auto rows = text.substr(text.find("matrix    viewFromModel"));
+    EXPECT_EQ(rows.find("e-1"), std::string::npos) << rows;
 }

@@ -129,8 +129,9 @@ TEST(ShadowMap, cast_by_rays) {
         const Judged parallel = judge(run, place, vec4(place.light - place.target, 0));
         EXPECT_LT(parallel.wrongPart(), 1e-3);
         run.set("projection", "spot");
-        // Broken on purpose, it shows: without bias, and with the light's place moved a little for GL alone.
-        EXPECT_GT(judge(run.set("slope-bias", 0), place).darkPart(), 0.1);
+        // Broken on purpose, it shows: without bias, by one look, since the mean of several is about a half on a plane, which rounding
+        // takes for dark or for lit; and with the light's place moved a little for GL alone.
+        EXPECT_GT(judge(run.set("filter", "none").set("slope-bias", 0), place).darkPart(), 0.1);
         run.set("slope-bias", 3).set("light-x", place.light.x + 0.5);
         EXPECT_GT(judge(run, place).wrongPart(), 1e-3);
     }
@@ -143,8 +144,9 @@ TEST(ShadowMap, error_is_one_over_resolution) {
     study.scenes = {study.scenes[0]};
     study.lines = {study.lines[0]};
     ASSERT_EQ(study.lines[0].method, "1 tap");
-    // Larger texels than the study's own, so that there are some hundred wrong pixels to count in so small a picture.
-    study.lines[0].settings.push_back({"fov", "110"});
+    // Larger texels than the study's own, so that there are some hundred wrong pixels to count in so small a picture. (Up to 74
+    // degrees the floor is nearer than the map's end, where a driver that pushes corners, as softpipe does, pushes less.)
+    study.lines[0].settings.push_back({"fov", "72"});
     study.lines[0].values = {"64", "128", "256", "512", "1024"};
     const StudyRun result = runStudy(stage(), study, {.timed = false});
     for (const StudyRow& row : result.rows) ASSERT_TRUE(row.ok()) << row.parameter << ": " << row.status;

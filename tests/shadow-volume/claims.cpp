@@ -190,7 +190,8 @@ TEST(ShadowVolume, three_hundred_shells) {
     run.set("scene", "nested");
     for (const int shells : {255, 256, 300}) {
         run.set("shells", shells).set("groups", "on").set("show", "shadow");
-        EXPECT_EQ(compareWithRays().awayFromEdges.fraction, 0) << shells;
+        // For another driver as in light_anywhere
+        EXPECT_LE(compareWithRays().awayFromEdges.fraction, onLlvmpipe() ? 0 : 0.001) << shells;
         run.picture();
         EXPECT_TRUE(run.messages().empty());
         const double dark = run.readout("shadow-pixels");

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <string>
 
 #include "keyframes/function_nodes.h"
@@ -36,6 +37,32 @@ TEST(KeyCurve, isAtItsKeys) {
             EXPECT_EQ(isAtAll, kind != Kind::bSpline && kind != Kind::bezier) << int(kind) << " " << int(ease);
         }
     }
+}
+
+// By the page's formula: g(t) = (1 - e(u)) g(t0) + e(u) g(t1), with u = (t - t0)/(t1 - t0), and e(u) = u on straight lines.
+TEST(KeyCurve, isWhatThePagePrints) {
+    const auto check = [](const KeyCurve& curve, const auto& e) {
+        EXPECT_EQ(curve.eased(0), 0);
+        EXPECT_EQ(curve.eased(1), 1);
+        const Motion<vec3> motion = curve.through(keys, vec3(0), vec3(0));
+        for (std::size_t i = 0; i + 1 < keys.size(); ++i) {
+            const auto &from = keys[i], &to = keys[i + 1];
+            for (const double u : {0.0625, 0.25, 0.5, 0.8125}) {
+                const vec3 wanted = (1 - e(u)) * from.value + e(u) * to.value;
+                const vec3 is = motion.position(from.time + u * (to.time - from.time));
+                EXPECT_NEAR(glm::length(is - wanted), 0, 1e-14) << i << " " << u;  // ten roundings of numbers below 8
+            }
+        }
+    };
+    check({.kind = Kind::linear}, [](double u) { return u; });
+    check({.kind = Kind::ease, .ease = Ease::root}, [](double u) { return std::sqrt(u); });
+    check({.kind = Kind::ease, .ease = Ease::quadratic}, [](double u) { return u * u; });
+    // Uniform: the velocity at a key is that from its neighbour before to the one after
+    const std::vector<Keyframe<vec3>> even{{0, {1, 2, 0}}, {1, {4, 0, 1}}, {2, {-3, 1, 5}}, {3, {-2, 5, 3}}};
+    const Motion<vec3> smooth = KeyCurve{.kind = Kind::catmullRom}.through(even, vec3(0), vec3(0));
+    for (const std::size_t i : {1U, 2U})
+        EXPECT_NEAR(glm::length(smooth.at(even[i].time).velocity - (even[i + 1].value - even[i - 1].value) / 2.0), 0,
+                    1e-14);
 }
 
 // Velocities by at() are the differences of places, between the keys and on both sides of them.

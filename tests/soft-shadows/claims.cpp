@@ -7,7 +7,7 @@
 //   share of 1/1024 is less than half a step, and is refused.
 // - [pcf-does-not-converge] No kernel and no map brings a blur of fixed size below the error of 16 points.
 // - [blur-in-the-picture] A blur of the shadow's picture is as wide in pixels at any size of the picture, is smeared over
-//   the edges of what stands before the shadow, and comes no nearer to 16 points than pcf does.
+//   the edges of what stands before the shadow, and is of no size as right as 16 points.
 // - [pcss-adapts] Lifting the caster widens the penumbra of pcss as it should, and hardly that of pcf.
 // - [dark-once] Where the shadows of two casters overlap, a point of the lamp is taken away once.
 #include <gtest/gtest.h>
@@ -179,9 +179,13 @@ TEST(SoftShadows, blur_in_the_picture) {
         for (const float lit : litOf(run.set("method", method).set("taps", 9))) pixels += lit > 0 && lit < 1 ? 1 : 0;
         return double(pixels);
     };
-    // An edge is twice as long in pixels in a picture of twice the size; the width of a blur on the map grows with it, too.
-    EXPECT_NEAR(partly("blur", 640, 480) / partly("blur", 320, 240), 2, 0.3);
-    EXPECT_NEAR(partly("pcf", 640, 480) / partly("pcf", 320, 240), 4, 0.6);
+    // An edge is twice as long in pixels in a picture of twice the size; the width of a blur on the map grows with it, too. Ends and
+    // corners are neither, so what is asked is whether pixels go with the size or with its square, by the nearest exponent.
+    const auto exponent = [&](const char* method) {
+        return std::lround(std::log2(partly(method, 640, 480) / partly(method, 320, 240)));
+    };
+    EXPECT_EQ(exponent("blur"), 1);
+    EXPECT_EQ(exponent("pcf"), 2);
 
     // Pixels of legs, vase and apple that see the whole lamp and are darkened: the shadow behind reaches over their edges.
     DemoRun run("soft-shadows");
@@ -197,17 +201,19 @@ TEST(SoftShadows, blur_in_the_picture) {
         smeared += blur[i] < 0.8F ? 1 : 0;
         unblurred += oneLook[i] < 0.8F ? 1 : 0;
     }
-    EXPECT_GT(smeared, 500);
-    EXPECT_GT(smeared, 3 * unblurred);
+    // Half of 15 pixels, over 100 pixels of edges at least; and by one look only what the two maps round otherwise there.
+    EXPECT_GT(smeared, 7 * 100);
+    EXPECT_LT(unblurred, 100);
 
     run.preset("touching");
     std::vector<StudyLine> lines = linesNamed({"matrix, float"});
     lines.front().values = {"16"};
-    lines.push_back({"blur", {{"method", "blur"}}, "taps", {"1", "5", "9", "15", "31"}});
+    const std::vector<std::string> taps{"1", "5", "9", "15", "31"};
+    lines.push_back({"blur", {{"method", "blur"}}, "taps", taps});
     lines.push_back({"pcf", {{"method", "pcf"}}, "taps", {"1"}});
     const StudyRun study = errorsOf(lines);
-    for (const char* taps : {"1", "5", "9", "15", "31"})
-        EXPECT_GT(rms(study, "blur", taps), 1.5 * rms(study, "matrix, float", "16")) << taps;
+    for (const std::string& count : taps)
+        EXPECT_GT(rms(study, "blur", count), rms(study, "matrix, float", "16")) << count;
     EXPECT_EQ(rms(study, "blur", "1"), rms(study, "pcf", "1"));  // one look each
 }
 
