@@ -54,7 +54,7 @@ const Program& programOf(Gpu& gpu, const Settings& s) {
 bool usesFrames(Method method) { return method != Method::smooth && method != Method::displaced; }
 bool usesNormals(Method method) { return usesFrames(method) && method != Method::height; }
 
-// Set what holds for all that a program draws in this frame. Light and eye are told in the body's space.
+// Set the uniforms that all draws of a program share. Light and eye are in the body's space.
 void setLight(const Program& program, const Settings& s, const Frame& frame) {
     const mat3 bodyFromWorld = glm::transpose(mat3(worldFromBody(s)));
     program.use();
@@ -63,7 +63,7 @@ void setLight(const Program& program, const Settings& s, const Frame& frame) {
     program.set("band", frame.measuring() ? measuredBand(s) : vec2(-1, 1e9));
 }
 
-// The smooth surface: each vertex has a frame of its tangent, its bitangent and its normal, in which the maps' normals are told.
+// Draw the smooth surface. Each vertex has a tangent frame, and the normals of the map are in that frame.
 void drawMapped(Gpu& gpu, const Program& program, const Settings& s, const Pane& pane) {
     if (gpu.flatFor.changed(s.body, isMirrored(s))) {
         const MeshTangents made =
@@ -85,9 +85,9 @@ void drawMapped(Gpu& gpu, const Program& program, const Settings& s, const Pane&
     gpu.flat.draw();
 }
 
-// The displaced surface, with its own normals; of the wall as many pieces as are in view.
+// Draw the displaced surface with its own normals. The wall is drawn in as many pieces as are in view.
 void drawReal(Gpu& gpu, const Settings& s, const Pane& pane) {
-    constexpr int tileCells = 160;   // of 2 units of the wall, each way
+    constexpr int tileCells = 160;   // along a side of a wall piece, 2 units long
     constexpr int orangeRows = 320;  // from pole to pole
     if (gpu.realFor.changed(s.body, s.picture.version(), s.picture.isSet() ? s.mapSize : 0, s.depth, isMirrored(s))) {
         const Relief relief = reliefOf(gpu, s);
@@ -106,12 +106,12 @@ void drawReal(Gpu& gpu, const Settings& s, const Pane& pane) {
     }
 }
 
-// Make the maps that have changed: heights with what is painted, and the normals that follow from the heights.
+// Remake the maps that have changed, and bind them: heights with paint, and normals computed from the heights.
 void bindMaps(Gpu& gpu, const Settings& s) {
     const auto upload = [&](const FloatPicture& map, int unit, const char* label) {
         Texture made(mipmaps(map), {.texels = formatOf(s), .label = label});
         made.filterBy({.minify = GL_LINEAR_MIPMAP_LINEAR, .magnify = GL_LINEAR, .wrap = GL_REPEAT}, unit);
-        if (s.body == ReliefBody::orange)  // beyond its north pole there is no south
+        if (s.body == ReliefBody::orange)  // nothing lies beyond a pole
             glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
         return made;
     };
@@ -119,7 +119,7 @@ void bindMaps(Gpu& gpu, const Settings& s) {
     if (usesNormals(s.method)) {
         if (gpu.normalsFor.changed(s.body, s.mapSize, s.picture.version(), formatOf(s), s.depth)) {
             gpu.normals = upload(reliefNormals(reliefOf(gpu, s), gpu.heights), 1, "normals");
-            gpu.paintedFor.forget();  // its unit was used
+            gpu.paintedFor.forget();  // upload it again: its texture unit was used
         } else {
             gpu.normals.bind(1);
         }

@@ -41,7 +41,7 @@ struct Gpu {
     OnDemand<Program> smooth{"bump-map", "smooth"}, byHeight{"bump-map", "height"}, byNormal{"bump-map"},
         byParallax{"bump-map", "parallax"}, byOcclusion{"bump-map", "occlusion"}, mapProgram{"bump-map", "map"};
     OnDemand<Mesh> sheet{withoutNormals(square()), "map"};
-    // The smooth surface with its tangents; the displaced one, of the wall a piece, and a mirrored piece
+    // The smooth surface with its tangents, the displaced surface (one piece of the wall), and a mirrored piece
     Mesh flat, real, turned;
     Buffer tangents;
     MadeFor<ReliefBody, bool> flatFor;
@@ -67,8 +67,8 @@ Texels formatOf(const Settings& s);
 bool usesFrames(Method method);
 bool usesNormals(Method method);
 
-// Where things are: scene.cpp. The world of this scene is the body's space.
-constexpr double wallEnd = 64;  // of the wall, both ways
+// The scene: scene.cpp. Its world space is the body's space.
+constexpr double wallEnd = 64;  // units from the middle of the wall to its ends
 Scene sceneAt(const Settings& s, double aspect);
 Scene sceneOf(const Settings& s, const FrameInfo& frame);
 Relief reliefOf(const Gpu& gpu, const Settings& s);

@@ -10,7 +10,7 @@
 
 namespace mv::bump_map {
 
-// A parallel projection: all of the wall is seen at one angle.
+// A parallel projection shows the whole wall at one angle.
 Scene sceneAt(const Settings& s, double aspect) {
     Scene scene;
     if (s.body == ReliefBody::orange) {
@@ -38,8 +38,8 @@ vec3 towardsEye(const Settings& s) {
                                         : vec3(std::sin(radians(s.angle)), 0, std::cos(radians(s.angle)));
 }
 
-// The first and the last: number 0 of the wall begins at x = 0 and is 2 units long. The relief lies below the wall's plane, and is
-// seen from the right: so what is seen reaches farther to the left.
+// The first and the last piece in view. Piece 0 of the wall begins at x = 0 and is 2 units long. The relief lies below the wall's
+// plane and is seen from the right, so the view reaches farther to the left.
 std::pair<int, int> piecesInView(const Settings& s, double aspect) {
     if (s.body == ReliefBody::orange) return {0, 0};
     const double half = aspect / std::cos(radians(s.angle)), below = s.depth * std::tan(radians(s.angle));

@@ -1,4 +1,4 @@
-// The figure that lessons on clipping draw: a plane with a window on the left, what was computed in words on the right.
+// The figure of lessons on clipping: a plane with a window on the left, the results in words on the right.
 #pragma once
 #include <string>
 #include <utility>
@@ -13,7 +13,7 @@ namespace mv {
 namespace clip {
 inline const vec4 ink(0.1, 0.1, 0.1, 1), grey(0.55, 0.55, 0.55, 1), pale(0.93, 0.94, 0.96, 1), red(0.8, 0.15, 0.1, 1),
     blue(0.1, 0.35, 0.75, 1), green(0.1, 0.5, 0.2, 1), shade(0.82, 0.88, 0.96, 1);
-// What the figure shows of the plane.
+// The part of the plane that the figure shows.
 inline const Box plane{{-3, -2.8}, {3, 2.8}};
 }  // namespace clip
 
@@ -23,16 +23,16 @@ class ClipFigure {
     static Pane leftPane(const FrameInfo& frame);
     static Plot plotIn(const Pane& pane);
 
-    // First: what was drawn before is forgotten. Last: it is drawn.
+    // `begin` comes first and forgets the last drawing, `draw` comes last and draws.
     void begin(const Frame& frame);
     void draw(const Frame& frame);
 
-    // Places are those of the plane.
+    // All places are in the plane.
     vec2 px(const vec2& at) const { return plot_.pixel(at); }
     void stroke(const vec2& a, const vec2& b, const Stroke& style) { drawing.line(px(a), px(b), style); }
     void point(const vec2& at, double size, const vec4& color) { drawing.point(px(at), size, color); }
     void outline(std::vector<vec2> corners, const Stroke& style);
-    // Lines through what is inside, counted half-open in y.
+    // Lines through the inside, counted half-open in y.
     void hatch(const std::vector<vec2>& corners, const vec4& color);
     // Words beside a place.
     void name(const vec2& at, const std::string& words, const vec4& color = clip::ink);

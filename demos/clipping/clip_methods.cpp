@@ -34,7 +34,7 @@ std::vector<CodeRound> cohenSutherland(const Segment& segment, const Box& window
             rounds.push_back(round);
             return rounds;
         }
-        // One end is beyond some side: there it is cut, and the rest is judged anew.
+        // Cut the segment at a side that one of its ends is beyond, and judge the rest again.
         round.cutsA = round.codeA != 0;
         const unsigned code = round.cutsA ? round.codeA : round.codeB;
         round.side = (code & above) != 0     ? above
@@ -59,7 +59,7 @@ std::optional<Segment> liangBarsky(const Segment& segment, const Box& window) {
     double from = 0, to = 1;
     for (int axis = 0; axis < 2; ++axis) {
         for (const double side : {-1.0, 1.0}) {
-            const double out = side * along[axis];  // how fast it goes out
+            const double out = side * along[axis];  // how fast the segment goes out
             const double room = side < 0 ? segment.a[axis] - window.low[axis] : window.high[axis] - segment.a[axis];
             if (out == 0 && room < 0) return {};
             if (out < 0) from = std::max(from, room / out);
@@ -92,7 +92,8 @@ std::vector<HalfPlane> halfPlanes(const std::vector<vec2>& polygon) {
 bool isConvex(const std::vector<vec2>& polygon) {
     for (const HalfPlane& half : halfPlanes(polygon)) {
         for (const vec2& corner : polygon) {
-            if (half.of(corner) < -1e-9) return false;  // far more than rounds, far less than a step of the demo's grid
+            if (half.of(corner) < -1e-9)
+                return false;  // far more than rounding errors, far less than a step of the demo's grid
         }
     }
     return true;
@@ -169,7 +170,7 @@ ExactPart clipExactly(const Segment& segment, const Box& window, int bits) {
 }
 
 int exactBits(const Box& window) {
-    // Segments end at most three windows' sizes away from it.
+    // Segments end at most three sizes of the window away from the window.
     const double largest =
         std::max({std::abs(window.low.x), std::abs(window.low.y), std::abs(window.high.x), std::abs(window.high.y)}) +
         8 * std::max(window.high.x - window.low.x, window.high.y - window.low.y);
@@ -202,7 +203,7 @@ std::vector<Segment> aimedAtCorners(const Box& window, int count) {
         const auto which = random();
         const vec2 corner((which & 1U) != 0 ? window.high.x : window.low.x,
                           (which & 2U) != 0 ? window.high.y : window.low.y);
-        // From the quarter planes beside the corner's: beyond one of its sides, so that the line just touches the corner.
+        // Start in a quarter plane beside that of the corner, beyond one side, so that the line just touches the corner.
         const double outX = (which & 1U) != 0 ? 1 : -1, outY = (which & 2U) != 0 ? 1 : -1;
         const double x = number(0.01, 2), y = number(0.01, 2), on = number(0.2, 1.5);
         const vec2 away = (which & 4U) != 0 ? vec2(outX * x, -outY * y) : vec2(-outX * x, outY * y);

@@ -11,7 +11,7 @@
 
 namespace mv {
 
-// What lies beyond a side of the window, as bits of a code: TBRL, the lecture's order.
+// The regions beyond the sides of the window, as bits of a code in the lecture's order, TBRL.
 enum Side : unsigned { leftOf = 1, rightOf = 2, below = 4, above = 8 };
 unsigned regionCode(const Box& window, const vec2& point);
 // "TBRL" with digits: "0101".
@@ -23,13 +23,13 @@ struct CodeRound {
     Segment segment;
     unsigned codeA = 0, codeB = 0;
     Does does = Does::cut;
-    Side side = leftOf;  // that it is cut at
+    Side side = leftOf;  // at which the segment is cut
     bool cutsA = false;  // which end is cut off
 };
-// All rounds; what is left of the segment is that of the last one, where it accepts.
+// All rounds. If the last one accepts, its segment is the result.
 std::vector<CodeRound> cohenSutherland(const Segment& segment, const Box& window);
 
-// By the parameter t along the segment, from and to which it is inside. Source: Liang and Barsky (1984).
+// Clip by the parameters t along the segment at which it enters and leaves. Source: Liang and Barsky (1984).
 std::optional<Segment> liangBarsky(const Segment& segment, const Box& window);
 
 // A half plane, dot(normal, p) + distance >= 0; the distance of a point is signed, in lengths of the normal.
@@ -39,7 +39,7 @@ struct HalfPlane {
     double of(const vec2& point) const { return normal.x * point.x + normal.y * point.y + distance; }
 };
 std::array<HalfPlane, 4> halfPlanes(const Box& window);
-// Of a polygon's edges, either way round, inside positive where it is convex.
+// The half planes of a polygon's edges, in either orientation. The inside of a convex polygon is positive.
 std::vector<HalfPlane> halfPlanes(const std::vector<vec2>& polygon);
 bool isConvex(const std::vector<vec2>& polygon);
 // Either way round; edges that lie on each other count as often as they do.
@@ -47,25 +47,25 @@ double areaOf(const std::vector<vec2>& polygon);
 // The same against the half planes of any convex polygon. Source: Cyrus and Beck (1978).
 std::optional<Segment> cyrusBeck(const Segment& segment, std::span<const HalfPlane> inside);
 
-// Coordinates as whole numbers of 2^-bits, of at most 53 bits: what is exact here is so without rounding.
+// Coordinates as whole numbers of 2^-bits, with at most 53 bits, so that no coordinate is rounded.
 struct ExactPart {
     bool meets = false;
     std::array<long double, 4> ends{};  // a.x, a.y, b.x, b.y of what is left, rounded once to long double
 };
-// Liang and Barsky's method with fractions of whole numbers. Error: a coordinate that is none.
+// Liang and Barsky's method with fractions of whole numbers. Error: a coordinate that is no such number.
 ExactPart clipExactly(const Segment& segment, const Box& window, int bits);
 
-// The window with its corners on the grid of whole numbers of 2^-bits, where bits is what exactBits() says of it: as near as
-// 16 roundings of its coordinates.
+// The window with its corners on the grid of whole numbers of 2^-bits, with bits from exactBits(). The corners move by at most
+// 16 roundings of the coordinates.
 Box exactWindow(const Box& window);
 int exactBits(const Box& window);
 
-// Segments from beyond an exactWindow(), aimed at one of its corners and on as far as behind it: as near to the corner as doubles
-// let them. Their coordinates are such whole numbers, too.
+// Segments from outside an exactWindow() past one of its corners, as near to the corner as doubles allow. Their coordinates are
+// such whole numbers, too.
 std::vector<Segment> aimedAtCorners(const Box& window, int count);
 
-// How a method does on such segments: the part that it keeps or rejects wrongly, and the largest error of an end of those
-// decided rightly, in units in the last place of the segment's and the window's largest coordinate.
+// The result of a method on such segments: the part that it keeps or rejects wrongly, and the largest error of an end of the
+// others, in units in the last place of the segment's and the window's largest coordinate.
 struct Trial {
     double wrongPercent = 0, ulps = 0;
 };

@@ -50,7 +50,7 @@ void showRounds(ClipFigure& figure, const std::vector<CodeRound>& rounds, int ro
                rejected ? red : blue);
 }
 
-// Where the segment's line crosses those of the four sides, by t.
+// The parameters t at which the segment's line crosses the lines of the four sides.
 void showParameters(ClipFigure& figure, const Segment& whole, const Box& box, double offset, bool withDistances) {
     figure.say("a + t (b - a), t from 0 to 1");
     static const std::array<const char*, 4> names{"left", "right", "bottom", "top"};
@@ -75,7 +75,7 @@ void showParameters(ClipFigure& figure, const Segment& whole, const Box& box, do
     figure.say(rounded("first exit, or 1:  %.3f", until), red);
 }
 
-// On which side of the segment's line the corners lie.
+// The side of the segment's line on which each corner lies.
 void showCorners(ClipFigure& figure, const Segment& whole, const Box& box, double offset) {
     figure.say("the corners' sides of the line a b, exactly:");
     for (const vec2& corner : {box.low, vec2(box.high.x, box.low.y), box.high, vec2(box.low.x, box.high.y)}) {

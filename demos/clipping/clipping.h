@@ -15,7 +15,7 @@ enum class Method { cohenSutherland, liangBarsky, cyrusBeck, exact };
 enum class PolygonMethod { sutherlandHodgman, overlap, sides };
 enum class Where { view, clip, divided };
 
-// Of a segment in the plane; the point is its first end. The window is given by two opposite corners.
+// A segment in the plane, whose first end serves as the point. Two opposite corners give the window.
 struct InPlane {
     Method method = Method::cohenSutherland;
     int offset = 0;  // added to all coordinates
@@ -39,7 +39,7 @@ struct Settings {
     InSpace space = {};
     int round = 8;  // rounds, or edges of the window, that are shown
 };
-constexpr double gridStep = 0.01;  // of all places
+constexpr double gridStep = 0.01;  // all places are multiples of it
 
 struct Gpu {
     ClipFigure figure;
@@ -52,10 +52,10 @@ void drawSegment(ClipFigure& figure, const Settings& s, const Frame& frame);
 void drawPolygon(ClipFigure& figure, const Settings& s, const Frame& frame);
 void drawSpace(ClipFigure& figure, const Settings& s, const Frame& frame);
 
-// The window, as it is shown and as far from the origin as it is clipped at.
+// The window as shown, and the window moved by `offset`, at which the segment is clipped.
 Box windowOf(const InPlane& s);
 Box farWindowOf(const InPlane& s);
-// By the chosen method.
+// The part of the segment in the window, by the chosen method.
 std::optional<Segment> clipped(Method method, const Segment& whole, const Box& window);
 
 using Pieces = std::vector<std::vector<vec2>>;
@@ -63,7 +63,8 @@ Pieces piecesOf(const Settings& s);
 double areaOf(const Pieces& pieces);
 GridPolygon onGrid(const std::vector<vec2>& corners);
 
-// How far the picture's segment in space ends from where it ought to, at most; 2, the picture's width, where there is none.
+// The largest distance, in the picture, of an end of the shown segment from the right one. It is 2, the picture's width, where
+// only one of the two is there.
 double missInSpace(const InSpace& s);
 
 // knobs.cpp, study.cpp.

@@ -56,7 +56,7 @@ Place placeAt(const GridPoint& a, const GridPoint& b, const Parameter& t) {
     return {place.x / common, place.y / common, place.below / common};
 }
 
-// Where edge a b meets the edges of the other polygon, by its parameter, with its own ends; in order.
+// The parameters at which edge a b meets the edges of the other polygon, with the edge's own ends, in order.
 std::vector<Parameter> meetings(const GridPoint& a, const GridPoint& b, const GridPolygon& other) {
     std::vector<Parameter> found{{0, 1}, {1, 1}};
     const GridPoint along = b - a;
@@ -76,7 +76,7 @@ std::vector<Parameter> meetings(const GridPoint& a, const GridPoint& b, const Gr
     return found;
 }
 
-// Twice the middle of two neighbouring meetings, in which the part between them lies as a whole.
+// Twice the midpoint of two neighbouring meetings. The whole part between them lies on the same side as the midpoint.
 struct Middle {
     Wide x, y, below;
 };
@@ -109,7 +109,7 @@ void require(const GridPolygon& polygon) {
                 std::to_string(polygon.size()) + " corners");
 }
 
-// The edge to go on with from a place where several begin: the leftmost, so that polygons that touch there stay apart.
+// The edge that continues from a place where several begin: the leftmost, so that polygons that touch there stay apart.
 std::size_t leftmost(const std::vector<std::size_t>& begin, const std::vector<Directed>& edges,
                      const GridPoint& before) {
     const auto half = [&](const GridPoint& d) {  // 0: turns to the left or straight on, 1: to the right
@@ -142,7 +142,7 @@ std::vector<std::vector<vec2>> joined(std::vector<Directed> edges) {
             const std::size_t after = edges[now].to == edges[start].from
                                           ? edges.size()
                                           : leftmost(beginAt[edges[now].to], edges, edges[now].direction);
-            // A corner between two parts of one edge is none.
+            // Leave out a corner between two parts of one edge.
             const GridPoint on = after == edges.size() ? edges[start].direction : edges[after].direction;
             if (cross(edges[now].direction, on) != 0) polygon.push_back(edges[now].to.rounded());
             now = after;

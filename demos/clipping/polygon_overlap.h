@@ -1,4 +1,4 @@
-// What two polygons have in common, concave or not, touching, with common edges, or the same: exactly.
+// The exact intersection of two polygons, concave or not, touching, with common edges, or equal.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -16,10 +16,10 @@ using GridPolygon = std::vector<GridPoint>;  // its last corner is joined to its
 
 // Twice its area, positive where the corners go round counter-clockwise.
 std::int64_t doubleArea(const GridPolygon& polygon);
-// Whether it has an area, and its edges meet at common corners alone.
+// Whether the polygon has an area, and its edges meet only at common corners.
 bool isSimple(const GridPolygon& polygon);
 
-// Part of an edge of one of the two polygons, between places where it meets the other: what overlap() chooses from.
+// A part of an edge of one of the two polygons, between places where it meets the other. overlap() chooses among these parts.
 struct EdgePart {
     vec2 from, to;  // in units of the grid
     enum class Lies { inside, outside, alongSame, alongOpposite } lies = Lies::outside;
@@ -29,8 +29,8 @@ struct EdgePart {
 
 struct Overlap {
     std::vector<EdgePart> parts;
-    // The common area: polygons without holes, counter-clockwise; corners in units of the grid. Two that have but points or
-    // edges in common have none.
+    // The common area: polygons without holes, counter-clockwise, with corners in units of the grid. Polygons that share only points
+    // or edges have no common area.
     std::vector<std::vector<vec2>> polygons;
 };
 

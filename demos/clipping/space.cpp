@@ -27,13 +27,13 @@ static std::vector<vec4> viewVolume() {
     return planes;
 }
 
-// The ends of what is seen, in the picture.
+// The ends of the visible part, in the picture.
 static std::vector<vec2> seenPart(std::vector<vec4> ends, Where where) {
     if (where == Where::view) ends = clipPolygon(ends, viewVolume());
     for (vec4& end : ends) end = clipFromView() * end;
     if (where == Where::divided) {
         for (vec4& end : ends) {
-            if (end.w == 0) return {};  // infinitely far away: nothing that could be clipped
+            if (end.w == 0) return {};  // an end at infinity cannot be clipped
             end /= end.w;
         }
     }
@@ -74,7 +74,7 @@ static void drawFromAbove(ClipFigure& figure, const InSpace& s) {
     }
 }
 
-// Draw the picture that the eye sees: what is shown of the segment and, where that is wrong, what ought to be.
+// Draw the picture that the eye sees: the shown part of the segment and, where it is wrong, the right part.
 static void drawPicture(ClipFigure& figure, const InSpace& s, const Frame& frame, bool isRight) {
     const Pane left = ClipFigure::leftPane(frame);
     const double side = std::min((frame.width() - left.width) * 0.85, frame.height() * 0.62);

@@ -1,4 +1,4 @@
-// The figure of the chromaticity diagrams: where a colour is in them, and their outlines and words.
+// The figure of the chromaticity diagrams: the places of colours, the outlines and the words.
 #pragma once
 #include <optional>
 
@@ -13,11 +13,11 @@ enum class Diagram { xy, uv };  // of 1931, and u', v' of 1976
 struct ChromaticityDiagram {
     Diagram which;
 
-    // The place in this diagram of x and y of 1931.
+    // The place in this diagram of the coordinates x and y of 1931.
     vec2 place(const vec2& xy) const;
     // place() as a matrix for homogeneous points (x, y, z, 1): the divisor of u' and v' is w.
     mat4 placeFromXy() const;
-    // The place of an sRGB colour; nothing for black.
+    // The place of an sRGB colour. Black has none.
     std::optional<vec2> placeOf(const vec3& srgb) const;
 
     // Percentages of the area between the spectrum and the line that closes it: the part that sRGB's triangle holds, and the

@@ -30,13 +30,13 @@ void drawSolids(Gpu& gpu, const Settings& s, const Frame& frame) {
     const mat4 clip = clipFromModel(s, frame);
     frame.show("clipFromModel", clip);
 
-    // Cut each solid at the colour's height, or above all of it
+    // Cut each solid at the colour's height. A cut at 2 is above every solid
     vec3 cuts(2);
     for (const Space solid : {cube, doubleCone, cone}) {
         if (s.solids.cut) cuts[solid] = placeOf(solid, s.from).y;
     }
     glEnable(GL_DEPTH_TEST);
-    if (cuts != vec3(0)) {  // cut at black, no solid has anything left
+    if (cuts != vec3(0)) {  // a cut at black leaves nothing of the solids
         gpu.program->use();
         gpu.program->set("clipFromModel", clip);
         gpu.program->set("rgbFromModel", glm::inverse(modelFromRgb()));
@@ -64,12 +64,13 @@ vec3 placeOf(Space solid, const vec3& rgb) {
     return aroundAxis(hsv.hue, hsv.saturation * hsv.value, hsv.value);
 }
 
-// The place of a hue at a height, `out` times 1/2 from the axis.
+// The place of a hue at a height, at the distance out / 2 from the axis.
 vec3 aroundAxis(double hue, double out, double height) {
     return {out / 2 * std::cos(radians(hue)), height, -out / 2 * std::sin(radians(hue))};
 }
 
-// The cube stands on black, and white is over it: red, green and blue rise by a third each, a third of a turn apart.
+// The cube stands on its black corner, with white above it. Red, green and blue rise by a third each, a third of a turn
+// apart.
 mat3 modelFromRgb() {
     mat3 m;
     for (int i = 0; i < 3; ++i) {
@@ -86,7 +87,7 @@ mat4 clipFromModel(const Settings& s, const FrameInfo& frame) {
            (rotateX(s.solids.spinX) * rotateY(s.solids.spinY)) * translate(0, -0.5, 0);
 }
 
-// A grey takes the hue of the other colour, since it has none. Then the hue goes the shorter way round.
+// Mix two colours in HSL. A grey has no hue and takes that of the other colour. The hue goes the shorter way round.
 static Hsl mixedHsl(Hsl a, Hsl b, double t) {
     if (a.saturation == 0) a.hue = b.hue;
     if (b.saturation == 0) b.hue = a.hue;
@@ -103,7 +104,7 @@ vec3 mixed(Way way, const vec3& a, const vec3& b, double t) {
     return srgbFromLinear(linearFromOklab(glm::mix(oklabFromLinear(first), oklabFromLinear(second), t)));
 }
 
-// A strip has the mixtures from one end to the other.
+// The colours of a strip: the mixtures from one end to the other.
 std::vector<vec3> strip(const Settings& s, Way way) {
     std::vector<vec3> colors;
     for (int i = 0; i <= s.solids.steps; ++i) colors.push_back(mixed(way, s.from, s.to, double(i) / s.solids.steps));

@@ -34,8 +34,8 @@ struct Settings {
     Diagram diagram = Diagram::xy;
 };
 
-// Each solid in its own coordinates: the axis of greys goes from the origin to (0, 1, 0). The square that covers the cut is in
-// the same mesh.
+// A solid in its own coordinates, where the axis of greys goes from the origin to (0, 1, 0). The mesh includes the square that
+// covers the cut.
 MeshData solidMesh(Space solid);
 MeshData spectrumMesh();
 

@@ -8,14 +8,14 @@
 namespace mv::cube_cull {
 
 void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
-    // Discard the faces not wanted. OpenGL begins with GL_CCW for front faces, and with GL_BACK to be discarded
+    // Discard the unwanted faces. OpenGL starts with GL_CCW as the winding of front faces, and culls GL_BACK
     if (s.cull != Cull::none) glEnable(GL_CULL_FACE);
     if (s.cull == Cull::front) glCullFace(GL_FRONT);
     if (s.cull == Cull::both) glCullFace(GL_FRONT_AND_BACK);
     if (s.winding == Winding::cw) glFrontFace(GL_CW);
     if (s.depth) glEnable(GL_DEPTH_TEST);
 
-    // Look at the middle from the z axis
+    // Look at the origin from the z axis
     const mat4 clipFromView = perspective(50, frame.aspect(), 0.2, 100);
     frame.show("viewFromModel", viewFromModel(s));
     frame.show("clipFromView", clipFromView);

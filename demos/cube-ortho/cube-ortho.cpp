@@ -11,7 +11,7 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     // Let near faces hide far ones
     glEnable(GL_DEPTH_TEST);
 
-    // Place the cube before the eye, and make the box of view the cube from -1 to 1
+    // Place the cube in front of the eye, and map the view volume to the cube from -1 to 1
     gpu.program.use();
     gpu.program.set("viewFromModel", viewFromModel(s));
     gpu.program.set("clipFromView", clipFromView(s));
@@ -29,7 +29,7 @@ mat4 clipFromView(const Settings& s) {
     return ortho(-s.width / 2, s.width / 2, -s.height / 2, s.height / 2, nearDistance(s), farDistance(s));
 }
 
-// Near and far are distances in front of the eye. The cube is in the middle between them.
+// Near and far are distances in front of the eye. The cube lies midway between them.
 double nearDistance(const Settings& s) { return s.mirrorDepth ? s.distance + s.depth / 2 : s.distance - s.depth / 2; }
 double farDistance(const Settings& s) { return s.mirrorDepth ? s.distance - s.depth / 2 : s.distance + s.depth / 2; }
 

@@ -10,7 +10,7 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     // Let near faces hide far ones
     glEnable(GL_DEPTH_TEST);
 
-    // Place the cube before the eye, and make the pyramid of view the cube from -1 to 1
+    // Place the cube in front of the eye, and map the view volume to the cube from -1 to 1
     gpu.program.use();
     gpu.program.set("viewFromModel", viewFromModel(s));
     gpu.program.set("clipFromView", clipFromView(s));
@@ -25,12 +25,12 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
 // Turn the cube about its middle, then move it away from the eye.
 mat4 viewFromModel(const Settings& s) { return translate(0, 0, -2) * rotateX(s.spinX) * rotateY(s.spinY); }
 
-// `perspective` can only say a pyramid whose axis is the gaze.
+// `perspective` describes only a view volume whose axis is the line of sight.
 mat4 clipFromView(const Settings& s) {
     return s.shift == 0 ? perspective(s.fov, s.aspect, s.near, s.far) : frustum(nearWindow(s));
 }
 
-// The same pyramid, said by the window that the field of view opens on the plane z = -near.
+// The same view volume, given by the window that the field of view opens on the plane z = -near.
 FrustumBounds nearWindow(const Settings& s) {
     FrustumBounds window = frustumBounds(s.fov, s.aspect, s.near, s.far);
     const double moved = s.shift * window.right;

@@ -10,7 +10,7 @@ namespace mv::cube_persp {
 
 struct Settings {
     double near = 0.3, far = 3;  // distances in front of the eye
-    double fov = 65;             // degrees, the whole angle upwards
+    double fov = 65;             // degrees, the whole vertical angle
     double aspect = 1;
     double spinX = 30, spinY = 40;  // degrees
     double shift = 0;               // of the window on the near plane to the right, in its half widths

@@ -17,14 +17,14 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     gpu.meshes.follow(scene);
     tell(s, scene, frame);
 
-    // Draw the scene without shadows. The stencil buffer keeps for each pixel the tag of the plane that it shows, else 0
+    // Draw the scene without shadows. The stencil buffer stores for each pixel the tag of the plane seen there, or 0
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_STENCIL_TEST);
     drawSurfaces(gpu, s, scene);
     drawEdgesAndLamp(gpu, s, scene);
 
-    // Draw all that casts once more, flattened onto each plane, where the tag says that this plane is seen. So no depth
-    // test is needed, and nothing fights
+    // Draw the casters again, flattened onto each plane, where the tag shows that this plane is seen. The tag replaces
+    // the depth test, so shadow and plane do not z-fight
     glDisable(GL_DEPTH_TEST);
     drawShadows(gpu, s, scene, frame);
 }
@@ -44,7 +44,7 @@ void drawSurfaces(Gpu& gpu, const Settings& s, const Scene& scene) {
         if (object.casts) drawSurface(gpu, scene, mesh, object.worldFromObject);
     }
 
-    // The original's plane is not seen: tag it only
+    // Tag the plane of the original without drawing it, since it is invisible there
     const bool isUnseen = s.scene == Which::plane;
     if (isUnseen) setSeen(GL_FALSE);
     for (const Ground& ground : groundsOf(s)) {
@@ -62,7 +62,7 @@ void drawSurface(Gpu& gpu, const Scene& scene, const Mesh& mesh, const mat4& wor
 }
 
 void drawShadows(Gpu& gpu, const Settings& s, const Scene& scene, const Frame& frame) {
-    // Multiply the colour that is there. The first shadow sets the tag to 0, so that there is no second
+    // Multiply the colour of the plane. With `once`, the first shadow sets the tag to 0, so that no second one follows
     glEnable(GL_BLEND);
     glBlendFunc(GL_ZERO, GL_SRC_COLOR);
     glStencilOp(GL_KEEP, GL_KEEP, s.once ? GL_ZERO : GL_KEEP);
@@ -91,12 +91,12 @@ void drawShadows(Gpu& gpu, const Settings& s, const Scene& scene, const Frame& f
     }
 }
 
-// Only the part of a caster between plane and light throws a true shadow: cut the rest off.
+// Cut off the parts of a caster that are not between plane and light: they cast no true shadow.
 void drawShadow(Gpu& gpu, const Settings& s, const Scene& scene, const Plane& plane, const SceneObject& caster,
                 const Mesh& mesh) {
     const auto [beforePlane, beforeLight] = shadowCasterBounds(plane.localOf(lightOf(s)), plane.local());
     const mat4 localFromModel = translate(-plane.origin) * caster.worldFromObject;
-    gpu.shadows.set("beforePlane", beforePlane * localFromModel);  // a half space moves by the transpose
+    gpu.shadows.set("beforePlane", beforePlane * localFromModel);  // the transpose of the matrix moves a half space
     gpu.shadows.set("beforeLight", beforeLight * localFromModel);
     gpu.shadows.set("viewFromModel", flattened(s, scene.viewFromWorld, plane, caster.worldFromObject));
     mesh.draw();
@@ -104,7 +104,7 @@ void drawShadow(Gpu& gpu, const Settings& s, const Scene& scene, const Plane& pl
 
 bool isLit(const Settings& s, const Plane& plane) { return lightSide(plane.localOf(lightOf(s)), plane.local()) > 0; }
 
-// Whether some part of a caster is between plane and light, and why not.
+// Judge whether some part of a caster is between plane and light, and if not, why.
 CasterVerdict judged(const Settings& s, const SceneObject& caster, const Ground& ground) {
     const mat4 localFromModel = translate(-ground.plane.origin) * caster.worldFromObject;
     std::vector<vec3> corners;
@@ -119,7 +119,7 @@ static glm::mat<4, 4, T> textbook(Formula formula, const glm::vec<4, T>& light, 
     return textbookShadow(light, plane, formula == Formula::transposed);
 }
 
-// Model space flattened onto the plane, seen from `target`: one matrix, multiplied from both ends before it is uploaded.
+// One matrix from model space, flattened onto the plane, to the space `target`. The product is formed before the upload.
 mat4 flattened(const Settings& s, const mat4& targetFromWorld, const Plane& plane, const mat4& worldFromModel) {
     const vec4 light = lightOf(s), inWorld = plane.inWorld();
     const bool general = s.formula == Formula::general;
@@ -129,7 +129,7 @@ mat4 flattened(const Settings& s, const mat4& targetFromWorld, const Plane& plan
         const mat4 flat = general ? shadowProjection(light, inWorld) : textbook(s.formula, light, inWorld);
         return targetFromWorld * flat * worldFromModel;
     }
-    // Nothing that is large meets the shadow's matrix: it stands between coordinates relative to the plane's point
+    // Keep large coordinates away from the shadow's matrix: both of its sides are relative to the plane's point
     const mat4 flat = general ? shadowProjection(light, inWorld, plane.origin)
                               : textbook(s.formula, plane.localOf(light), plane.local());
     return (targetFromWorld * translate(plane.origin)) * flat * (translate(-plane.origin) * worldFromModel);

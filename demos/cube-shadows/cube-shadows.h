@@ -19,13 +19,13 @@ enum class Formula { general, axisAligned, transposed };
 enum class Space { planeLocal, world, worldFloat };
 enum class Cut { clip, discard, none };
 
-inline constexpr double floorBelow = 1.0125;  // the middle of the scene
+inline constexpr double floorBelow = 1.0125;  // of the floor below the middle of the scene
 
 struct Settings {
     Which scene = Which::room;
     double lightTheta = 50, lightPhi = 64, lightDistance = 9;  // degrees about the upright axis and from it; length
     bool atInfinity = false;
-    double lift = 0;        // of all that casts
+    double lift = 0;        // of all casters
     double tilt = 0;        // degrees
     double darkness = 0.6;  // the part of the light that a shadow takes away
     bool once = true;
@@ -33,12 +33,12 @@ struct Settings {
     Formula formula = Formula::general;
     double planeDistance = floorBelow;  // of the floor from the world's origin
     Space space = Space::planeLocal;
-    double theta = 15, phi = 70, distance = 13;  // of the eye, as the light's
+    double theta = 15, phi = 70, distance = 13;  // of the eye, like those of the light
     double fov = 40;                             // degrees
     bool rays = false;
 };
 
-// A plane that shows shadows, by its unit normal and a point on it. `local` is relative to that point.
+// A plane that receives shadows, given by its unit normal and a point on it. `local` is relative to that point.
 struct Plane {
     vec3 normal, origin;
     vec4 inWorld() const;
@@ -46,7 +46,7 @@ struct Plane {
     vec4 localOf(const vec4& light) const { return {vec3(light) - light.w * origin, light.w}; }
 };
 
-// An object of the scene that is such a plane, and its number in the stencil buffer where it is seen.
+// An object of the scene that is such a plane. `tag` is its value in the stencil buffer.
 struct Ground {
     ObjectId object;
     PlaneKind kind;
@@ -77,7 +77,7 @@ bool isLit(const Settings& s, const Plane& plane);
 CasterVerdict judged(const Settings& s, const SceneObject& caster, const Ground& ground);
 mat4 flattened(const Settings& s, const mat4& targetFromWorld, const Plane& plane, const mat4& worldFromModel);
 
-// The scene, all of it about its middle: scene.cpp.
+// The scene, relative to its middle: scene.cpp.
 Scene sceneOf(const Settings& s, const FrameInfo& frame);
 std::vector<Ground> groundsOf(const Settings& s);  // the floor, and the wall where there is one
 vec4 lightOf(const Settings& s);                   // homogeneous, in world space
@@ -85,7 +85,7 @@ vec3 middleOf(const Settings& s);
 bool showsFront(const Settings& s, const Plane& plane);
 void check(const Settings& s);
 
-// Drawn over the picture and told beside it: figure.cpp.
+// The drawing over the picture, and the words beside it: figure.cpp.
 void drawEdgesAndLamp(Gpu& gpu, const Settings& s, const Scene& scene);
 void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame);
 void tell(const Settings& s, const Scene& scene, const Frame& frame);

@@ -1,4 +1,4 @@
-// The scene of cube-shadows: what casts, floor and wall, light and eye. All of it goes with its middle, wherever in the
+// The scene of cube-shadows: casters, floor and wall, light and eye. The whole scene moves with its middle, wherever in the
 // world the floor is.
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -32,13 +32,13 @@ const Scene& room() {
 mat4 worldFromFloor(const Settings& s) {
     const mat4 level = translate(middleOf(s)) * room()[cubeInRoomScene::floor].worldFromObject;
     if (s.scene != Which::plane) return level;
-    return level * rotateX(-s.tilt) * translate(0, 0, -500) * scale(100, 1, 100);  // without an end in sight
+    return level * rotateX(-s.tilt) * translate(0, 0, -500) * scale(100, 1, 100);  // no end is in sight
 }
 mat4 worldFromWall(const Settings& s) {
     return translate(middleOf(s)) * room()[cubeInRoomScene::wall].worldFromObject * rotateX(-s.tilt);
 }
 
-// The plane's point is the one nearest to the middle of the scene: coordinates relative to it stay small.
+// Take the plane's point nearest to the middle of the scene, so that coordinates relative to it stay small.
 Plane planeOf(const Settings& s, const mat4& worldFromGround) {
     const vec3 normal(worldFromGround[1]), point(worldFromGround[3]), middle = middleOf(s);
     return {normal, middle - glm::dot(normal, middle - point) * normal};
@@ -61,7 +61,7 @@ std::vector<Ground> groundsOf(const Settings& s) {
     return grounds;
 }
 
-// Whether the eye is before the plane, where shadows are seen. On the original's plane they are seen from both sides.
+// Whether the eye is in front of the plane, and so sees shadows. On the original's plane both sides show shadows.
 bool showsFront(const Settings& s, const Plane& plane) {
     return s.scene == Which::plane || glm::dot(plane.normal, middleOf(s) + eyeFromMiddle(s) - plane.origin) > 0;
 }
@@ -75,7 +75,7 @@ Scene sceneOf(const Settings& s, const FrameInfo& frame) {
         std::vector<fvec4>& colors = object.mesh.colors;
         if (colors.empty()) colors.assign(object.mesh.positions.size(), fvec4(object.color, 1));
     }
-    if (!life) scene[cubeInRoomScene::cube].mesh.normals.clear();  // it is shown in its own colours, unlit
+    if (!life) scene[cubeInRoomScene::cube].mesh.normals.clear();  // the cube is shown in its own colours, unlit
     scene[floorOf(s.scene)].worldFromObject = worldFromFloor(s);
     scene[wallOf(s.scene)].worldFromObject = worldFromWall(s);
     if (s.scene == Which::plane) scene.objects.resize(wallOf(s.scene).index);  // without the wall, the last of them

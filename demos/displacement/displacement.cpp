@@ -16,9 +16,9 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
         glClear(GL_COLOR_BUFFER_BIT);
     }
     glEnable(GL_DEPTH_TEST);
-    glEnable(GL_CULL_FACE);  // the wall's back and the orange's inside are seen through cracks only
+    glEnable(GL_CULL_FACE);  // the wall's back and the orange's inside show only through cracks
 
-    // Draw patches, which the tessellator cuts and its shader moves, or triangles that the processor has cut and moved
+    // Draw patches, which the tessellator cuts and the evaluation shader moves, or triangles cut and moved by the processor
     bindMap(gpu, s);
     const Program& program = programOf(gpu, s, frame);
     program.use();
@@ -30,7 +30,7 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
 }
 
 void drawPatches(Gpu& gpu, const Program& program, const Settings& s, const Frame& frame) {
-    // Count by the rule that the control shader follows, too: nobody is told what that does
+    // Count the triangles by the same rule as the control shader, whose levels OpenGL does not report
     const LevelRule rule = ruleOf(s, frame);
     if (gpu.patchesFor.changed(s.body)) gpu.patches = reliefPatches(s.body);
     gpu.counted = countPatches(gpu.patches, {s.body, s.depth}, rule, sceneOf(s, frame).clipFromWorld());
@@ -45,7 +45,7 @@ void drawPatches(Gpu& gpu, const Program& program, const Settings& s, const Fram
     drawAll(gpu, gpu.corners, GL_PATCHES, frame);
 }
 
-// What the control shader asks for the levels, and the evaluation shader for the places.
+// Set what the control shader needs for the levels, and the evaluation shader for the positions.
 void setTessellator(const Program& program, const Settings& s, const LevelRule& rule) {
     program.set("eye", rule.eye);
     program.set("fixedLevel", double(s.level));
@@ -90,7 +90,7 @@ void drawAll(Gpu& gpu, const std::vector<Mesh>& meshes, GLenum mode, const Frame
     gpu.rasterized = double(countedBy(GL_PRIMITIVES_GENERATED, draw));
 }
 
-// A program a kind: with tessellation, with lines.
+// One program for each kind: with or without tessellation, with or without lines.
 const Program& programOf(Gpu& gpu, const Settings& s, const Frame& frame) {
     const std::pair<bool, bool> kind(isTessellated(s), hasLines(s, frame));
     const auto known = gpu.programs.find(kind);
@@ -112,7 +112,7 @@ void setLight(const Program& program, const Settings& s, const Frame& frame) {
     if (s.paint == Paint::levels) program.set("levelColors", levelColors());
 }
 
-// The height map, with what is painted.
+// Bind the height map with its paint.
 void bindMap(Gpu& gpu, const Settings& s) {
     if (!gpu.paintedFor.changed(s.body, s.mapSize)) return gpu.painted.bind(0);
     const Texels texels = has(beyond_es::floatFiltering) ? Texels::floats : Texels::halfFloats;

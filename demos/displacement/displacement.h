@@ -26,8 +26,8 @@ struct Settings {
     ReliefBody body = ReliefBody::wall;
     Method method = Method::tessellated;
     Levels levels = Levels::distance;
-    int level = 16;         // pieces of each edge, where that is fixed
-    double fineness = 100;  // pieces of an edge as long as it is far away
+    int level = 16;         // pieces of each edge, where the level is fixed
+    double fineness = 100;  // pieces of an edge whose length is its distance
     bool agree = true, cull = true;
     double depth = 0.08;    // units; a brick is 1 long
     int mapSize = 256;      // rows of texels
@@ -41,7 +41,7 @@ struct Settings {
 
 struct Gpu {
     std::map<std::pair<bool, bool>, Program> programs;  // with tessellation, with lines
-    // The patches, cut by the tessellator, in some meshes; or by the processor, in one
+    // The patches: several meshes for the tessellator, or one mesh that the processor has cut
     std::vector<ReliefPatch> patches;
     std::vector<Mesh> corners, prepared;
     PatchCount counted;
@@ -50,7 +50,7 @@ struct Gpu {
     MadeFor<ReliefBody, double, int, bool> preparedFor;
     Texture painted;
     MadeFor<ReliefBody, int> paintedFor;
-    std::optional<double> rasterized;  // triangles of this picture, where somebody asks
+    std::optional<double> rasterized;  // triangles of this picture, if a readout asks
     Drawing drawing;
 };
 
@@ -68,7 +68,7 @@ bool isTessellated(const Settings& s);
 bool isByDistance(const Settings& s);
 bool hasLines(const Settings& s, const Frame& frame);
 
-// Where things are: scene.cpp. The world of this scene is the body's space.
+// The scene: scene.cpp. Its world space is the body's space.
 Scene sceneOf(const Settings& s, const FrameInfo& frame);
 mat4 worldFromBody(const Settings& s);
 vec3 towardsLamp(const Settings& s);

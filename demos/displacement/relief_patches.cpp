@@ -15,7 +15,7 @@ namespace {
 constexpr double side = 0.75;  // of the wall's patches
 constexpr int acrossFace = 4;
 
-// A face of the cube -1..1: its middle, and two ways along it whose cross product is that.
+// A face of the cube -1..1: its middle, and two directions along the face whose cross product is the middle.
 struct Face {
     vec3 middle, alongU, alongV;
 };
@@ -33,7 +33,8 @@ vec3 smoothAt(ReliefBody body, const ReliefPatch& patch, double u, double v) {
 
 vec3 middleOf(const ReliefPatch& patch) { return glm::normalize(patch[0] + patch[1] + patch[2] + patch[3]); }
 
-// As the maps have it: smoothPoint() is the way back. A pole, where u says nothing, has that of the patch's middle.
+// The texture coordinates of the maps: smoothPoint() is the inverse. A pole, where u has no meaning, takes that of the patch's
+// middle.
 vec2 texCoordOf(ReliefBody body, const ReliefPatch& patch, const vec3& p) {
     if (body == ReliefBody::wall) return {p.x / 2, (p.y + 1) / 2};
     const auto around = [](const vec3& at) { return std::atan2(-at.z, at.x) / (2 * pi); };
@@ -64,7 +65,7 @@ std::vector<ReliefPatch> reliefPatches(ReliefBody body) {
     for (const Face& face : faces) {
         for (int j = 0; j < acrossFace; ++j) {
             for (int i = 0; i < acrossFace; ++i) {
-                // Sums of halves, which are exact: so two faces have the same corners.
+                // Sums of halves are exact, so two faces have the same corners.
                 const auto corner = [&](int x, int y) {
                     return glm::normalize(face.middle + (2.0 * (i + x) / acrossFace - 1) * face.alongU +
                                           (2.0 * (j + y) / acrossFace - 1) * face.alongV);
@@ -126,7 +127,7 @@ PatchLevels patchLevels(const Relief& relief, const ReliefPatch& patch, const Le
     if (rule.leavesOut && isOutsideView(relief, patch, clipFromBody)) return {};
     const auto level = [&](std::size_t a, std::size_t b) {
         if (rule.fixedLevel > 0) return levelInRange(rule.fixedLevel);
-        // Of all the patch alike where edges are not asked: that of a line between the middles of two sides
+        // Without edge levels the whole patch has one level: that of a line between the middles of two sides
         const vec3 from = rule.agrees ? patch.at(a) : 0.5 * (patch[0] + patch[2]);
         const vec3 to = rule.agrees ? patch.at(b) : 0.5 * (patch[1] + patch[3]);
         return edgeLevel(from, to, rule.eye, rule.fineness);

@@ -9,7 +9,7 @@
 
 namespace mv {
 
-// Corners at (u, v) = (0, 0), (1, 0), (0, 1), (1, 1), counter-clockwise seen from outside. Between them the wall's patch is
+// Corners at (u, v) = (0, 0), (1, 0), (0, 1), (1, 1), counter-clockwise seen from outside. Between the corners the wall's patch is
 // flat; the orange's is the bilinear patch of the corners, drawn out to the sphere. Patches that share an edge have the same
 // corners there, bit for bit.
 using ReliefPatch = std::array<vec3, 4>;
@@ -31,7 +31,7 @@ struct PatchLevels {
     std::array<double, 4> outer{};
     double inner = 0;
     bool isLeftOut() const { return inner == 0; }
-    // What the tessellator makes; 0 of one that is left out.
+    // The triangles that the tessellator makes: 0 for a patch that is left out.
     long triangles() const;
     long vertices() const;
 };
@@ -42,7 +42,7 @@ struct LevelRule {
     vec3 eye{0};            // in the body's space
     bool leavesOut = true;  // a patch that nothing is seen of gets level 0
 };
-// The same rule in shaders/displacement/patch.tesc.
+// shaders/displacement/patch.tesc has the same rule.
 PatchLevels patchLevels(const Relief& relief, const ReliefPatch& patch, const LevelRule& rule,
                         const mat4& clipFromBody);
 

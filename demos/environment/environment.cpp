@@ -19,19 +19,19 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     glEnable(GL_DEPTH_TEST);
     if (s.seamless && !isEs()) glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
 
-    // 1. Draw what is around into a cube
+    // 1. Draw the surroundings into a cube map
     gpu.facesDrawn = inRoom(s) && looksUp(s) ? drawFaces(gpu, s, frame) : 0;  // room.cpp
     bindCube(gpu, s);
 
-    // 2. Draw the body, which looks it up
+    // 2. Draw the body, whose shader looks up the cube map
     drawBody(gpu, s, scene, frame);
 
-    // 3. Draw what is around, as the eye sees it
+    // 3. Draw the surroundings as the eye sees them
     if (!frame.measuring()) drawAround(gpu, s, scene, frame);  // room.cpp
     tell(s, frame);
 }
 
-// The cube of the room has been drawn; the cubes of a sky and of a picture are computed.
+// Bind the cube map. That of the room has been drawn; that of a sky or a picture is computed here.
 void bindCube(Gpu& gpu, const Settings& s) {
     if (!inRoom(s) && gpu.skyFor.changed(s.cubeSize, s.picture.version()))
         gpu.skyMap =
@@ -40,8 +40,8 @@ void bindCube(Gpu& gpu, const Settings& s) {
     cube.bind(0);
 }
 
-// In each pixel of the body, the shader reflects and refracts the line of sight at the surface, asks the cube for what comes from
-// there, and mixes both by Fresnel's equations.
+// Draw the body. In each pixel the shader reflects and refracts the line of sight, looks up the light from both directions, and
+// mixes the two by Fresnel's equations.
 void drawBody(Gpu& gpu, const Settings& s, const Scene& scene, const Frame& frame) {
     const Pane pane = paneOf(frame);
     glViewport(pane.x, pane.y, pane.width, pane.height);
@@ -53,7 +53,7 @@ void drawBody(Gpu& gpu, const Settings& s, const Scene& scene, const Frame& fram
     program.set("eye", eyeOf(scene));
     setSurface(program, s);
 
-    // Say where the walls and the balls are: to look up where a ray meets them, and for rays, right of the line
+    // Set walls and balls: the lookup by walls needs them, and so do the rays right of the line
     program.set("lookup", inRoom(s) ? static_cast<int>(s.lookup) : 0);
     program.set("raysFrom", splits(s) && !frame.measuring() ? 0.5 * pane.width : 1e9);
     if (inRoom(s)) setRoom(program, roomOf(s, frame));
@@ -71,7 +71,7 @@ void setSurface(const Program& program, const Settings& s) {
     program.set("waysOut", waysOut(s));
 }
 
-// At how many surfaces light may leave the glass: by formula, that is known of a sphere alone.
+// The number of surfaces at which light may leave the glass. A formula for it exists for the sphere alone.
 int waysOut(const Settings& s) {
     if (!isSphere(s) || s.refract == Through::first) return 0;
     return s.refract == Through::both ? 1 : 5;
@@ -86,7 +86,7 @@ Coating coatingOf(const Settings& s) {
             .index = s.index};
 }
 
-// A model of the user's own stands in the place of the body, as large as the sphere.
+// A model of the user's replaces the body, and is as large as the sphere.
 const Mesh& bodyOf(Gpu& gpu, const Settings& s) {
     if (!s.model.isSet()) return isSphere(s) ? *gpu.round : *gpu.teapotMesh;
     if (gpu.modelFor.changed(s.model.version())) gpu.model = Mesh(fitted(s.model.content()->mesh), "model");
@@ -98,7 +98,7 @@ MeshData fitted(MeshData mesh) {
     for (fvec3& position : mesh.positions) position = fvec3((vec3(position) - middle) / reach);
     return withoutTexCoords(std::move(mesh));
 }
-// From the middle of its box to its farthest point.
+// The distance from the middle of the mesh's box to its farthest point.
 double reachOf(const MeshData& mesh) {
     const vec3 middle = boundsOf(mesh).middle();
     double reach = 0;
@@ -112,7 +112,7 @@ mat4 worldFromBody(const Settings& s) {
 }
 vec3 eyeOf(const Scene& scene) { return vec3(glm::inverse(scene.viewFromWorld)[3]); }
 
-// A picture of the user's own stands in the place of the sky. Rays ask no cube.
+// A picture of the user's replaces the surroundings, as a sky does. Rays look up no cube map.
 bool inRoom(const Settings& s) { return s.around == Around::room && !s.picture.isSet(); }
 bool looksUp(const Settings& s) { return !inRoom(s) || s.lookup != Lookup::rays; }
 bool splits(const Settings& s) { return inRoom(s) && s.split; }

@@ -30,7 +30,7 @@ struct Settings {
     Around around = Around::room;
     Body body = Body::sphere;
     Material material = Material::mirror;
-    double index = 1.5;  // of the glass over that of what is around it
+    double index = 1.5;  // of the glass, relative to its surroundings
     Curve fresnel = Curve::exact;
     Through refract = Through::both;
     Lookup lookup = Lookup::direction;
@@ -60,16 +60,16 @@ struct Gpu {
     Mesh model;
     MadeFor<int> modelFor;
     CubeMap skyMap, roomMap;
-    OnDemand<CubeMap> noCube{skyCube(1), "no cube"};  // its sampler must have one, though rays ask none
+    OnDemand<CubeMap> noCube{skyCube(1), "no cube"};  // the sampler must have a cube, even where rays look up none
     MadeFor<int, int> skyFor;
     MadeFor<int, double> roomFor;
-    double drawnRound = 0;  // where the ball is in the cube, in degrees
+    double drawnRound = 0;  // degrees: the ball's place in the cube map
     int facesDrawn = 0;     // for this picture
-    int objectSet = -2;     // whose uniforms the room's program has
+    int objectSet = -2;     // the object whose uniforms the room's program has
     Drawing drawing;
 };
 
-// The technique: environment.cpp, and room.cpp for what is around.
+// The technique: environment.cpp, and room.cpp for the surroundings.
 void draw(Gpu& gpu, const Settings& s, const Frame& frame);
 void bindCube(Gpu& gpu, const Settings& s);
 void drawBody(Gpu& gpu, const Settings& s, const Scene& scene, const Frame& frame);

@@ -1,4 +1,4 @@
-// How much a surface reflects at which angle, as curves in a picture.
+// The reflectance of a surface over the angle, as curves in a picture.
 #pragma once
 #include "mv/gl/drawing.h"
 #include "shared/fresnel.h"

@@ -1,4 +1,4 @@
-// What is around the body of environment: a room, drawn into the faces of a cube and into the picture, or a sky.
+// The surroundings of the body in environment: a room, drawn into the faces of a cube map and into the picture, or a sky.
 #include <glm/matrix.hpp>
 #include <utility>
 
@@ -10,7 +10,7 @@
 namespace mv::environment {
 namespace {
 
-constexpr int walls = -1;  // in the place of a ball's number
+constexpr int walls = -1;  // takes the place of a ball's number
 
 void useRoom(Gpu& gpu, const Room& room, bool again) {
     glEnable(GL_CULL_FACE);
@@ -31,9 +31,9 @@ void drawObject(Gpu& gpu, int number, const mat4& clipFromWorld, const mat4& wor
     (number == walls ? *gpu.box : *gpu.ballMesh).draw();
 }
 
-// Walls that face the eye, and the balls that can be seen: an eye outside does not see those behind the sphere.
+// Draw the walls that face the eye, and the visible balls: an eye outside does not see the balls behind the sphere.
 void drawRoom(Gpu& gpu, const mat4& clipFromWorld, const Room& room, const std::optional<vec3>& eye = {}) {
-    // A box turned inside out by three mirrors: its fronts are inside.
+    // Three mirrors turn the box inside out, so that its front faces are inside.
     drawObject(gpu, walls, clipFromWorld, scale(-room.halfSize()));
     const auto places = room.ballPlaces();
     for (std::size_t i = 0; i < places.size(); ++i) {
@@ -44,7 +44,7 @@ void drawRoom(Gpu& gpu, const mat4& clipFromWorld, const Room& room, const std::
 
 }  // namespace
 
-// Draw the faces in which something is new: all of another room, else those that the ball is in or was. Returns how many.
+// Draw the faces that have changed: all faces of another room, else those that the ball is in or was in. Returns their number.
 int drawFaces(Gpu& gpu, const Settings& s, const Frame& frame) {
     const Room room = roomOf(s, frame);
     const Room before{room.size, std::exchange(gpu.drawnRound, room.round)};
@@ -60,7 +60,7 @@ int drawFaces(Gpu& gpu, const Settings& s, const Frame& frame) {
             glViewport(0, 0, s.cubeSize, s.cubeSize);
         }
         gpu.roomMap.bindForDrawing(face);
-        glClear(GL_DEPTH_BUFFER_BIT);  // the walls are everywhere: no colour is left of what was there
+        glClear(GL_DEPTH_BUFFER_BIT);  // the walls cover every pixel, so the old colours need no clearing
         drawRoom(gpu, clipFromWorld, room);
     }
     if (drawn > 0) {
@@ -78,7 +78,7 @@ void drawAround(Gpu& gpu, const Settings& s, const Scene& scene, const Frame& fr
     drawRoom(gpu, scene.clipFromWorld(), room, isSphere(s) ? std::optional(eyeOf(scene)) : std::nullopt);
 }
 
-// From wherever the eye is, infinity looks the same: the view without its way.
+// Draw the sky by the view without its translation: infinity looks the same from every place.
 void drawSky(Gpu& gpu, const Scene& scene) {
     mat4 turn = scene.viewFromWorld;
     turn[3] = vec4(0, 0, 0, 1);

@@ -24,7 +24,7 @@ std::optional<vec3> ShinySphere::seenAlong(const Ray& ray) const {
     return light;
 }
 
-// Inside, light meets the surface at the same angle each time, and so the same part of it is reflected.
+// Inside the sphere, light meets the surface at the same angle each time, so each time the same part is reflected.
 vec3 ShinySphere::through(const vec3& into, const vec3& normal, double reflected) const {
     vec3 light(0), way = into, from = normal;
     double part = 1 - reflected;

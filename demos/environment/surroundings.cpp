@@ -65,7 +65,7 @@ bool Room::isBallInView(std::size_t ball, const mat4& clipFromWorld) const {
                        [&](const vec4& plane) { return glm::dot(vec3(plane), place) + plane.w > -ballRadius(); });
 }
 
-// The ball's cone from the eye is within the sphere's, which is taken a little smaller: a mesh stands for it.
+// The ball's cone from the eye is within the sphere's cone. The sphere is taken a little smaller, since a mesh stands for it.
 bool Room::isBallHidden(std::size_t ball, const vec3& eye) const {
     const vec3 to = ballPlaces().at(ball) - eye;
     const double away = glm::length(to), middle = glm::length(eye);

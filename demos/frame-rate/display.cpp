@@ -1,4 +1,4 @@
-// The display of frame-rate, which is simulated: it shows a picture at a refresh, when the picture is ready.
+// The simulated display of frame-rate. It shows a picture at the first refresh at which the picture is ready.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -21,7 +21,7 @@ bool isInNewPair(const Settings& s, const Running& now) {
     return std::floor(now.shownAt / 2) != std::floor((now.shownAt - 1 / hertz(s)) / 2);
 }
 
-// How many refreshes a picture takes that is made in so many steps.
+// The number of refreshes that a picture takes which is made in this many steps.
 long refreshesFor(int steps, const Settings& s, const Running& now) {
     double milliseconds = s.load + steps * s.stepLoad + s.jitter * scattered(now.pictures);
     if (isInNewPair(s, now)) milliseconds += s.hiccup;

@@ -13,7 +13,7 @@ namespace mv::frame_rate {
 void draw(Gpu& gpu, const Settings& s, const Running& now, const Frame& frame) {
     const std::array<double, 4> time = times(s, now);
 
-    // Draw each way's cube, turned by the time that this way tells
+    // Draw a cube for each way, turned by that way's time
     glEnable(GL_DEPTH_TEST);
     gpu.program.use();
     for (int way = 0; way < 4; ++way) {
@@ -25,7 +25,7 @@ void draw(Gpu& gpu, const Settings& s, const Running& now, const Frame& frame) {
     }
     glViewport(0, 0, frame.width(), frame.height());
 
-    // Draw clocks and balls by the same times, and how long each of the last pictures stood
+    // Draw clocks and balls by the same times, and show how long each of the last pictures stayed
     gpu.drawing.begin(frame);
     drawClocks(gpu.drawing, s, time, frame);
     drawPictures(gpu.drawing, s, now, frame);
@@ -33,18 +33,19 @@ void draw(Gpu& gpu, const Settings& s, const Running& now, const Frame& frame) {
     frame.count("pictures of the display", double(now.pictures));
 }
 
-// Between two pictures: `elapsed` is what a program measures since its last one. Returns the steps of the fourth way.
+// Move from one picture to the next. `elapsed` is the time that a program measures between the two. Returns the steps of the
+// fourth way.
 int move(Moved& moved, const Settings& s, double elapsed) {
-    // 1. Wrong: turn by so much for each picture, made for a display of 60 Hz
+    // 1. Turn by a fixed angle for each picture: wrong on any display but one of 60 Hz
     moved.turnPerPicture += s.speed / 60;
 
-    // 2. Add up the time since the last picture; the turn is the speed times that
+    // 2. Add up the times between pictures. The turn is the speed times the sum
     moved.elapsed.add(elapsed);
     moved.elapsedFloat += static_cast<float>(elapsed);
 
     // 3. Add up nothing: the turn is a function of the time
 
-    // 4. Go in steps of one length, as many as the time owes. A simulation wants that: other steps make another motion
+    // 4. Take steps of one length, as many as the time owes. A simulation needs them, since other steps make another motion
     return moveInSteps(moved, s, elapsed);
 }
 
@@ -64,7 +65,7 @@ int moveInSteps(Moved& moved, const Settings& s, double elapsed) {
     return steps;
 }
 
-// Each way's time. It moves all else: the cube by the speed times it, hands and ball by their formulas.
+// The time of each way. All motion follows from it: the cube's turn is speed times time, hands and ball have formulas.
 std::array<double, 4> times(const Settings& s, const Running& now) {
     const Moved& moved = now.moved;
     const double perPicture = s.speed > 0 ? moved.turnPerPicture / s.speed : double(now.pictures) / 60;

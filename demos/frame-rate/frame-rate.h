@@ -37,7 +37,7 @@ struct Gpu {
     Drawing drawing;
 };
 
-// A sum of which the roundings are added up, too. Source: Kahan, CACM 8 (1965); Neumaier's order of the terms.
+// A sum that adds up its rounding errors, too. Source: Kahan, CACM 8 (1965); Neumaier's order of the terms.
 struct CompensatedSum {
     double sum = 0, lost = 0;
     void add(double x) {
@@ -48,7 +48,7 @@ struct CompensatedSum {
     double value() const { return sum + lost; }
 };
 
-// What each way of moving remembers from one picture to the next. Times are seconds.
+// The state that each way of moving keeps from picture to picture. Times are seconds.
 struct Moved {
     double turnPerPicture = 0;  // degrees
     CompensatedSum elapsed;
@@ -64,9 +64,9 @@ struct Shown {
     bool operator==(const Shown&) const = default;
 };
 
-// What is remembered from frame to frame: the display, and what moves on it.
+// The state kept from frame to frame: the display, and the motion on it.
 struct Running {
-    long refreshes = 0;  // of the display, until the picture that it shows
+    long refreshes = 0;  // of the display, up to the picture that it shows
     long pictures = 0;
     long waiting = 1;    // refreshes until the next picture is ready
     double shownAt = 0;  // seconds
@@ -76,7 +76,7 @@ struct Running {
 
 constexpr int mostSteps = 5;  // for one picture, with a cap
 
-// The technique: frame-rate.cpp. Times and what has elapsed are seconds.
+// The technique: frame-rate.cpp. All times are seconds.
 void draw(Gpu& gpu, const Settings& s, const Running& now, const Frame& frame);
 std::array<double, 4> times(const Settings& s, const Running& now);
 double turnOf(const Settings& s, double time);

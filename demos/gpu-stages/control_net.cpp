@@ -16,7 +16,7 @@ constexpr std::array<float, 16> heights{0.2F,  0.9F, -0.5F, 0.1F, 0.6F, 2.0F,  0
 MeshData controlNet() {
     MeshData net = withoutTexCoords(grid(3, 3, 3, 3));
     for (std::size_t i = 0; i < heights.size(); ++i) net.positions[i].y = heights.at(i);
-    // From the neighbours in the row and in the column; at the border one of them is the point itself
+    // Take the normal from the neighbours in row and column. At the border one of the neighbours is the point itself
     const auto across = [&](std::size_t i, std::size_t place, std::size_t step) {
         return net.positions[place < 3 ? i + step : i] - net.positions[place > 0 ? i - step : i];
     };

@@ -24,7 +24,7 @@ static const vec3 sheetColor(0.85, 0.55, 0.25), lineColor(0.1, 0.3, 0.6);
 constexpr std::array primitivesOf{"patch.tese", "triangles.tese", "isolines.tese"};
 constexpr std::array pointsOf{"points.tese", "triangle-points.tese", ""};
 
-// A program has a file for each of its stages. Leave out a file, and the pipeline leaves out the stage.
+// A program has a file for each of its stages. Without the file, the pipeline has no such stage.
 static std::vector<std::string> filesOf(const Stages& s, Geometry stage) {
     std::vector<std::string> files{"gpu-stages.vert"};
     if (isTessellated(s)) {
@@ -60,7 +60,7 @@ static const Program& prepare(Gpu& gpu, const Settings& s, Geometry stage, const
     return program;
 }
 
-// Draw once more, and only lines that lie behind the faces. The lines before them stay as dark as they are.
+// Draw again, and keep only the lines behind the faces. GL_MIN leaves the lines in front of them as dark as they are.
 static void drawHiddenLines(Gpu& gpu, const Stages& s, const Program& program, const Frame& frame) {
     program.set("isHidden", true);
     glDepthFunc(GL_GREATER);
@@ -75,7 +75,7 @@ void drawStages(Gpu& gpu, const Settings& s, const Frame& frame) {
     frame.show("clipFromWorld", seen(sceneOf(s, frame), frame).clipFromWorld());
     gpu.passed = 0;
 
-    // Send the patch's 16 points through the stages. Lines along the normals stand on the patch, which is drawn first
+    // Send the patch's 16 points through the stages. Normals stand on the patch, so draw the patch before them
     if (isTessellated(s.stages)) glPatchParameteri(GL_PATCH_VERTICES, 16);
     if (stage == Geometry::normals) {
         prepare(gpu, s, Geometry::off, frame);
@@ -86,7 +86,7 @@ void drawStages(Gpu& gpu, const Settings& s, const Frame& frame) {
     if (stage == Geometry::wireframe && s.stages.hidden && s.stages.fragments && !frame.measuring())
         drawHiddenLines(gpu, s.stages, program, frame);
 
-    // Count the primitives of each stage, when they are others than before
+    // Count the primitives of each stage, for the table beside the patch (figure.cpp)
     countPrimitives(gpu, s, frame);
 }
 
@@ -106,9 +106,9 @@ void countPrimitives(Gpu& gpu, const Settings& s, const Frame& frame) {
 }
 
 bool isTessellated(const Stages& s) { return s.tessellation && has(beyond_es::tessellation); }
-// Without tessellation the net's cells are drawn.
+// Without tessellation the cells of the control net are drawn, which are quads.
 Domain domainOf(const Stages& s) { return isTessellated(s) ? s.domain : Domain::quads; }
-// The geometry shaders here take triangles, or points, and no lines.
+// The geometry shaders of this demo take triangles or points, but no lines.
 Geometry geometryStage(const Stages& s) {
     const bool takesIt = domainOf(s) != Domain::isolines;
     return s.geometry != Geometry::off && takesIt && has(beyond_es::geometryShaders) ? s.geometry : Geometry::off;
@@ -137,7 +137,7 @@ const Program& programOf(Gpu& gpu, const std::vector<std::string>& files) {
 void drawPrimitives(Gpu& gpu, const Settings& s, const Frame& frame) {
     const Program& flat = programOf(gpu, {"flat.vert", "flat.frag"});
     flat.use();
-    if (!isEs()) glEnable(GL_PROGRAM_POINT_SIZE);  // ES has it always on
+    if (!isEs()) glEnable(GL_PROGRAM_POINT_SIZE);  // always on in OpenGL ES
     gpu.types.draw(frame, flat, s.vertices, has(beyond_es::countingQueries));
 }
 

@@ -51,7 +51,7 @@ struct Gpu {
     std::map<std::vector<std::string>, Program> programs;  // by their files
     OnDemand<Mesh> patch{positionsOnly(controlPoints()), "patch"}, points{controlPoints(), "control points"};
     OnDemand<Mesh> net{controlNet(), "control net"}, square{positionsOnly(mv::square()), "square"};
-    CountedPrimitives toGeometry, sent;  // what reaches the geometry shader's place, and what leaves it
+    CountedPrimitives toGeometry, sent;  // primitives before and after the geometry stage
     MadeFor<bool, int, int, Geometry, Domain> countedFor;
     long passed = 0;  // fragments that reached the picture
     PrimitiveFigure types;
@@ -62,7 +62,7 @@ struct Gpu {
     Drawing drawing;
 };
 
-// The technique: gpu-stages.cpp, and for the same picture by two kinds of shader compute.cpp.
+// The technique: gpu-stages.cpp, and compute.cpp for one picture by two kinds of shader.
 void draw(Gpu& gpu, const Settings& s, const Frame& frame);
 void drawStages(Gpu& gpu, const Settings& s, const Frame& frame);
 void drawPrimitives(Gpu& gpu, const Settings& s, const Frame& frame);

@@ -10,7 +10,7 @@
 namespace mv {
 namespace {
 
-// Vertex i has color i: the last vertex of a primitive gives it its own.
+// Vertex i has colour i. A primitive takes the colour of its last vertex.
 MeshData meshOf(const PrimitiveType& type, int vertices) {
     const std::array<fvec4, 4> colors{fvec4(0.85F, 0.55F, 0.25F, 1), fvec4(0.35F, 0.6F, 0.75F, 1),
                                       fvec4(0.6F, 0.7F, 0.4F, 1), fvec4(0.7F, 0.5F, 0.65F, 1)};

@@ -1,4 +1,4 @@
-// A figure of the ten primitive types, a pane each: what the same vertices are joined to.
+// A figure of the ten primitive types, a pane each. It shows how each type joins the same vertices.
 #pragma once
 #include <array>
 #include <vector>
@@ -13,10 +13,10 @@ namespace mv {
 
 class PrimitiveFigure {
   public:
-    // Draws all types with so many vertices; the program is in use, and has `clipFromPane`, `position` and `color`. Types that
-    // have left the core are drawn as triangles. `counts`: the primitives are counted by queries, when the number changes.
+    // Draws all types with `vertices` vertices. The program is in use, and has `clipFromPane`, `position` and `color`. Types that
+    // have left the core are drawn as triangles. With `counts`, queries count the primitives when the number of vertices changes.
     void draw(const Frame& frame, const Program& program, int vertices, bool counts);
-    // Their names, the numbers of the vertices, and how many primitives were counted.
+    // Writes the names of the types, the numbers of the vertices, and the counts of primitives.
     void label(const FrameInfo& frame, Drawing& drawing) const;
     // The primitives of the types of the core, all together.
     long counted() const;

@@ -1,4 +1,5 @@
-// The ten primitive types of the lecture: how many primitives some vertices make, and where they stand in a figure of it.
+// The ten primitive types of the lecture: the number of primitives for a number of vertices, and the places of the vertices in
+// a figure.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -29,17 +30,17 @@ inline constexpr std::array<PrimitiveType, 10> primitiveTypes{{
     {"GL_POLYGON", 0x0009, false},
 }};
 
-// How many primitives so many vertices make; what is left over makes none.
+// The number of primitives that this many vertices make. Left-over vertices make none.
 long primitivesOf(const PrimitiveType& type, int vertices);
 
 // The separate triangles by which a type that has left the core is drawn today: three of the vertices each, wound as the type
 // winds them, and last the vertex whose colour the primitive has. Refused: a type of the core.
 std::vector<std::uint32_t> asTriangles(const PrimitiveType& type, int vertices);
 
-// Whether they stand in a ring, at 0.75 from the middle, or in two rows.
+// Whether the vertices stand in a ring, at 0.75 from the middle, or in two rows.
 bool standsInRing(const PrimitiveType& type);
 
-// The places of the vertices, within -1 .. 1: so that what they make neither overlaps nor has no area.
+// The places of the vertices, within -1 .. 1. The primitives do not overlap, and each has an area.
 std::vector<vec2> placesOf(const PrimitiveType& type, int vertices);
 
 }  // namespace mv

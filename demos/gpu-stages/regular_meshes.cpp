@@ -15,7 +15,7 @@
 namespace mv {
 namespace {
 
-// The sheet rolled up, about the y axis; its first and its last column are the same places, bit for bit.
+// Roll the sheet up about the y axis. Its first and its last column are the same places, bit for bit.
 MeshData tube(int cells, double radius, double height) {
     MeshData mesh = grid(cells, cells);
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
@@ -49,7 +49,7 @@ RegularMesh withTopology(std::string name, MeshData mesh) {
 
 constexpr vec3 eye(0, 0, 5);
 
-// A body in the left two thirds of its pane; words stand at its right.
+// Place a body in the left two thirds of its pane. Words stand at its right.
 mat4 clipFromBody(const Pane& pane, const mat4& turn) {
     return translate(-0.28, 0, 0) * perspective(40, pane.aspect(), 1, 20) * lookAt(eye, vec3(0), vec3(0, 1, 0)) * turn;
 }

@@ -1,4 +1,4 @@
-// Bodies cut into triangles as regularly as they allow, and where they do not.
+// Bodies cut into triangles as regularly as possible, and the vertices at which no body can be regular.
 #pragma once
 #include <string>
 #include <vector>

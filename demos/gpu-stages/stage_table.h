@@ -12,7 +12,7 @@ namespace mv {
 
 struct StageName {
     const char* openGl;
-    // The names in Direct3D 9, 10 and 11; "" where that has no such stage.
+    // The names in Direct3D 9, 10 and 11, "" where a version has no such stage.
     std::array<const char*, 3> direct3d;
     bool isProgrammable;
 };
@@ -34,7 +34,7 @@ inline constexpr std::array<StageName, 11> stageNames{{
 
 // The primitives that leave a stage, counted three times over.
 struct CountedPrimitives {
-    bool isCounted = false;  // or the rest says nothing
+    bool isCounted = false;  // if not, the counts have no meaning
     GLenum primitive = GL_TRIANGLES;
     Captured number = {};
     double found() const;  // primitives of which all corners were in the buffer of transform feedback
@@ -47,7 +47,7 @@ struct PatchDraw {
     GLenum mode;       // GL_PATCHES, GL_POINTS, or GL_TRIANGLES of the net
     int inner, outer;  // levels
     bool isBent, hasGeometry, hasFragments;
-    CountedPrimitives toGeometry, sent;  // what reaches the geometry stage's place, and what leaves it
+    CountedPrimitives toGeometry, sent;  // primitives before and after the geometry stage
 };
 
 // "128 triangles", "1 line".

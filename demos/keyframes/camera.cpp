@@ -19,7 +19,7 @@ void drawCamera(Gpu& gpu, const Settings& s, const Frame& frame) {
     frame.show("viewFromWorld", viewFromWorld);
     frame.show("clipFromView", clipFromView);
 
-    // Draw the street, whose parts are in an order that needs no depth buffer
+    // Draw the street. Its parts are in an order that needs no depth buffer
     glEnable(GL_CULL_FACE);
     glViewport(pane.x, pane.y, pane.width, pane.height);
     gpu.street->program.use();
@@ -30,7 +30,8 @@ void drawCamera(Gpu& gpu, const Settings& s, const Frame& frame) {
     showZoom(gpu.drawing, s, now, frame);
 }
 
-// The distance goes near, far and near again; its angle is computed from it, or has keys of its own for the same times.
+// The view at a time. The distance goes near, far and near again. The angle is computed from it, or has keys at the same
+// times.
 View viewAt(const DollyZoom& camera, const KeyCurve& curve, double time, Zoom zoomedBy) {
     const auto between = [&](double end, double middle) {
         return curve.through<double>({{0, end}, {lap / 2, middle}, {lap, end}}, 0, 0).position(time);

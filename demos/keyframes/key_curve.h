@@ -1,4 +1,4 @@
-// A motion through keys, or near them, by the kind of curve that somebody chooses.
+// A motion through keys, or near them, by the chosen kind of curve.
 #pragma once
 #include <array>
 #include <functional>
@@ -9,11 +9,11 @@
 
 namespace mv {
 
-// A curve gone along evenly in its time, or eased from key to key. P is double or vec3, as of Curve.
+// A motion along a curve, even in the curve's time, or eased from key to key. P is double or vec3, as for Curve.
 template <class P>
 class Motion {
   public:
-    // Of the part 0 .. 1 of the time between two keys: the part of the way, and the slope of that, infinite perhaps.
+    // For the part 0 .. 1 of the time between two keys: the part of the way, and its slope, which may be infinite.
     struct Easing {
         std::function<double(double)> part, slope;
     };
@@ -33,7 +33,7 @@ class Motion {
     double end() const { return curve_.end(); }
 
   private:
-    // The span between two keys that a time is in: how much of it has passed.
+    // The span between two keys that contains a time, and the part of it that has passed.
     struct Span {
         CurvePoint<P> start;
         double length, passed;
@@ -54,7 +54,7 @@ struct Jumps {
 };
 Jumps jumpsOf(const Motion<vec3>& motion, const std::vector<double>& times);
 
-// What goes through the keys, or near them: a part of a lesson's settings.
+// The choice of a curve through the keys, or near them: a part of a lesson's settings.
 struct KeyCurve {
     enum class Kind { linear, ease, lagrange, natural, clamped, periodic, catmullRom, centripetal, bSpline, bezier };
     enum class Ease { root, quadratic, logistic, bezier, cubic, sine, back, elastic, bounce, steps };
@@ -69,7 +69,7 @@ struct KeyCurve {
     template <class P>
     Motion<P> through(const std::vector<Keyframe<P>>& keys, const P& startVelocity, const P& endVelocity) const;
 
-    // How each span between two keys is gone through by linear and ease, and its slope.
+    // The motion through each span between two keys by linear and ease, and its slope.
     double eased(double part) const;
     double slope(double part) const;
 

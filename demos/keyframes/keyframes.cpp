@@ -22,7 +22,7 @@ void drawBall(Gpu& gpu, const Settings& s, const Frame& frame) {
     const double now = momentOf(motion, frame.time());
     const vec2 ball(motion.position(std::clamp(now, 0.0, motion.end())));
 
-    // Draw the way and the ball, and beside them its speed and its acceleration over time
+    // Draw path and ball, and beside them the ball's speed and acceleration over time
     const Pane pane = leftPane(frame);
     showWay(gpu.drawing, s, motion, now, pane);
     showBall(gpu.drawing, ball, velocityShown(motion, now), pane);
@@ -34,7 +34,7 @@ void drawBall(Gpu& gpu, const Settings& s, const Frame& frame) {
     if (warning && s.curve.kind == KeyCurve::Kind::lagrange) frame.say(*warning);
 }
 
-// A key a second. A closed curve comes back to the first key.
+// The motion through the keys, one a second. A closed curve returns to the first key.
 Motion<vec3> ballMotion(const Settings& s) {
     std::vector<Keyframe<vec3>> through;
     for (const vec2& key : s.keys) through.push_back({double(through.size()), vec3(key, 0)});
@@ -42,13 +42,13 @@ Motion<vec3> ballMotion(const Settings& s) {
     return s.curve.through(through, vec3(0), vec3(0));
 }
 
-// The time of the motion: before 0 and after its end the ball rests, and then begins again. A closed curve has no end.
+// The time within the motion. The ball rests before 0 and after the end, and then begins again. A closed curve has no end.
 double momentOf(const Motion<vec3>& motion, double time) {
     if (motion.curve().isClosed()) return std::fmod(time, motion.end());
     return std::fmod(time, motion.end() + 2 * rest) - rest;
 }
 
-// Metres a second, halfway to the next picture; none where the ball rests.
+// The velocity halfway to the next picture, in metres a second. A resting ball has none.
 std::optional<vec2> velocityShown(const Motion<vec3>& motion, double now) {
     if (now < 0 || now >= motion.end()) return std::nullopt;
     return vec2(motion.at(std::min(now + 1 / 120.0, motion.end())).velocity);

@@ -48,14 +48,14 @@ struct Street {
 struct Gpu {
     OnDemand<Street> street;
     Drawing drawing;
-    // What was made last
+    // The last samples, and what they were made for
     MadeFor<KeyCurve, FunctionNodes> sampledFor;
     Sampled sampled;
 };
 
 constexpr double rest = 0.5;   // seconds, before the first key and after the last
 constexpr double lap = 6;      // seconds of the camera, away and back
-constexpr int samples = 1000;  // of a function, and of what goes through its nodes
+constexpr int samples = 1000;  // of a function, and of the curves through its nodes
 
 // A ball that moves through keys: keyframes.cpp.
 void draw(Gpu& gpu, const Settings& s, const Frame& frame);
@@ -74,14 +74,14 @@ std::vector<double> curveValues(const Settings& s);
 // A camera whose distance and angle of view have keys: camera.cpp.
 struct View {
     double distance, fovy;  // m, degrees
-    // How much of the picture's height a thing has that is so far behind the subject
+    // The part of the picture's height that a thing takes up at a distance `behind` the subject
     double sizeOf(double height, double behind = 0) const;
 };
 void drawCamera(Gpu& gpu, const Settings& s, const Frame& frame);
 View viewAt(const DollyZoom& camera, const KeyCurve& curve, double time, Zoom zoomedBy);
 double fovyFor(const DollyZoom& camera, double distance);
 
-// Ways, graphs and words: figure.cpp.
+// Paths, graphs and words: figure.cpp.
 void showWay(Drawing& drawing, const Settings& s, const Motion<vec3>& motion, double now, const Pane& pane);
 void showBall(Drawing& drawing, const vec2& place, const std::optional<vec2>& velocity, const Pane& pane);
 void showGraphs(Drawing& drawing, const Settings& s, const Motion<vec3>& motion, double now, const FrameInfo& frame);

@@ -23,7 +23,7 @@ double error(const std::vector<double>& a, const std::vector<double>& b) {
 }  // namespace
 
 void drawRunge(Gpu& gpu, const Settings& s, const Frame& frame) {
-    // Compute the values anew where another function, or another curve, is asked for
+    // Recompute the values when the function or the curve has changed
     if (gpu.sampledFor.changed(s.curve, s.nodes)) {
         gpu.sampled = {.right = sampled([&](double x) { return s.nodes.valueAt(x); }),
                        .polynomial = polynomialValues(s),
@@ -31,7 +31,7 @@ void drawRunge(Gpu& gpu, const Settings& s, const Frame& frame) {
                        .warning = swingWarning(s.nodes.places())};
     }
 
-    // Draw the values and how far they are off, and say where a polynomial is bound to swing
+    // Draw the values and their errors, and warn of a polynomial that is bound to swing
     showValues(gpu.drawing, s, gpu.sampled, frame);
     if (gpu.sampled.warning) frame.say(*gpu.sampled.warning);
 }

@@ -32,7 +32,7 @@ double Falloff::at(double distance) const {
 
 double Falloff::reach(double power, double threshold) const {
     if (threshold <= 0) return HUGE_VAL;
-    // The root of constant - power / threshold + linear d + quadratic d^2, in the form without a difference of near numbers
+    // Solve constant - power / threshold + linear d + quadratic d^2 = 0 in the form without a difference of near numbers
     const double missing = power / threshold - constant;
     if (missing <= 0) return 0;
     if (linear == 0 && quadratic == 0) return HUGE_VAL;

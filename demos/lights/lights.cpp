@@ -36,7 +36,7 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     tell(s, scene, sent, frame);
 }
 
-// Leave out lights that are off, and those that reach nothing. Ambient lights are a sum, which is sent apart.
+// Leave out lights that are off or reach nothing. Ambient lights are sent separately, as one sum.
 std::vector<std::size_t> sentLights(const Settings& s, const Scene& scene) {
     std::vector<std::size_t> sent;
     for (std::size_t i = 0; i < lightCount; ++i) {
@@ -50,7 +50,7 @@ bool reaches(const Settings& s, const Scene& scene, std::size_t light) {
            (isEndless || canReach(scene, scene.clipFromWorld(), placeOf(s, light), reach(s)));
 }
 
-// Set all that the shader asks of the lights.
+// Set the uniforms of a light, at its place in the shader's array.
 static void setLight(const Program& program, const Settings& s, std::size_t light, std::size_t place) {
     const auto element = [&](const char* name) { return name + ("[" + std::to_string(place) + "]"); };
     const Kind kind = s.kinds[light];
@@ -94,7 +94,7 @@ vec3 strength(const Settings& s, std::size_t light) {
     const std::array<double, 5> powers{0, 0.06, 0.25, s.power, s.power};  // in the order of Kind
     return powers.at(static_cast<std::size_t>(s.kinds[light])) * tinted(s.lightColor, hues.at(light));
 }
-// A surface sends back the part of each colour that it has: red light on green paper is black.
+// A surface reflects the part of each colour that it has: red light on green paper is black.
 vec3 tinted(Tint tint, const vec3& own) {
     const std::array<vec3, 5> colors{own, vec3(1), vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 0, 1)};
     return colors.at(static_cast<std::size_t>(tint));

@@ -17,7 +17,7 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     glEnable(GL_CULL_FACE);
     if (s.method == Method::texture) drawTextures(gpu, s, sight, frame);  // texture.cpp
 
-    // Draw the world as it is, and the mirrors in it. Each mirror marks its pixels in the stencil buffer
+    // Draw the world itself, and the mirrors in it. Each mirror marks its pixels in the stencil buffer
     drawWorld(gpu, s, sight, viewAfter(s, sight, 0, 0), 1);
     if (s.method == Method::stencil) glEnable(GL_STENCIL_TEST);
     glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
@@ -29,13 +29,13 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     tell(s, sight, frame);
 }
 
-// Draw the world in each mirror, where a mark says that the mirror is seen: bounce after bounce, each over the one before.
-// Two mirrors may be seen beside each other, so their marks differ by 128.
+// Draw one bounce: the reflected world, where the mark shows that the mirror is seen. Two mirrors may be seen beside each
+// other, so their marks differ by 128.
 static void drawBounce(Gpu& gpu, const Settings& s, const Sight& sight, std::size_t chain, int bounce,
                        const vec2& size) {
     glStencilFunc(GL_EQUAL, bounce + 128 * static_cast<int>(chain), ~0U);
 
-    // 1. Set all depths of the mirror back to the farthest
+    // 1. Reset all depths of the mirror to the farthest
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     glDepthFunc(GL_ALWAYS);
     glDepthRange(1, 1);
@@ -44,10 +44,10 @@ static void drawBounce(Gpu& gpu, const Settings& s, const Sight& sight, std::siz
     glDepthFunc(GL_LESS);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 
-    // 2. Draw the world after so many reflections, each of which leaves a part of its light
+    // 2. Draw the world after this many reflections. Each of them leaves a part of the light
     drawWorld(gpu, s, sight, viewAfter(s, sight, chain, bounce), std::pow(s.reflectance, bounce));
 
-    // 3. Draw the other mirror in it, which moves the mark on by 1
+    // 3. Draw the other mirror in that world, which increments the mark
     if (bounce == sight.length(chain)) return;
     glStencilOp(GL_KEEP, GL_KEEP, GL_INCR);
     drawMirror(gpu, s, sight, chain, bounce, size);
@@ -63,10 +63,10 @@ void drawWhereMarked(Gpu& gpu, const Settings& s, const Sight& sight, const vec2
     }
 }
 
-// Each reflection turns the winding of all faces over.
+// Each reflection reverses the winding of all faces.
 static void setFront(const Settings& s, int bounce) { glFrontFace(s.winding && bounce % 2 == 1 ? GL_CW : GL_CCW); }
 
-// Draw all of the world but the mirrors. `part` of its light is left.
+// Draw the world without the mirrors, in a `part` of its light.
 void drawWorld(Gpu& gpu, const Settings& s, const Sight& sight, const View& view, double part) {
     const bool clips = view.bounce > 0 && nearBy(s) == Near::clipDistance;
     gpu.world.use();
@@ -90,7 +90,7 @@ void drawWorld(Gpu& gpu, const Settings& s, const Sight& sight, const View& view
     if (clips) glDisable(GL_CLIP_DISTANCE0);
 }
 
-// Draw a mirror of the chain as it is seen after so many reflections: with its texture, or empty.
+// Draw a mirror of the chain as it is seen after `bounce` reflections: with its texture, or empty.
 void drawMirror(Gpu& gpu, const Settings& s, const Sight& sight, std::size_t chain, int bounce, const vec2& size) {
     const Mirror& mirror = sight.mirrors[sight.chains[chain][static_cast<std::size_t>(bounce)].which];
     const bool hasTexture = s.method == Method::texture && bounce < s.bounces;
@@ -102,7 +102,7 @@ void drawMirror(Gpu& gpu, const Settings& s, const Sight& sight, std::size_t cha
     } else {
         surface.set("sky", std::pow(s.reflectance, s.method == Method::texture ? 1 : bounce + 1) * sky);
     }
-    // From the unit square, which lies in the plane y = 0
+    // Move the unit square of the plane y = 0 onto the mirror
     const mat4 worldFromSquare(vec4(2.0 * mirror.halfU, 0), vec4(vec3(mirror.plane()), 0), vec4(-2.0 * mirror.halfV, 0),
                                vec4(mirror.middle, 1));
     surface.set("clipFromSquare", viewAfter(s, sight, chain, bounce).clipFromWorld * worldFromSquare);
@@ -110,7 +110,7 @@ void drawMirror(Gpu& gpu, const Settings& s, const Sight& sight, std::size_t cha
     gpu.rectangle.draw();
 }
 
-// The world as it is seen after so many reflections. The oblique near plane lies in the last mirror.
+// The view after `bounce` reflections. The oblique near plane lies in the last mirror.
 View viewAfter(const Settings& s, const Sight& sight, std::size_t chain, int bounce) {
     if (bounce == 0) return {.clipFromWorld = sight.scene.clipFromWorld(), .edges = edgesOfView()};
     const SeenMirror& last = sight.chains[chain][static_cast<std::size_t>(bounce - 1)];

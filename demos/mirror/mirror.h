@@ -48,13 +48,13 @@ struct Sight {
     int length(std::size_t chain) const { return static_cast<int>(chains[chain].size()); }
 };
 
-// The world as it is seen after some reflections.
+// The view of the world after some reflections.
 struct View {
     int bounce = 0;
     mat4 clipFromWorld{1};
-    std::vector<vec4> edges = {};  // in clip space: between them all lies that is seen
-    vec4 before{0};                // half space in world space: the last mirror hides the rest,
-    ObjectId frame{0};             // and its own frame
+    std::vector<vec4> edges = {};  // planes in clip space that bound what is seen
+    vec4 before{0};                // half space in world space, before the last mirror
+    ObjectId frame{0};             // of the last mirror, which hides it
 };
 
 struct Gpu {
@@ -66,7 +66,7 @@ struct Gpu {
     MadeFor<Scene, Settings, int, int, bool> texturesFor;
     struct Work {
         int passes = 0, drawn = 0, leftOut = 0;
-    } work;  // for all mirrors, when their images were drawn last
+    } work;  // for all mirrors, when their images were last drawn
     Drawing drawing;
 };
 

@@ -82,13 +82,13 @@ bool areBeyond(std::span<const vec4> points, std::span<const vec4> halfSpaces) {
     });
 }
 
-// Planes are rows, so they go the way back.
+// Planes are rows, so the same matrix maps them the other way.
 vec4 planeIn(const mat4& worldFromOther, const vec4& plane) { return plane * worldFromOther; }
 
 mat4 withNearPlane(const mat4& clipFromView, const vec4& plane) {
     if (plane.w >= 0) throw Error("withNearPlane", "must be given a plane with the eye behind it", numberText(plane.w));
     const mat4 viewFromClip = glm::inverse(clipFromView);
-    // The old far plane's corner that is farthest in front of the plane is to be on the new far plane, or within.
+    // Keep within the new far plane the corner of the old one that is farthest in front of the plane.
     const vec4 inClip = plane * viewFromClip;
     const vec4 corner = viewFromClip * vec4(inClip.x < 0 ? -1 : 1, inClip.y < 0 ? -1 : 1, 1, 1);
     const vec4 w(clipFromView[0].w, clipFromView[1].w, clipFromView[2].w, clipFromView[3].w);

@@ -1,4 +1,4 @@
-// Plane mirrors: where what they show appears, through which part of the picture it is seen, and what is not seen there.
+// Plane mirrors: the place of their images, the part of the picture that shows an image, and the objects that no mirror shows.
 #pragma once
 #include <array>
 #include <span>

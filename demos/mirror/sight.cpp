@@ -1,4 +1,4 @@
-// The room of mirror, the mirrors that are seen in it, and the objects that none of them shows.
+// The room of mirror, the mirrors that are in view, and the objects that no mirror shows.
 #include <algorithm>
 
 #include "mirror.h"
@@ -31,7 +31,7 @@ Sight sightOf(const Settings& s, const Frame& frame) {
     return {std::move(scene), mirrors, std::move(chains), std::move(boxes)};
 }
 
-// Whether nothing of the object may be seen there.
+// Whether the object is certainly out of view.
 static bool isBeyond(const Settings& s, const Sight& sight, std::size_t object, const View& view) {
     const std::array<vec4, 8>& box = sight.boxes[object];
     std::array<vec4, 8> clip{};
@@ -41,7 +41,7 @@ static bool isBeyond(const Settings& s, const Sight& sight, std::size_t object, 
            (view.bounce > 0 && nearBy(s) != Near::none && areBeyond(box, {&view.before, 1}));
 }
 
-// The objects to draw, by their index. A mirror hides its own frame, which is right behind it.
+// The indices of the objects to draw. A mirror hides its own frame, which is right behind it.
 std::vector<std::size_t> shownIn(Gpu& gpu, const Settings& s, const Sight& sight, const View& view) {
     const bool isMirrored = view.bounce > 0;
     std::vector<std::size_t> shown;

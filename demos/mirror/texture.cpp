@@ -20,8 +20,8 @@ static void drawTexture(Gpu& gpu, const Settings& s, const Sight& sight, std::si
     if (bounce < sight.length(chain)) drawMirror(gpu, s, sight, chain, bounce, vec2(width, height));
 }
 
-// Draw from the last bounce to the first: the world in a mirror shows the other mirror, with the texture made before. The
-// textures are kept while eye and world rest: unlike a shadow map they are made for one eye.
+// Draw from the last bounce to the first, since the world in a mirror shows the other mirror with the texture drawn before. The
+// textures are kept while eye and world rest. Unlike a shadow map, they are for one eye.
 void drawTextures(Gpu& gpu, const Settings& s, const Sight& sight, const Frame& frame) {
     if (sight.chains.empty()) return;
     const bool isStale = gpu.texturesFor.changed(sight.scene, s, frame.width(), frame.height(), frame.measuring());

@@ -13,7 +13,7 @@ struct Lap {
     std::vector<PathSample> samples;
     std::vector<PathFrame> frames;
     std::vector<double> ways;        // metres from the first sample, by chords
-    std::vector<double> turns;       // how fast up turns about the path before each sample, deg/m; 0 for the first
+    std::vector<double> turns;       // turn of up about the path before each sample, deg/m; 0 for the first
     std::vector<std::size_t> flips;  // samples
 };
 

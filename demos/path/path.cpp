@@ -28,7 +28,7 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
 void drawTrack(Gpu& gpu, const Settings& s, const Frame& frame) {
     makeLap(gpu, s.ride);
 
-    // Put the car where the curve is, along its velocity, with the rule's up
+    // Put the car onto the curve, along its velocity, with the rule's up
     const double part = lapPart(s, frame);
     const PathSample now = motionAt(s.ride, parameterAt(s.ride, part));
     const PathFrame axes = frameAt(gpu.lap, part, now.velocity);
@@ -47,7 +47,7 @@ void drawTrack(Gpu& gpu, const Settings& s, const Frame& frame) {
     showTrack(gpu, s, now, axes, frame);
 }
 
-// Make the lap anew where one of these settings has changed.
+// Remake the lap when one of these settings has changed.
 void makeLap(Gpu& gpu, const Ride& ride) {
     const auto& [track, curve, up, transport, steps, spread, pace, speed, lengthBy, pieces] = ride;
     if (!gpu.lapFor.changed(track, curve, up, transport, steps, spread, pace, speed)) return;
@@ -58,7 +58,7 @@ void makeLap(Gpu& gpu, const Ride& ride) {
     gpu.trackOnGround = Mesh(trackMesh(gpu.lap.samples, gpu.lap.frames), "track");
 }
 
-// The frames of the samples by the rule for up. The minimizing one is carried along, and closes where it is spread.
+// The frames of the samples by the rule for up. Minimizing frames are carried along the curve, and `spread` closes them.
 FramesByRule framesOf(const Ride& ride, const std::vector<PathSample>& samples) {
     const vec3 gravity(0, -9.81, 0);
     if (ride.up == Up::fixed) return framesByUp(samples, worldUp);
@@ -76,15 +76,15 @@ std::vector<PathSample> samplesOf(const Ride& ride) {
     return samples;
 }
 
-// Position, velocity and acceleration of the car where the curve has this parameter, per second. At equal ways the
-// acceleration has no part along the path; no rule reads that part, so it is left in.
+// Position, velocity and acceleration of the car, per second, at a parameter of the curve. At a steady pace the true
+// acceleration has no part along the path. No rule reads that part, so it is left in.
 PathSample motionAt(const Ride& ride, double parameter) {
     const CurvePoint<vec3> at = pathOf(ride).curve.at(parameter);
     const double rate = ride.speed / (ride.pace == Pace::way ? glm::length(at.velocity) : pathOf(ride).way.length());
     return {at.position, rate * at.velocity, rate * rate * at.acceleration};
 }
 
-// The part of the lap's time that is covered, 0 to 1; and the curve's parameter then.
+// The part of the lap's time that has passed, 0 to 1, and the curve's parameter at this part.
 double lapPart(const Settings& s, const FrameInfo& frame) {
     return std::fmod(s.start / 100 + frame.time() * s.ride.speed / pathOf(s.ride).way.length(), 1);
 }
@@ -119,7 +119,7 @@ mat4 spinOf(const Settings& s) { return rotateX(s.spinX) * rotateY(s.spinY); }
 
 Pane outsidePane(const FrameInfo& frame) { return paneAboveStrip(frame, 0, 0.58); }
 mat4 clipFromOutside(const Settings& s, const Pane& pane) {
-    const double half = 0.306 * std::max(1.0, 1.42 / pane.aspect());  // of the picture at 1 before the eye
+    const double half = 0.306 * std::max(1.0, 1.42 / pane.aspect());  // half height of the picture at distance 1
     return perspective(2 * degrees(std::atan(half)), pane.aspect(), 20, 400) *
            lookAt(vec3(-7, 72, 92), vec3(-7, 0, 4), worldUp) * spinOf(s);
 }

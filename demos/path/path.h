@@ -37,7 +37,7 @@ struct Ride {
     Pace pace = Pace::way;
     double speed = 14;  // m/s, averaged over the lap
     LengthBy lengthBy = LengthBy::adaptive;
-    int pieces = 4;  // of that rule between two keys
+    int pieces = 4;  // of the rule, between two keys
 };
 // A pose by three angles, degrees.
 struct Pose {

@@ -1,4 +1,4 @@
-// Turns from one pose to another on a sphere: the way of a thing's nose, and how fast it turns.
+// Turns from one pose to another on a sphere: the path of a thing's nose, and the speed of its turn.
 #pragma once
 #include <array>
 #include <functional>
@@ -18,7 +18,7 @@ struct Turning {
 };
 Turning turningOf(const std::function<quat(double t)>& poseAt);
 
-// A line on the unit sphere; what is behind is fainter.
+// A line on the unit sphere. Its part behind the sphere is fainter.
 void drawOnSphere(Drawing& drawing, const mat4& clipFromWorld, const std::vector<vec3>& points, const Stroke& stroke);
 // The sphere's own lines, the ways of nose (in this colour) and roof (grey), and where they begin and end.
 void drawTurning(Drawing& drawing, const mat4& clipFromWorld, const Turning& turning, const vec4& color);

@@ -23,7 +23,7 @@ void sayLock(const Poses& poses, const Frame& frame) {
     }
 }
 
-// About x, y and z: the angles that the pose is given by, or those of another order that make the same pose.
+// Angles about x, y and z: those that give the pose, or those of another order that make the same pose.
 vec3 anglesOf(const Pose& pose, EulerOrder order) {
     if (order == EulerOrder::yxz) return {pose.pitch, pose.yaw, pose.roll};
     return eulerAnglesOf(orientationOf(pose), order).degrees;
@@ -31,7 +31,7 @@ vec3 anglesOf(const Pose& pose, EulerOrder order) {
 
 }  // namespace
 
-// A pane for each way.
+// Draw each way of turning in a pane of its own.
 void drawPoses(Gpu& gpu, const Settings& s, const Frame& frame) {
     const double t = betweenAt(s, frame);
     const Turnings turnings = turningsOf(s.poses);
@@ -48,8 +48,7 @@ void drawPoses(Gpu& gpu, const Settings& s, const Frame& frame) {
     showTurnings(gpu.drawing, turnings, frame);
 }
 
-// The part t of the way from one pose to the other: mix three angles (0), or the quaternions on the sphere (1) or straight
-// through it (2).
+// The pose at part t between two poses: mix three angles (0), or quaternions on the sphere (1) or straight through it (2).
 quat poseAt(const Poses& poses, std::size_t way, double t) {
     const quat from = orientationOf(poses.from), to = orientationOf(poses.to);
     if (way == 1) return slerp(from, to, t);
@@ -68,7 +67,7 @@ Turnings turningsOf(const Poses& poses) {
     return turnings;
 }
 
-// From 0 to 1 and back in eight seconds.
+// The part t over time: from 0 to 1 and back in eight seconds.
 double betweenAt(const Settings& s, const FrameInfo& frame) {
     return 1 - std::abs(1 - std::fmod(s.start / 100 + frame.time() / 4, 2));
 }

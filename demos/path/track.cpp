@@ -46,7 +46,7 @@ TrackPath makePath(Track track, Through through) {
     return {curve, ArcLength(curve)};
 }
 
-// Corners in their order round it.
+// The corners, in order round the face.
 void addQuad(MeshData& mesh, const std::array<vec3, 4>& corners, const vec3& normal, const vec3& color) {
     for (const std::size_t i : std::initializer_list<std::size_t>{0, 1, 2, 0, 2, 3}) {
         mesh.positions.emplace_back(corners.at(i));

@@ -1,4 +1,4 @@
-// A matrix times a vector in float, in the ways that GPUs do it.
+// A matrix times a vector in float, in the ways that GPUs compute it.
 #pragma once
 #include <cmath>
 
@@ -6,7 +6,7 @@
 
 namespace mv {
 
-// Each row as ((x + y) + z) + w, every product and sum rounded: what GLSL's operator says, and what llvmpipe does.
+// Each row as ((x + y) + z) + w, with every product and sum rounded, as GLSL's operator says and llvmpipe computes.
 inline fvec4 gpuProduct(const fmat4& m, const fvec4& v) {
     fvec4 sum(0);
     for (int row = 0; row < 4; ++row)
@@ -14,7 +14,7 @@ inline fvec4 gpuProduct(const fmat4& m, const fvec4& v) {
     return sum;
 }
 
-// In the same order with fused multiply-adds, which round once where the above rounds twice: what many GPUs do.
+// The same order with fused multiply-adds, which round once instead of twice, as many GPUs compute.
 inline fvec4 fusedProduct(const fmat4& m, const fvec4& v) {
     fvec4 sum(0);
     for (int row = 0; row < 4; ++row)

@@ -15,7 +15,7 @@
 namespace mv::pipeline {
 
 void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
-    // Clear the view, and let OpenGL take device space to its pixels
+    // Clear the view, and set the viewport, which maps device space to its pixels
     const Pane pane = viewIn(frame);
     glEnable(GL_SCISSOR_TEST);
     glScissor(pane.x, pane.y, pane.width, pane.height);
@@ -24,7 +24,7 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     glDisable(GL_SCISSOR_TEST);
     glViewport(pane.x, pane.y, pane.width, pane.height);
     glEnable(GL_DEPTH_TEST);
-    if (!isEs()) glEnable(GL_PROGRAM_POINT_SIZE);  // where ES has no switch, and the shader's size always
+    if (!isEs()) glEnable(GL_PROGRAM_POINT_SIZE);  // always on in OpenGL ES
 
     // Give the program the matrices of all steps
     const Program& program = programOf(gpu, s);
@@ -54,20 +54,20 @@ std::string matrixName(const Step& step) {
     return step.to + "From" + char(std::toupper(step.from[0])) + step.from.substr(1);
 }
 
-// From the cube's own space into the world: turned, then moved.
+// Turn the cube, then move it into the world.
 mat4 worldFromModel(const Settings& s) {
     const mat4 m = translate(s.offset + 0.2, 0.1, 0) * rotateX(s.spinX) * rotateY(s.spinY);
     return s.matrices == Matrices::slideModel ? glm::transpose(m) : m;
 }
 
-// The eye looks along `gaze` wherever it is, so it can pass the cube.
+// The eye always looks along `gaze`, so it can move past the cube.
 mat4 cameraFromWorld(const Settings& s) {
     const vec3 gaze = vec3(-3, -2, -6) / 7.0;  // unit length
     const vec3 eye = vec3(s.offset, 0, 0) - gaze * s.distance;
     return lookAt(eye, eye + gaze, vec3(0, 1, 0));
 }
 
-// x and y scaled by the angle of view, z from near and far to -1 and 1 times w, and -z as w.
+// Scale x and y by the angle of view, map z from near and far to -w and w, and take -z as w.
 mat4 clipFromCamera(const Settings& s, double aspect) {
     const double near = s.near, far = s.far;
     mat4 m = perspective(50, aspect, near, far);

@@ -36,10 +36,10 @@ struct Gpu {
     Drawing drawing;
 };
 
-// clip = clipFromCamera * camera, say.
+// One product, for instance clip = clipFromCamera * camera.
 struct Step {
     std::string to, from;
-    mat4 uploaded;  // what the GPU is given, before it is rounded to float
+    mat4 uploaded;  // the GPU's matrix, before it is rounded to float
     mat4 exact;
 };
 std::string matrixName(const Step& step);
@@ -53,12 +53,12 @@ mat4 cameraFromWorld(const Settings& s);
 mat4 clipFromCamera(const Settings& s, double aspect);
 Pane viewIn(const FrameInfo& frame);
 
-// What OpenGL does after the vertex shader: it clips, divides by w, and goes to the pixels of the view.
+// OpenGL's steps after the vertex shader: it clips, divides by w, and maps to the pixels of the view.
 bool isInView(const vec4& clip);
 vec3 deviceFromClip(const vec4& clip);
 vec3 pixelFromDevice(const vec3& device, const Pane& pane);  // z is the depth
 
-// The vertex in clip space: as the GPU comes to it, and in double all the way.
+// The vertex in clip space, as the GPU computes it and in double precision throughout.
 struct Clip {
     vec4 gpu, exact;
 };

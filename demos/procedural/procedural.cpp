@@ -14,7 +14,7 @@
 namespace mv::procedural {
 
 void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
-    // Place the body, and say which point of the pattern each of its points is
+    // Place the body, and map each of its points to a point of the pattern
     const Program& program = gpu.program;
     program.use();
     program.set("clipFromBody", clipFromBody(s, frame));
@@ -36,8 +36,8 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     nameFinerOctaves(s, frame);
 }
 
-// With the origin near, the shader gets what double precision knows of the centre: for each octave the cell, and the place
-// in it. With the origin far, it gets the centre as floats, adds, and knows of no cell but the first.
+// Set the centre of the pattern. With the origin near, the shader gets the cell of each octave and the place in it, from
+// double precision. With the origin far, it gets the centre as floats, adds to it, and has no cell but the first.
 void setCentre(const Program& program, const Settings& s) {
     const bool isFar = s.origin == Origin::far;
     const vec3 centre = placeOf(s).centre;
@@ -65,14 +65,14 @@ void setCentre(const Program& program, const Settings& s) {
     program.set("baseHigh", highOf(base));
     program.set("inBase", base.inCell);
 
-    // Wood: measure how far from its axis the centre is, without the whole rings
+    // For wood, take the distance of the centre from the axis, without the whole rings
     const double away = glm::length(vec2(place.centre)), rings = 4 * away;
     program.set("ringsAt", away > 4 ? vec3(vec2(place.centre) / away, 1 / away) : vec3(0));
     program.set("ringBase", rings - std::floor(rings));
     program.set("ringCentre", away > 4 ? vec3(0) : place.centre);
 }
 
-// Halves of 16 bits.
+// The lower and the upper 16 bits of a cell.
 vec3 lowOf(const PatternPlace::Octave& octave) {
     const auto& c = octave.cell;
     return {double(c[0] & 0xffff), double(c[1] & 0xffff), double(c[2] & 0xffff)};
@@ -82,7 +82,7 @@ vec3 highOf(const PatternPlace::Octave& octave) {
     return {half(octave.cell[0]), half(octave.cell[1]), half(octave.cell[2])};
 }
 
-// The middle of what is seen. Octaves go on with the zoom.
+// The pattern's place in the middle of the view. With `endless`, octaves go on with the zoom.
 PatternPlace placeOf(const Settings& s) {
     const bool zooms = s.view == View::wall && s.endless;
     return {s.pattern, s.octaves, zooms ? std::log2(s.zoom) : 0.0, patternCentre(s.distance)};
@@ -96,9 +96,9 @@ mat4 clipFromBody(const Settings& s, const FrameInfo& frame) {
         return clipFromView * lookAt(vec3(0, 0, 4.2), vec3(0), vec3(0, 1, 0)) * rotateX(20) * rotateY(s.turn);
     return clipFromView * lookAt(vec3(0, 1, 0), vec3(0, 0.6, -2), vec3(0, 1, 0)) * translate(0, 0, -200) * scale(400);
 }
-// How the sphere is turned.
+// The turn of the sphere.
 mat4 viewFromBody(const Settings& s) { return rotateX(20) * rotateY(s.turn); }
-// Points of the pattern, measured from the centre.
+// Map the body to the pattern, relative to the centre.
 mat4 offsetFromBody(const Settings& s, const FrameInfo& frame) {
     if (s.view == View::sphere) return mat4(1);
     if (s.view == View::floor) return rotateX(90) * scale(400) * translate(0, 0, -0.5);

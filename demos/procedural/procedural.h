@@ -51,7 +51,7 @@ mat4 viewFromBody(const Settings& s);
 mat4 offsetFromBody(const Settings& s, const FrameInfo& frame);
 const Ramp& rampOf(Pattern pattern);
 
-// What stands for it where it is measured: study.cpp.
+// The scene for measurements: study.cpp.
 Scene sceneOf(const Settings& s, const FrameInfo& frame);
 void nameFinerOctaves(const Settings& s, const Frame& frame);
 void readOut(Gpu& gpu, const Settings& s, const Frame& frame, Numbers& numbers);

@@ -13,7 +13,7 @@
 namespace mv::projections {
 
 void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
-    // Let near things hide far ones, and faces give way to their edges
+    // Let near things hide far ones, and push faces back behind their edges
     glClearColor(1, 1, 1, 1);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);
@@ -28,7 +28,7 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
         const mat4 clip = clipFromWorld(four[i], pane);
         frame.show(four[i].name + "FromWorld", clip);
 
-        // Draw the house into its pane, and over it its edges. A perspective before has left the colour of an axis behind
+        // Draw the house into its pane, and its edges over it. A perspective leaves the colour of an axis, so set grey again
         beginPane(pane);
         gpu.faces.use();
         gpu.faces.set("clipFromWorld", clip);
@@ -41,7 +41,7 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     }
 }
 
-// The viewport takes clip space to the pane; the scissor keeps glClear in it.
+// Begin a pane. The viewport maps clip space to it, and the scissor confines glClear to it.
 void beginPane(const Pane& pane) {
     glViewport(pane.x, pane.y, pane.width, pane.height);
     glScissor(pane.x, pane.y, pane.width, pane.height);
@@ -69,13 +69,13 @@ void drawToInfinity(const Gpu& gpu, const mat4& clipFromWorld, const Pane& pane)
     }
 }
 
-// All of the house lies within `reach` of its middle.
+// The whole house lies within `reach` of its middle.
 static const vec3 middle(1.5, 3, 0);
 constexpr double reach = 8;
 
 static mat4 turned(double turn, double tilt) { return rotateX(tilt) * rotateY(-turn) * translate(-middle); }
 
-// An axonometric view: the lines of sight are perpendicular to the picture, the house is turned before it.
+// An axonometric view: the lines of sight are perpendicular to the picture, and the house is turned.
 static View axonometric(const std::string& name, double turn, double tilt, double half) {
     const double c = std::cos(radians(turn)), s = std::sin(radians(turn)), up = std::sin(radians(tilt));
     return {name, turned(turn, tilt), half, {std::hypot(c, s * up), std::cos(radians(tilt)), std::hypot(s, c * up)}};

@@ -20,11 +20,11 @@ struct Settings {
     Show show = Show::cad;
     double turn = 30, tilt = 20;       // degrees: how far the eye goes round and up
     double distance = 14;              // metres from the eye to the house
-    double angle = 30, length = 0.75;  // oblique: where a metre of depth is drawn to, and how long
+    double angle = 30, length = 0.75;  // oblique: direction and length of a metre of depth
     double shift = 0;                  // of the perspective's window, in its half heights
 };
 
-// What a pane shows, of a world of metres. `half` is how many of them from its middle to its upper edge.
+// The view of a pane, in metres. `half` is the distance from its middle to its upper edge.
 struct View {
     std::string name;
     mat4 viewFromWorld;
@@ -63,14 +63,14 @@ FourViews vanishingViews(const Settings& s);
 mat4 clipFromWorld(const View& view, const Pane& pane);
 mat4 clipFromView(const View& view, double aspect);
 
-// What a picture tells of its matrix: study.cpp. `drawn` is where a metre along each axis leads, in pixels, and `length` how
-// long it is there, in metres.
+// Measurements of a picture: study.cpp. `drawn` is the image of a metre along each axis, in pixels, and `length` the length of
+// this image, in metres.
 struct Axes {
     std::array<vec2, 3> drawn;
     vec3 length;
 };
 Axes measuredAxes(const View& view, const Pane& pane);
-// Vanishing points of the axes, and by how much an edge of the walls misses its own, at most, in pixels.
+// The number of the axes' vanishing points, and the most by which an edge of the walls misses its own, in pixels.
 struct Meeting {
     int points = 0;
     double miss = 0;

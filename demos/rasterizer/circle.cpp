@@ -11,7 +11,7 @@
 
 namespace mv::rasterizer {
 
-// OpenGL has no circle: whoever draws one draws so many chords.
+// OpenGL has no circles. Here it draws this many chords instead.
 static constexpr int chords = 48;
 
 static int radiusOf(const Circle& circle, const Grid& grid) { return static_cast<int>(circle.radius * grid.scale); }
@@ -48,7 +48,8 @@ void drawCircle(Gpu& gpu, const Circle& circle, const Grid& grid, const Frame& f
 
     for (vec2& point : ring) point /= grid.scale;
     showPictures(gpu, frame, grid, mine, glPicture, {{std::move(ring)}});
-    if (circle.method != CircleMethod::turned) showErrors(gpu, pixels, grid, frame);  // its are roundings
+    if (circle.method != CircleMethod::turned)
+        showErrors(gpu, pixels, grid, frame);  // turned points have roundings instead
     showWords(gpu, frame, grid, std::string(nameOf(circle.method)) + ": " + countOf(grid, pixels.size()),
               std::to_string(chords) +
                   " chords by OpenGL: pixels set otherwise: " + std::to_string(countDifferent(mine, glPicture)));
@@ -65,7 +66,7 @@ void readCircle(const Gpu& gpu, const Circle& circle, const Grid& grid, Numbers&
 namespace mv {
 namespace {
 
-// The pixels of a circle round (0, 0), brought to where it is.
+// The pixels of a circle round (0, 0), moved to the middle (x, y).
 struct Round {
     int x, y;
     std::vector<PixelStep> set = {};
@@ -123,8 +124,8 @@ void turned(Round& round, int radius) {
     }
 }
 
-// d is (dx + 1)^2 + (dy - 1/2)^2 - r^2 less 1/4, which decides as well: the point between the next pixel and the one below
-// that is inside of the circle where d is below 0.
+// d is (dx + 1)^2 + (dy - 1/2)^2 - r^2 less 1/4, which changes no decision. Where d is below 0, the point midway between the
+// next pixel and the pixel below it is inside the circle.
 void midpoint(Round& round, int radius) {
     int d = 1 - radius;
     for (int dx = 0, dy = radius; dx <= dy; ++dx) {

@@ -1,4 +1,4 @@
-// Which pixels a circle sets, by four methods. Pixels are numbered from the lower left one, (0, 0).
+// The pixels that a circle sets, by four methods. Pixels are numbered from the lower left one, (0, 0).
 #pragma once
 #include <vector>
 

@@ -1,4 +1,4 @@
-// Filling what is drawn already, and polygons by their outlines.
+// Filling areas of a picture, and polygons by their outlines.
 #pragma once
 #include <cstddef>
 #include <vector>
@@ -30,8 +30,8 @@ struct Flooded {
     long deepest = 0;               // calls within each other, or spans that waited
 };
 
-// From the seed, all pixels of its colour that are joined to it by 4 neighbours, or by 8, get the new colour. Into its own
-// colour nothing is to be done. By recursion, as on the slide: it refuses with an Error what would go deeper than `deepest`,
+// Gives the new colour to all pixels of the seed's colour that are joined to the seed by 4 neighbours, or by 8. A fill with the
+// same colour does nothing. By recursion, as on the slide: it refuses with an Error what would go deeper than `deepest`,
 // before the stack ends; by spans, whole runs of a row are set at once, and the rest waits in a list.
 Flooded floodByRecursion(PixelMap& map, int x, int y, int color, int neighbors, long deepest = 20000);
 Flooded floodBySpans(PixelMap& map, int x, int y, int color, int neighbors);

@@ -36,7 +36,7 @@ void drawLine(Gpu& gpu, const Line& line, const Grid& grid, const Frame& frame) 
               rounded("OpenGL: pixels set otherwise: %.0f", double(countDifferent(mine, glPicture))));
 }
 
-// For OpenGL: a thin line is a line, a thick one a strip of two triangles.
+// The mesh for OpenGL: a line if thin, a strip of two triangles if thick.
 static MeshData meshOf(const Line& line, const Grid& grid) {
     MeshData data{.primitive = thicknessOf(line) == 1 ? Primitive::lines : Primitive::triangles};
     const auto add = [&](const vec2& at) {
@@ -73,14 +73,14 @@ std::vector<PixelStep> naive(int x1, int y1, int x2, int y2) {
     const float m = static_cast<float>(y2 - y1) / static_cast<float>(x2 - x1);
     auto y = static_cast<float>(y1);
     for (int x = x1; x <= x2; ++x, y += m) {
-        // A vertical line has no m; its first pixel is all that is drawn.
+        // A vertical line has no slope, and only its first pixel is drawn
         if (!(std::abs(y) < 1e9F)) break;
         set.push_back({x, static_cast<int>(std::lround(y)), static_cast<double>(y)});
     }
     return set;
 }
 
-// e counts in floats how far the line is above the pixel's middle; from `start`, against `limit`.
+// Count in floats, by e, how far the line is above the pixel's middle. e begins at `start`; y steps where e reaches `limit`.
 std::vector<PixelStep> withError(int x1, int y1, int x2, int y2, float start, float limit) {
     std::vector<PixelStep> set;
     const float m = static_cast<float>(y2 - y1) / static_cast<float>(x2 - x1);
@@ -96,7 +96,7 @@ std::vector<PixelStep> withError(int x1, int y1, int x2, int y2, float start, fl
     return set;
 }
 
-// e in units of 1/(x2 - x1), and halves of them.
+// The same with e in units of 1/(x2 - x1), and halves of them.
 std::vector<PixelStep> scaled(int x1, int y1, int x2, int y2) {
     std::vector<PixelStep> set;
     double e = -0.5 * (x2 - x1);
@@ -125,7 +125,7 @@ std::vector<PixelStep> bresenham(int x1, int y1, int x2, int y2) {
     return set;
 }
 
-// Turned so that it goes along x by no less than along y.
+// A line whose x and y are swapped where it is steep, so that it goes along x by no less than along y.
 struct Turned {
     bool steep;
     int x1, y1, x2, y2;
@@ -146,7 +146,7 @@ std::vector<PixelStep> octants(int ax, int ay, int bx, int by) {
     std::vector<PixelStep> set;
     const Turned line(ax, ay, bx, by);
     const int rise = std::abs(line.y2 - line.y1), up = line.y1 < line.y2 ? 1 : -1, run = std::abs(line.x2 - line.x1);
-    // Exactly between two pixels the way back has to wait where the way there has made its step: so both set the same.
+    // Break a tie between two pixels by the direction, so that a line sets the same pixels there and back
     const int least = line.step() > 0 ? 0 : 1;
     int e = -run;
     for (int i = 0, x = line.x1, y = line.y1; i <= run; ++i, x += line.step()) {
@@ -165,7 +165,7 @@ std::vector<PixelStep> smooth(int ax, int ay, int bx, int by) {
     const Turned line(ax, ay, bx, by);
     const int run = std::abs(line.x2 - line.x1);
     for (int i = 0, x = line.x1; i <= run; ++i, x += line.step()) {
-        // y at x is whole + above / run, without a rounding
+        // Compute y at x as whole + part, with no rounding in `whole`
         const long rise = long(line.y2 - line.y1) * i;
         const long whole = run == 0 ? 0 : (rise >= 0 ? rise / run : -((-rise + run - 1) / run));
         const double part = run == 0 ? 0 : double(rise - whole * run) / run;
@@ -209,7 +209,7 @@ std::vector<PixelStep> thickLine(LineMethod method, Thicken thicken, int thickne
             low = glm::min(low, corner);
             high = glm::max(high, corner);
         }
-        // polygonPixels() has a picture from (0, 0) on
+        // Move the strip to (0, 0), where the picture of polygonPixels() begins
         const auto left = static_cast<int>(std::floor(low.x)), bottom = static_cast<int>(std::floor(low.y));
         std::vector<vec2> moved;
         for (const vec2& corner : corners) moved.emplace_back(corner.x - left, corner.y - bottom);

@@ -1,4 +1,4 @@
-// Which pixels a line sets, by the lecture's methods, step by step. Pixels are numbered from the lower left one, (0, 0).
+// The pixels that a line sets, by the lecture's methods, step by step. Pixels are numbered from the lower left one, (0, 0).
 #pragma once
 #include <array>
 #include <vector>
@@ -20,7 +20,7 @@ enum class LineMethod {
 
 enum class Thicken {
     columns,  // each pixel becomes a column of them, or a row where the line is steep: as OpenGL's own wide lines
-    across,   // those whose middles are within half the thickness of the line
+    across,   // pixels whose middles are within half the thickness of the line
 };
 
 // The pixels from (x1, y1) to (x2, y2), in the order in which they are set; by octants and smooth a line back sets the same ones,

@@ -5,7 +5,7 @@
 
 namespace mv::rasterizer {
 
-// Each subject is a part of its own: what it sets and how it is shown is in the file of its name.
+// Each subject is a part of the lesson, in the file of its name.
 void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     const Grid grid(s);
     switch (s.subject) {

@@ -68,7 +68,7 @@ struct Settings {
 struct Gpu {
     OnDemand<Program> program{"rasterizer"};
     Drawing drawing;
-    // OpenGL's pixels, kept while the same is drawn
+    // OpenGL's pixels, kept while the drawing stays the same
     Target small;
     Mesh mesh;
     MeshData drawn;
@@ -76,7 +76,7 @@ struct Gpu {
     Picture glPicture;
 };
 
-// A part of the lesson in a file of its name each: line.cpp, triangle.cpp, fill.cpp, star.cpp, circle.cpp.
+// Each subject is a part of the lesson, in a file of its name: line.cpp, triangle.cpp, fill.cpp, star.cpp, circle.cpp.
 struct Grid;
 void draw(Gpu& gpu, const Settings& s, const Frame& frame);
 void drawLine(Gpu& gpu, const Line& line, const Grid& grid, const Frame& frame);
@@ -85,7 +85,7 @@ void drawFill(Gpu& gpu, const Fill& fill, const Corners& corners, const Grid& gr
 void drawStar(Gpu& gpu, const Star& star, const Grid& grid, const Frame& frame);
 void drawCircle(Gpu& gpu, const Circle& circle, const Grid& grid, const Frame& frame);
 
-// What each of them tells in numbers.
+// The readouts of each part.
 void readOut(Gpu& gpu, const Settings& s, const Frame& frame, Numbers& numbers);
 void readLine(const Gpu& gpu, const Line& line, const Grid& grid, Numbers& numbers);
 void readTriangles(const Gpu& gpu, const Triangles& s, const Corners& corners, const Grid& grid, Numbers& numbers);
@@ -93,7 +93,7 @@ void readFill(const Fill& fill, const Corners& corners, const Grid& grid, Number
 void readStar(const Star& star, const Grid& grid, Numbers& numbers);
 void readCircle(const Gpu& gpu, const Circle& circle, const Grid& grid, Numbers& numbers);
 
-// How many pixels each of them sets.
+// The number of pixels that each part sets.
 std::size_t countLine(const Line& line, const Grid& grid);
 std::size_t countTriangles(const Triangles& s, const Corners& corners, const Grid& grid);
 std::size_t countFill(const Fill& fill, const Corners& corners, const Grid& grid);
@@ -107,7 +107,7 @@ const char* nameOf(EdgeRule rule);
 const char* nameOf(Flood flood);
 const char* nameOf(Winding winding);
 const char* nameOf(CircleMethod method);
-int mostSteps(const Settings& s);  // all that there are to be set
+int mostSteps(const Settings& s);  // the number of all pixels to be set
 std::vector<double> values(const Settings& s);
 std::vector<std::pair<std::string, double>> valueCounts(const Settings& s);
 

@@ -1,4 +1,4 @@
-// What the parts of rasterizer are shown on: two magnified pictures side by side, with the shape over them, and words below.
+// The sheet on which the parts of rasterizer are shown: two magnified pictures, the shape over them, and words below.
 #pragma once
 #include <optional>
 #include <string>
@@ -21,11 +21,11 @@ struct Grid {
     explicit Grid(const Settings& s);
     // The pixel that a coordinate lies in.
     int whole(double coordinate) const;
-    // How many of so many pixels are set.
+    // The number of pixels that are set, of all these.
     std::size_t made(std::size_t all) const;
 };
 
-// Where both pictures are in the frame, and where the pixels are in their panes.
+// The places of both pictures in the frame, and of the pixels in their panes.
 Pane leftPane(const FrameInfo& frame);
 Pane rightPane(const FrameInfo& frame);
 Plot plotOf(const FrameInfo& frame, const Grid& grid);
@@ -36,7 +36,7 @@ vec3 colorOf(const Pixel& pixel);  // 0..1
 // A picture of paper, with what was drawn before in grey; and pixels set on it, as many as the step says.
 Picture paperOf(const Grid& grid, const PixelMap* before = nullptr);
 Picture inked(const Grid& grid, const std::vector<PixelStep>& pixels, const PixelMap* before = nullptr);
-// In which order they are set, from blue, the first, to yellow.
+// The colour of the order in which pixels are set, from blue, the first, to yellow.
 Picture orderOf(const Grid& grid, const std::vector<PixelStep>& pixels, const PixelMap* before = nullptr);
 
 // OpenGL's picture of a mesh whose positions are x, y in pixels and w. Kept, while the same is drawn.

@@ -1,4 +1,4 @@
-// Lines and triangles that the methods of a rasterizer are tried with, and what is right for them.
+// Lines and triangles for trials of a rasterizer's methods, with the right answers.
 #pragma once
 #include <vector>
 
@@ -26,7 +26,7 @@ std::vector<double> circleTest(CircleMethod method, int columns);
 double circleTestPixels(CircleMethod method, int columns);
 std::vector<double> circleTruth(int columns);
 
-// Pixels of which one picture is white and the other is not.
+// The number of pixels that are white in one picture and not in the other.
 long countDifferent(const Picture& a, const Picture& b);
 
 }  // namespace mv

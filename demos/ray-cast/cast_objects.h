@@ -30,7 +30,7 @@ inline constexpr std::array<const char*, 12> castKindNames{"plane",    "sphere",
                                                            "cylinder", "cone",        "disk",    "torus"};
 // The teapot, of triangles, and what follows it stand alone; the others together.
 inline constexpr std::size_t castTogether = 7;
-// Whether it has the slides' forms beside the stable one.
+// Whether the object has the slides' forms beside the stable one.
 inline bool hasTextbookForm(CastKind kind) { return kind < CastKind::teapot; }
 
 inline const std::array<vec3, 12> castColors{vec3(0.78, 0.76, 0.70), vec3(0.82, 0.30, 0.25), vec3(0.25, 0.50, 0.78),
@@ -38,8 +38,8 @@ inline const std::array<vec3, 12> castColors{vec3(0.78, 0.76, 0.70), vec3(0.82, 
                                              vec3(0.30, 0.70, 0.70), vec3(0.80, 0.50, 0.25), vec3(0.25, 0.50, 0.78),
                                              vec3(0.95, 0.75, 0.20), vec3(0.35, 0.65, 0.35), vec3(0.82, 0.30, 0.25)};
 
-// Which form of an intersection is computed, and in which of the plane's three descriptions. The slides' forms as printed, the
-// same with their slips mended, and the library's.
+// The form of an intersection, and the one of the plane's three descriptions. Forms are the slides' as printed, the same with
+// their slips mended, and the library's.
 enum class CastForm { printed, textbook, stable };
 enum class PlaneForm { implicit, normal, parametric };
 struct CastWay {

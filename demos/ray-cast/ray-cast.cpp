@@ -11,7 +11,7 @@
 namespace mv::ray_cast {
 
 void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
-    drawTriangles(gpu, s, frame);  // by OpenGL: the scene from the side, and the picture where it is to make that
+    drawTriangles(gpu, s, frame);  // by OpenGL: the scene from the side, and the picture with --by gl
     if (s.by == Maker::gl || frame.measuring()) return;
     const int width = picturePane(frame).width;
     if (gpu.pictureFor.changed(withoutPixel(s), width)) gpu.picture = pictureOf(s, keptSeen(gpu, s), width);
@@ -49,14 +49,14 @@ Ray rayOf(const Settings& s, int column, int row) {
     return {eye.at, glm::normalize(alpha * eye.u + beta * eye.v - eye.w)};
 }
 
-// The nearest triangle of the teapot, which its tree finds.
+// Find the nearest triangle of the teapot by its tree.
 static std::vector<CastCandidate> candidatesOfTeapot(const Triangles& teapot, const Ray& ray, double size) {
     const auto hit = teapot.tree->nearest({ray.origin / size, ray.direction / size});
     if (!hit) return {};
     return {{{hit->hit.t, normalOf(*hit->triangle)}, CastKind::teapot}};
 }
 
-// All that the ray meets, nearest first.
+// All objects that the ray meets, nearest first.
 std::vector<CastCandidate> candidates(const Settings& s, const Shown& shown, const Ray& ray) {
     if (shown.teapot) return candidatesOfTeapot(*shown.teapot, ray, s.size);
     const CastWay way{s.form, s.plane, s.starts};
@@ -77,7 +77,7 @@ static vec3 shaded(const vec3& color, const vec3& normal) {
     return color * (0.35 + 0.65 * std::abs(glm::dot(glm::normalize(normal), toLight)));
 }
 
-// Enlarge the pixels to a picture of that width.
+// Enlarge the pixels to a picture of this width.
 Picture pictureOf(const Settings& s, const Seen& seen, int width) {
     Picture picture(width, width);
     const auto byte = [](double value) { return static_cast<std::uint8_t>(std::lround(255 * value)); };

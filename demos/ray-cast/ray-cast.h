@@ -38,7 +38,8 @@ enum class Objects {
 };
 
 constexpr vec4 sky(0.85, 0.9, 0.95, 1);
-constexpr double opening = 0.53, opens = 9;  // the tangent of half the angle of view, and the distance where it is that
+constexpr double opening = 0.53,
+                 opens = 9;  // the tangent of half the angle of view, and the distance at which it holds
 
 struct Settings {
     CastForm form = CastForm::stable;
@@ -90,7 +91,7 @@ Ray rayOf(const Settings& s, int column, int row);
 std::vector<CastCandidate> candidates(const Settings& s, const Shown& shown, const Ray& ray);
 Picture pictureOf(const Settings& s, const Seen& seen, int width);
 
-// The other way, triangles: triangles.cpp.
+// The other way, by triangles: triangles.cpp.
 const Seen& keptSeen(Gpu& gpu, const Settings& s);
 Seen seenBy(const Settings& s);
 std::shared_ptr<const Triangles> trianglesOf(const Settings& s);

@@ -1,4 +1,4 @@
-// The other way, for triangles: not what a pixel's ray meets, but which pixels a triangle covers; and the scene for OpenGL.
+// The other way, by triangles: it asks which pixels a triangle covers, not what a pixel's ray meets. And the scene for OpenGL.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -13,7 +13,7 @@
 
 namespace mv::ray_cast {
 
-// Settings that make the same picture: the chosen pixel and the threads do not change it.
+// The settings that make the picture. The chosen pixel and the threads do not change it.
 Settings withoutPixel(Settings s) {
     s.threads = 1;
     s.pixelX = s.pixelY = 0;
@@ -33,7 +33,7 @@ std::vector<CastKind> kindsOf(const Settings& s) {
 }
 vec3 normalOf(const SceneTriangle& triangle) { return glm::cross(triangle.b - triangle.a, triangle.c - triangle.a); }
 
-// Kept, so that the time of finding triangles is not that of preparing to.
+// Keep the triangles, so that a measured time is that of finding them, without the preparation.
 std::shared_ptr<const Triangles> trianglesOf(const Settings& s) {
     static MadeFor<Objects, int> keptFor;
     static std::shared_ptr<const Triangles> kept;
@@ -67,7 +67,7 @@ static Seen rasterize(const Settings& s) {
         if (filled.triangle[pixel] < 0) continue;
         const SceneTriangle& in = triangles->all[static_cast<std::size_t>(filled.triangle[pixel])];
         const int place = static_cast<int>(pixel);
-        // The division undone: the distance along -w, then along the ray
+        // Undo the division: first the distance along -w, then along the ray
         const double before = p[3][2] / (filled.depth[pixel] + p[2][2]);
         const double t = before / -glm::dot(rayOf(s, place % s.rows, place / s.rows).direction, eyeOf(s).w);
         seen[pixel] = CastCandidate{{t, normalOf(in)}, static_cast<CastKind>(in.object)};
@@ -109,7 +109,8 @@ static double numberOf(const std::string& name) {
 static void drawInto(Gpu& gpu, const Settings& s, const Scene& scene, const mat4& clipFromWorld, const Pane& pane,
                      bool isMeasured) {
     glViewport(pane.x, pane.y, pane.width, pane.height);
-    gpu.program.set("clipFromScene", clipFromWorld * scale(s.size, s.size, s.size));  // all stand in the world already
+    gpu.program.set("clipFromScene",
+                    clipFromWorld * scale(s.size, s.size, s.size));  // all objects are in world space already
     for (const auto& [object, mesh] : gpu.meshes.of(scene)) {
         gpu.program.set("color", object.color);
         if (isMeasured) gpu.program.set("id", numberOf(object.name));

@@ -25,7 +25,7 @@ double halved(double fovy);
 
 class TracePicture {
   public:
-    // How it is made; the same for all passes of a picture.
+    // The settings of a picture, the same for all its passes.
     struct Plan {
         TracedScene scene;
         TraceView view;
@@ -62,7 +62,7 @@ class TracePicture {
 // Through the middle of each pixel of such a picture, the upper row first.
 std::vector<Ray> raysThrough(const TracePicture::Plan& plan);
 
-// In sRGB, what is above 1 as white.
+// The picture in sRGB, with light above 1 as white.
 Picture developed(const std::vector<vec3>& light, int width, int height);
 
 }  // namespace mv

@@ -14,7 +14,7 @@ namespace mv::ray_trace {
 
 void draw(Gpu&, const Settings& s, const Made& made, const Frame& frame) { showImage(frame, 0, 0, shown(s, made)); }
 
-// The picture is made in passes: blocks first, then a sample more for each pixel (passes.cpp). A sample is traceRay().
+// Make the picture in passes (passes.cpp): blocks first, then one more sample for each pixel. traceRay() computes a sample.
 void refine(Made& made, const Settings& s, const FrameInfo& frame, int pass) {
     if (made.finderFor.changed(s.room, s.structure, s.triangles)) made.finder = finderOf(s);
     made.picture.pass(planOf(s, frame.width(), frame.height(), made.finder), pass);
@@ -30,10 +30,10 @@ vec3 skyAlong(const TracedScene& scene, const vec3& direction) {
     return glm::mix(scene.skyBelow, scene.skyAbove, std::sqrt(up));
 }
 
-// A path in the middle: one ray of those that follow each other.
+// One ray of a path, in which rays follow each other.
 struct Following {
     Ray ray;
-    double radius = 0, spread = 0;  // of the ray's cone where it begins, and how it widens
+    double radius = 0, spread = 0;  // of the ray's cone at its start, and how it widens
     double weight = 1;
     int left = 0;  // rays that may follow
 };
@@ -68,7 +68,7 @@ class Tracer {
         if (met.ball >= 0) return scene_.balls[static_cast<std::size_t>(met.ball)].surface;
         if (met.triangle != nullptr) return scene_.meshSurface;
         const TracedScene::Floor& floor = *scene_.floor;
-        // The cone's cut through the floor is longer, the flatter it meets it.
+        // The flatter the cone meets the floor, the longer is its cut through the floor
         const double slant = std::abs(glm::normalize(direction).y);
         const double width = options_.filtered ? 2 * radius / std::max(slant, 1e-3) : 0;
         const double part = squaresAround(met.point.x, met.point.z, floor.square, width);
@@ -86,7 +86,7 @@ class Tracer {
         return nullptr;
     }
 
-    // The light of the lamps at a place, and what of it goes towards the eye in Phong's lobe.
+    // The light of the lamps at a place, and their highlight towards the eye by Phong's lobe.
     struct LampLight {
         vec3 diffuse, highlight;
     };
@@ -119,7 +119,7 @@ class Tracer {
         return d - 2 * glm::dot(d, met.normal) * met.normal;
     }
 
-    // The light that comes along that direction, of which the surface passes on a part.
+    // Follow the ray in a direction. The surface passes on a part of its light.
     vec3 follow(const Following& path, const Met& met, const vec3& direction, double part, double radius) {
         if (part == 0) return vec3(0);
         if (path.left == 0) {
@@ -141,7 +141,7 @@ class Tracer {
         const auto on = refracted(way, normal, behind);
         Split split = fresnel(std::max(0.0, cosine), behind);
         if (options_.schlick && on) {
-            // Schlick's curve with the angle on the side it is seen from, as it is often written; total reflection as it is.
+            // Use Schlick's curve with the angle on the ray's side, as many programs do. Total reflection stays exact
             const double headOn = std::pow((index - 1) / (index + 1), 2);
             split.reflected = schlick(std::max(0.0, cosine), headOn);
             split.transmitted = 1 - split.reflected;
@@ -187,7 +187,7 @@ std::optional<Met> firstMet(const TracedScene& scene, const Ray& ray) {
             const SceneTriangle& in = *hit->triangle;
             const vec3 normal = glm::normalize(glm::cross(in.b - in.a, in.c - in.a));
             return Met{.t = hit->hit.t,
-                       // By the corners' weights, which is nearer to the triangle than ray.at(t)
+                       // The corners' weights give a point nearer to the triangle than ray.at(t)
                        .point = hit->hit.a * in.a + hit->hit.b * in.b + hit->hit.c * in.c,
                        .normal = glm::dot(normal, ray.direction) > 0 ? -normal : normal,
                        .triangle = hit->triangle};
@@ -209,8 +209,8 @@ vec3 startFrom(const TracedScene& scene, const Met& met, const vec3& direction) 
                              glm::max(glm::abs(in.a), glm::max(glm::abs(in.b), glm::abs(in.c))), 8);
     }
     if (met.ball >= 0) {
-        // The point has roundings of the middle and of radius times normal, and the next ray's test some of the radius'
-        // square, which are half as many of the radius
+        // The point has the roundings of the middle and of radius times normal. The next ray's test has those of the
+        // radius' square, which are half as many of the radius
         const TracedBall& ball = scene.balls[static_cast<std::size_t>(met.ball)];
         return besideSurface(met.point, met.normal, direction, glm::abs(ball.center) + ball.radius, 8);
     }
@@ -230,7 +230,8 @@ double letThrough(const TracedScene& scene, const vec3& start, const vec3& lamp)
         const Surface& surface = scene.balls[static_cast<std::size_t>(met->ball)].surface;
         if (surface.index <= 0) return 0;
         const double cosine = glm::dot(glm::normalize(ray.direction), met->normal);
-        // Straight on, the angle inside is that outside: each surface takes what it reflects of light from outside.
+        // The ray goes straight on, so its angles inside and outside are equal. Each surface takes away the part that it
+        // reflects of light from outside
         through *= fresnel(std::min(1.0, std::abs(cosine)), surface.index).transmitted;
         ray.origin = startFrom(scene, *met, ray.direction);
         ray.direction = lamp - ray.origin;
@@ -238,8 +239,8 @@ double letThrough(const TracedScene& scene, const vec3& start, const vec3& lamp)
 }
 
 double squaresAround(double x, double z, double square, double width) {
-    // -1 and 1 in turn along x and along z; their product is the board. The mean of one over a width is the difference of its
-    // integral, a triangle wave, at both ends.
+    // The board is the product of two functions, along x and along z, that are -1 and 1 in turn. The mean of one over a width is
+    // the difference of its integral, a triangle wave, at both ends
     const auto mean = [&](double at) {
         const auto integral = [](double u) {
             return std::abs(u - 2 * std::floor(u / 2) - 1);

@@ -37,7 +37,7 @@ struct Settings {
 // The processor makes the picture.
 struct Gpu {};
 
-// What the passes so far have made.
+// The result of the passes so far.
 struct Made {
     TracePicture picture;
     std::shared_ptr<const TriangleFinder> finder;
@@ -48,7 +48,7 @@ struct Made {
 void draw(Gpu& gpu, const Settings& s, const Made& made, const Frame& frame);
 void refine(Made& made, const Settings& s, const FrameInfo& frame, int pass);
 
-// What is shown of the passes, and words over it: figure.cpp.
+// The picture that is shown, and the words over it: figure.cpp.
 TracePicture::Plan planOf(const Settings& s, int width, int height, std::shared_ptr<const TriangleFinder> finder);
 std::shared_ptr<const TriangleFinder> finderOf(const Settings& s);
 Picture shown(const Settings& s, const Made& made);

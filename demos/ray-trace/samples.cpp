@@ -1,4 +1,4 @@
-// Where a pixel and a lamp are asked.
+// The sample points in a pixel and on a lamp.
 #include <cmath>
 
 #include "whitted.h"
@@ -15,7 +15,7 @@ std::uint32_t scattered(std::uint64_t number) {
 }
 double part(std::uint32_t word) { return word * 0x1p-32; }
 
-// The bits of the index turned round, and Sobol's second direction numbers.
+// The bits of the index in reverse order, and Sobol's second direction numbers.
 vec2 sequencePoint(std::uint32_t index, std::uint32_t turnX, std::uint32_t turnY) {
     std::uint32_t x = 0, y = 0, direction = 1U << 31;
     for (std::uint32_t bits = index, bit = 1U << 31; bits != 0; bits >>= 1, bit >>= 1, direction ^= direction >> 1) {

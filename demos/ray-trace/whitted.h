@@ -1,4 +1,4 @@
-// Rays traced on: what Whitted's paper of 1980 computes for a ray, and Cook's of 1984 where the light has an area.
+// Recursive ray tracing: Whitted's paper of 1980 for a ray, and Cook's of 1984 for a light with an area.
 //
 // What reaches the eye along a ray is, at the first surface that it meets: what the surface emits; the ambient light's part of its
 // colour; of the lamp, as much as the ray to a point of the lamp lets through; and what comes along the mirrored and the refracted
@@ -49,7 +49,7 @@ struct TracedScene {
     std::vector<TracedLamp> lamps;
     vec3 ambient{0.1};
     vec3 skyBelow{0.75, 0.82, 0.9},
-        skyAbove{0.3, 0.5, 0.8};  // what comes from where nothing is, at the horizon and from above
+        skyAbove{0.3, 0.5, 0.8};  // the light from the empty sky, at the horizon and from above
 };
 
 struct TraceOptions {
@@ -94,7 +94,7 @@ double letThrough(const TracedScene& scene, const vec3& start, const vec3& lamp)
 // The floor's squares averaged over a box of that width: 0 (dark) to 1 (light).
 double squaresAround(double x, double z, double square, double width);
 
-// ---- where a pixel and a lamp are asked
+// ---- the sample points in a pixel and on a lamp
 
 enum class SamplePattern { regular, random, jittered, sequence };
 // Point `sample` of `count`, in the unit square, for a pixel of that number: two squares, for the pixel and for the lamp.

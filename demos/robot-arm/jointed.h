@@ -1,4 +1,4 @@
-// Things of joints for lessons on kinematics: which joints they have, and what hangs on each.
+// Jointed things for lessons on kinematics: their joints, and the parts on them.
 //
 // Every part lies along the x axis of its joint. Lengths are metres and must be above 0; angles are degrees.
 #pragma once
@@ -13,7 +13,7 @@ namespace mv {
 
 struct JointedPart {
     std::string name;   // in a matrix's name: "Upper"
-    std::string angle;  // what its joint's angle is called: "shoulder"; "" for a joint that does not turn
+    std::string angle;  // name of its joint's angle: "shoulder"; "" for a joint that does not turn
     vec3 color{0};
     // Boxes in the joint's space, made of one that is 1 long along x, from the joint on, and 1 wide.
     std::vector<mat4> jointFromBox = {};

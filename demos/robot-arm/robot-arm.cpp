@@ -19,16 +19,16 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     gpu.overlay.above.draw(frame);
 }
 
-// Two links, or the arm.
+// Draw two links, or the arm.
 void drawLinks(Gpu& gpu, const Settings& s, const Frame& frame) {
-    // Find the angles: forward they are given, inverse they bring the end to the target
+    // Find the angles. Forward kinematics is given them, inverse kinematics computes those that bring the end to the target
     const Jointed thing = thingOf(s);
     const IkResult found = find(s, thing, frame.index());
 
-    // Multiply the joints' matrices: the products say where the parts are
+    // Multiply the matrices of the joints. The products place the parts
     const std::vector<mat4> worldFromPart = worldFromParts(thing.tree, found.degrees);
 
-    // Draw the parts, between ghosts that they hide and words that nothing hides
+    // Draw the parts, which hide the ghosts, and are under the words
     const Pane pane = paneOf(s, frame);
     gpu.overlay.look(pane, clipFromWorldOf(s, pane));
     showLinks(gpu.overlay, s, thing, found, worldFromPart, frame);
@@ -38,7 +38,7 @@ void drawLinks(Gpu& gpu, const Settings& s, const Frame& frame) {
     glViewport(0, 0, frame.width(), frame.height());
 }
 
-// Forward: the matrix of a part is its parent's times its own, a product along the tree.
+// Forward kinematics: the matrix of a part is its parent's matrix times its own, a product along the tree.
 std::vector<mat4> worldFromParts(const JointTree& tree, const Angles& angles) {
     std::vector<mat4> worldFromPart;
     for (std::size_t i = 0; i < angles.size(); ++i) {
@@ -49,14 +49,14 @@ std::vector<mat4> worldFromParts(const JointTree& tree, const Angles& angles) {
     return worldFromPart;
 }
 
-// Frame i has the start's angles plus i times the rates: a product, no sum.
+// The angles of frame i: those of the start plus i times the rates. This is a product, not a sum over frames.
 Angles anglesAt(const Settings& s, int i) {
     const auto& [theta1, theta2, rate1, rate2] = s.links;
     if (isArm(s)) return {s.arm.turn, s.arm.shoulder, s.arm.elbow, s.arm.wrist};
     return {theta1 + i * rate1, theta2 + i * rate2};
 }
 
-// Inverse: from where the end is to be to the angles, by a formula or step by step from the start's angles.
+// Inverse kinematics: the angles for a target of the end, by a formula, or step by step from the start's angles.
 IkResult find(const Settings& s, const Jointed& thing, int index) {
     if (iterates(s)) return byIteration(thing, anglesAt(s, 0), targetOf(s), s.iterations, s.method);
     IkResult known;
@@ -64,7 +64,7 @@ IkResult find(const Settings& s, const Jointed& thing, int index) {
     return known;
 }
 
-// Two links: the elbow turned counter-clockwise (0), or clockwise.
+// The angles of two links, with the elbow turned counter-clockwise (0) or clockwise (1).
 Angles byFormula(const Settings& s, const vec2& to, std::size_t side) {
     const TwoLinkAngles found = twoLinkAngles(s.upper, s.lower, to).angles.at(side);
     return {found.shoulder, found.elbow};
@@ -88,7 +88,7 @@ vec3 targetOf(const Settings& s) {
     return (legOf(s) + (isArm(s) ? armHand : 0) + s.beyond) * direction;
 }
 
-// Draw a part: a few boxes that go where its matrix says, and a cylinder for its joint.
+// Draw each part: a few boxes, placed by its matrix, and a cylinder for its joint.
 void drawParts(Gpu& gpu, const Pane& pane, const Jointed& thing, const std::vector<mat4>& worldFromPart) {
     glViewport(pane.x, pane.y, pane.width, pane.height);
     for (std::size_t i = 0; i < thing.parts.size(); ++i) {
@@ -107,7 +107,7 @@ void drawParts(Gpu& gpu, const Pane& pane, const Jointed& thing, const std::vect
     }
 }
 
-// Draw what parts hide, and say how they are seen.
+// Draw the figures that parts hide, and set the camera of the parts.
 void beginParts(Gpu& gpu, const Frame& frame) {
     gpu.overlay.below.draw(frame);
     glEnable(GL_DEPTH_TEST);

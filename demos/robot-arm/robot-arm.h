@@ -22,7 +22,7 @@ enum class Method { forward, closed, ccd, transpose, dls };
 struct Links {
     double theta1 = 60, theta2 = 250, rate1 = 1.2, rate2 = -0.1;
 };
-// The arm on its table, and what it is looked at from.
+// The arm on its table, and the eye's orbit.
 struct Arm {
     double turn = 25, shoulder = 80, elbow = -70, wrist = -40;  // degrees
     bool limits = true, others = false;
@@ -70,7 +70,7 @@ void drawTable(Gpu& gpu);
 Pane paneOf(const Settings& s, const FrameInfo& frame);
 mat4 clipFromWorldOf(const Settings& s, const Pane& pane);
 
-// The walker: walker.cpp. A step of its near foot: where that is, and where it has to be.
+// The walker: walker.cpp. A step of its near foot: the place of the foot, and its target.
 struct Step {
     vec3 foot;
     FootTarget wanted;

@@ -1,4 +1,4 @@
-// Two legs that walk along the x axis, for lessons: where hip and feet have to be, and angles that are played.
+// Two legs that walk along the x axis, for lessons: the places that hip and feet must have, and angles that are played.
 #pragma once
 #include <vector>
 

@@ -1,4 +1,4 @@
-// A walker, whose gait says where a foot has to be, whatever moves the leg.
+// A walker. Its gait sets the places of the feet, whatever moves the legs.
 #include <algorithm>
 #include <glm/geometric.hpp>
 
@@ -24,7 +24,7 @@ mat4 clipFromGround(const Settings& s, const Pane& pane, double hip) {
     return clipFromView * rotateY(-18) * translate(-hip, 0, 0);
 }
 
-// The near foot in each frame of the last two cycles, and a mark wherever it has to stand.
+// Show the near foot in each frame of the last two cycles, and a mark wherever it must stand.
 void showTrack(JointedOverlay& overlay, const std::vector<Step>& track) {
     overlay.below.fill({{0, 0}, {double(overlay.pane().width), overlay.pixel(vec3(0)).y}}, robotEarth);
     std::vector<vec2> way;
@@ -49,7 +49,7 @@ void sayTrack(JointedOverlay& overlay, const Settings& s, const std::vector<Step
 
 }  // namespace
 
-// Above by angles that are played, and below on the same ground by inverse kinematics.
+// Draw a walker by played angles above, and one by inverse kinematics below, on the same ground.
 void drawWalkers(Gpu& gpu, const Settings& s, const Frame& frame) {
     const double now = double(frame.index()) / cycleFrames;
     const std::vector<Method> methods =
@@ -62,7 +62,7 @@ void drawWalkers(Gpu& gpu, const Settings& s, const Frame& frame) {
         sayTrack(gpu.overlay, s, track, methods[row]);
     }
 
-    // Draw the legs. Both panes are seen alike
+    // Draw the legs. Both panes have the same camera
     beginParts(gpu, frame);
     const Jointed thing = legsAt(s, now);
     for (std::size_t row = 0; row < methods.size(); ++row) {
@@ -75,8 +75,8 @@ void drawWalkers(Gpu& gpu, const Settings& s, const Frame& frame) {
     glViewport(0, 0, frame.width(), frame.height());
 }
 
-// Forward: a few right poses, and between them angles that go evenly from one to the next. Inverse: at any time anew, from
-// where the feet are to be.
+// The angles of the legs. Forward: a few right poses, with even changes of the angles between them. Inverse: computed for each
+// time from the places that the feet must have.
 Angles walking(const Settings& s, double cycles, Method by) {
     Angles angles = walkOf(s).played(cycles);
     const vec2 hip = walkOf(s).hip(cycles);
@@ -104,7 +104,7 @@ std::vector<Step> trackOf(const Settings& s, double now, Method by) {
     return track;
 }
 
-// How far the foot is off while it stands, at most, in metres.
+// The largest distance of the standing foot from its mark, in metres.
 double offOf(const std::vector<Step>& track) {
     double most = 0;
     for (const Step& step : track) {

@@ -18,7 +18,7 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     frame.show("worldFromBody", worldFromBody(s));
     frame.show("clipFromWorld", clipFromWorld);
 
-    // Draw the body by the program that computes its light where the setting says
+    // Draw the body by the program of the chosen shading
     glEnable(GL_DEPTH_TEST);
     const Program& program = programOf(gpu, s.shading);
     program.use();
@@ -45,7 +45,7 @@ const Program& programOf(Gpu& gpu, Shading shading) {
     return *gpu.byPixel;
 }
 
-// Tell the program of lamp, eye and material. Normals have a matrix of their own.
+// Set lamp, eye and material. Normals have a matrix of their own.
 void light(const Program& program, const Settings& s) {
     const Material material = materialOf(s.material);
     program.set("worldFromBody", worldFromBody(s));

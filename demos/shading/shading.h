@@ -32,7 +32,7 @@ struct Settings {
     double spinX = 15, spinY = 0;           // degrees
 };
 
-// What a surface does with light: the parts that it spreads, mirrors, and sends out by itself.
+// The parts of light that a surface scatters, mirrors and emits.
 struct Material {
     double diffuse, highlight, emitted;
     bool isBrushed = false;
@@ -48,7 +48,7 @@ struct Gpu {
     Mesh body, needles;
     MadeFor<Body, int> bodyFor, needlesFor;
     Drawing drawing;
-    // Of the exponents that match: the one at the figure's angle, and their ratios over the angle
+    // The matching exponents: the one at the figure's angle, and the ratios over the angle
     double matching = 0;
     MadeFor<double, double> matchingFor;
     std::vector<vec2> ratios;
@@ -65,7 +65,7 @@ mat4 worldFromBody(const Settings& s);
 vec3 lampOf(const Settings& s);
 void drawNormals(Gpu& gpu, const Settings& s, const mat4& clipFromBody);
 
-// What is shown, and what is drawn beside it: figure.cpp.
+// The scene, and the drawing beside it: figure.cpp.
 Scene sceneOf(const Settings& s, const FrameInfo& frame);
 void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame);
 double matchingAt(Gpu& gpu, const Settings& s);

@@ -12,15 +12,14 @@
 namespace mv::shadow_floor {
 
 void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
-    // Place the light first, so that all of this picture knows the same one
+    // Place the light once, for the whole picture
     const vec3 light = lightOf(s, frame);
     const mat4 viewFromWorld = viewFromWorldOf(s), clipFromView = clipFromViewOf(frame);
     frame.show("viewFromWorld", viewFromWorld);
     frame.show("clipFromView", clipFromView);
 
-    // Draw floor, square and light. The floor is the one that gives way to the shadow, by 0.0001 downwards: so the
-    // shadow lies on its upper side and, seen from below, behind it. (glPolygonOffset moves towards the eye, and would
-    // pull the shadow through the floor there.)
+    // Draw floor, square and light. The floor is lowered by 0.0001, so that the shadow lies on its upper side and, seen
+    // from below, behind it. (glPolygonOffset moves towards the eye, and would pull the shadow through the floor there.)
     glEnable(GL_DEPTH_TEST);
     gpu.program.use();
     gpu.program.set("clipFromView", clipFromView);
@@ -33,13 +32,13 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     drawMesh(gpu.program, gpu.plate, vec4(0.5, 0.5, 0.5, 1), viewFromWorld * worldFromFloor);
     drawMesh(gpu.program, gpu.ball, vec4(1, 0.6, 0, 1), viewFromWorld * translate(light));
 
-    // Draw the square flattened onto the floor. It is level, so either all of it casts a shadow or nothing does
+    // Draw the square flattened onto the floor. The square is level, so either all of it casts a shadow or nothing does
     const CasterVerdict verdict = judgeCaster("square", corners, vec4(light, 1), planeOfShadow);
     if (!verdict.sentence.empty()) frame.say(verdict.sentence);
     if (verdict.casts) drawShadow(gpu, s, light, worldFromSquare, frame);
 }
 
-// The shader lets the shadow end with the floor, where crop is on.
+// Draw the shadow. With `crop` on, the shader ends it at the floor's edge.
 void drawShadow(Gpu& gpu, const Settings& s, const vec3& light, const mat4& worldFromSquare, const Frame& frame) {
     const mat4 shadowFromWorld = shadowProjection(vec4(light, 1), planeOfShadow);
     frame.show("shadowFromWorld", shadowFromWorld);
@@ -56,7 +55,7 @@ void drawMesh(const Program& program, const Mesh& mesh, const vec4& color, const
     mesh.draw();
 }
 
-// On a circle of radius 1, or in the middle of it.
+// The light goes round a circle of radius 1, or stays in its middle.
 vec3 lightOf(const Settings& s, const FrameInfo& frame) {
     const double theta = 0.02 * frame.index(), radius = s.circle ? 1 : 0;
     return {s.lightX + radius * std::sin(theta), s.lightHeight, s.lightZ + radius * std::cos(theta)};

@@ -42,7 +42,7 @@ mat4 clipFromViewOf(const FrameInfo& frame);
 
 void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame);
 
-// What is measured: study.cpp. The shadow's part that falls on the floor has this area.
+// Measurements: study.cpp. The area of the shadow's part on the floor.
 double areaOnFloor(const mat4& shadowFromWorld);
 void readOut(Gpu& gpu, const Settings& s, const Frame& frame, Numbers& numbers);
 

@@ -22,17 +22,17 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     gpu.shadows.resize(scene.lights.size());
     gpu.remade = 0;
 
-    // Draw the maps that are not as they were, each in a framebuffer of its own
+    // Draw the maps that have changed, each in a framebuffer of its own
     glEnable(GL_DEPTH_TEST);
     if (byMaps) {
         for (const std::size_t i : reaching) drawMap(gpu, s, scene, i);
         if (gpu.remade > 0) frame.bindTarget();
     }
 
-    // Draw the scene without any light, which fills the depth buffer
+    // Draw the scene without any light, and fill the depth buffer
     drawUnlit(gpu, s, scene);
 
-    // Add to it, one light after the other, what that light makes brighter
+    // Add the lights to it, one after the other
     glDepthMask(GL_FALSE);
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
@@ -58,7 +58,7 @@ void drawUnlit(Gpu& gpu, const Settings& s, const Scene& scene) {
     program.set("ambientPass", false);
 }
 
-// Adds a light where its map shows nothing nearer to it.
+// Add a light where its map shows nothing nearer to the light.
 void addByMap(Gpu& gpu, const Scene& scene, std::size_t i) {
     gpu.program.use();
     gpu.program.set("shaded", scene.lights[i].aim.has_value());
@@ -66,7 +66,7 @@ void addByMap(Gpu& gpu, const Scene& scene, std::size_t i) {
     addLight(gpu, scene, i);
 }
 
-// Adds a light where the stencil buffer counts none of its volumes.
+// Add a light where the stencil buffer counts none of its volumes.
 void addByVolumes(Gpu& gpu, const Settings& s, const Scene& scene, std::size_t i) {
     countVolumes(gpu, s, scene, i);
     glStencilFunc(GL_EQUAL, 0, ~0U);
@@ -76,7 +76,7 @@ void addByVolumes(Gpu& gpu, const Settings& s, const Scene& scene, std::size_t i
     glStencilFunc(GL_ALWAYS, 0, ~0U);
 }
 
-// Draws the scene once more, in this light alone. The depths are those of the first pass, so equal ones belong to what is seen.
+// Draw the scene again, in this light alone. The depths are those of the first pass, so visible surfaces have equal ones.
 void addLight(Gpu& gpu, const Scene& scene, std::size_t i) {
     gpu.program.set("light", scene.lights[i].position);
     gpu.program.set("lightColor", scene.lights[i].color);
@@ -96,7 +96,7 @@ void drawObjects(Gpu& gpu, const Scene& scene, const mat4& mapFromWorld) {
     }
 }
 
-// Counts a light's volumes by z-fail, as in shadow-volume, after those of the light before are forgotten.
+// Clear the count of the light before, and count this light's volumes by z-fail, as in shadow-volume.
 void countVolumes(Gpu& gpu, const Settings& s, const Scene& scene, std::size_t i) {
     CasterVolumes& volumes = gpu.shadows[i].volumes;
     if (!s.keep) volumes.forget();
@@ -108,7 +108,7 @@ void countVolumes(Gpu& gpu, const Settings& s, const Scene& scene, std::size_t i
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
-// Draws a light's map, unless the light and all that casts stand where they stood.
+// Draw a light's map, unless the light and the casters stand where they stood.
 void drawMap(Gpu& gpu, const Settings& s, const Scene& scene, std::size_t i) {
     Shadow& shadow = gpu.shadows[i];
     shadow.view = viewOf(scene, scene.lights[i]);
@@ -130,7 +130,7 @@ void drawMap(Gpu& gpu, const Settings& s, const Scene& scene, std::size_t i) {
     glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
-// The map of a lamp covers its shade's opening, that of another light all that casts.
+// The map of a lamp covers its shade's opening, that of any other light all casters.
 LightView viewOf(const Scene& scene, const SceneLight& light) {
     if (!light.aim) return fitLightView(light.position, casterPoints(scene));
     const vec3 at(light.position);
@@ -140,7 +140,7 @@ LightView viewOf(const Scene& scene, const SceneLight& light) {
     return view;
 }
 
-// A light whose ball of that radius touches nothing in the picture costs no pass.
+// Leave out each light that reaches nothing in the picture: it costs no pass.
 std::vector<std::size_t> lightsThatReach(const Settings& s, const Scene& scene) {
     std::vector<std::size_t> reaching;
     const mat4 clipFromWorld = withDepths(scene.clipFromView, 0.5, 20) * scene.viewFromWorld;

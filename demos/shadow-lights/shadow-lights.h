@@ -44,8 +44,8 @@ struct Gpu {
     OnDemand<Mesh> bulb{positionsOnly(sphere(0.05, 16, 8)), "bulb"};
     SceneMeshes meshes;
     std::vector<Shadow> shadows;         // one a light
-    DepthMap noMap = DepthMap::empty();  // for the draws that ask none
-    int remade = 0;                      // shadows made anew in this frame
+    DepthMap noMap = DepthMap::empty();  // for the draws that read no map
+    int remade = 0;                      // shadows remade in this frame
 };
 
 // The technique: shadow-lights.cpp.

@@ -30,7 +30,7 @@ void main() {
     gl_Position = vec4(corner.xy + corner.zw * uv, 0, 1);
 }
 )";
-// The depth as it is would be white nearly everywhere: a perspective gives most of 0..1 to what is near.
+// The depth itself would be white nearly everywhere: a perspective gives most of 0..1 to near things.
 const char* const cornerFragment = R"(uniform sampler2D map;
 uniform float near;
 uniform float far;

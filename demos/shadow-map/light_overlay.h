@@ -1,4 +1,4 @@
-// What a shadow map holds, drawn over a picture: its frustum as lines, and the map itself in a corner.
+// A shadow map, drawn over a picture: its frustum as lines, and the map itself in a corner.
 #pragma once
 #include "mv/demo/frame.h"
 #include "mv/geometry/light_view.h"

@@ -19,7 +19,7 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CULL_FACE);
 
-    // The map stays as it is while the light and what casts rest
+    // Redraw the map when the light, the scene or a setting of the map has changed
     const bool isStale =
         gpu.mapFor.changed(light.clipFromWorld(), s.scene, s.resolution, s.mapFaces, s.receiver, s.slopeBias);
     if (isStale || !s.keep) {
@@ -36,10 +36,10 @@ void drawMap(Gpu& gpu, const Settings& s, const Scene& scene, const LightView& l
     gpu.map.bindForDrawing();
     glClear(GL_DEPTH_BUFFER_BIT);
 
-    // Half of the faces would do: those towards the light, or those away from it
+    // Draw half of the faces, those towards the light or those away from it, or both
     if (s.mapFaces == Faces::back) glCullFace(GL_FRONT);
     if (s.mapFaces == Faces::both) glDisable(GL_CULL_FACE);
-    // Push each triangle back by slopeBias times the depth it gains over a texel, and twice that in depth steps
+    // Push each triangle back by slopeBias times its change of depth over a texel, and by 2 * slopeBias depth steps
     glEnable(GL_POLYGON_OFFSET_FILL);
     if (s.slopeBias > 0) glPolygonOffset(float(s.slopeBias), float(2 * s.slopeBias));
 
@@ -54,7 +54,7 @@ void drawMap(Gpu& gpu, const Settings& s, const Scene& scene, const LightView& l
     if (s.mapFaces == Faces::both) glEnable(GL_CULL_FACE);
 }
 
-// The cone's outer limit, and its inner one 10 degrees within. Without a cone everything is inside both.
+// The cosines of the cone's outer limit, and of its inner limit 10 degrees within. Without a cone all points are inside both.
 static vec2 spotCosines(const Settings& s) {
     if (s.rays != Rays::spot || s.frustum != Fit::set) return {-3, -2};
     return {std::cos(radians(s.fov / 2)), std::cos(radians(std::max(0.0, s.fov / 2 - 10)))};
@@ -82,10 +82,10 @@ void drawPicture(Gpu& gpu, const Settings& s, const Scene& scene, const LightVie
     }
 }
 
-// How many looks into the map there are along a side of the filter.
+// The number of lookups in the map along a side of the filter.
 int looksAlong(Filter filter) { return filter <= Filter::hardware ? 1 : 2 * int(filter) - 1; }
 
-// The light's own camera: what it sees is what the map holds.
+// The light's own camera. The map holds what this camera sees.
 LightView lightView(const Settings& s, const Scene& scene) {
     if (s.frustum == Fit::set) return spotView(s);
     try {

@@ -54,7 +54,7 @@ LightView spotView(const Settings& s);
 vec4 lightOf(const Settings& s);
 int looksAlong(Filter filter);
 
-// What is shown, and what is drawn over it: scene.cpp, figure.cpp.
+// The scene, and the drawing over the picture: scene.cpp, figure.cpp.
 Scene sceneOf(const Settings& s, const FrameInfo& frame);
 void check(const Settings& s);
 void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame);

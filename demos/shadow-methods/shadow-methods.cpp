@@ -29,14 +29,14 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
         gpu.volumes.follow(scene, scene.lights[0].position);
     }
 
-    // Draw the scene by one method, by two side by side, or how far they differ
+    // Draw the scene by one method, by two side by side, or the difference of two
     gpu.found.reset();
     if (s.show == Show::difference && !frame.measuring()) return drawDifference(gpu, s, scene, frame);
     if (isAlone) return drawScene(gpu, scene, s.method);
     drawSplit(gpu, s, scene, frame);
 }
 
-// Left of the split by one method, right of it by the other, and between them a white line.
+// Draw one method left of the split, the other right of it, and a white line between them.
 void drawSplit(Gpu& gpu, const Settings& s, const Scene& scene, const Frame& frame) {
     const int middle = middleOf(s, frame);
     glEnable(GL_SCISSOR_TEST);
@@ -57,7 +57,7 @@ static void drawObject(const Program& program, const Scene& scene, const SceneOb
     mesh.draw();
 }
 
-// The scene with its shadows by one method: a picture, or for a study the lit fraction of each pixel.
+// Draw the scene with its shadows by one method: as a picture, or for a study as the lit fraction of each pixel.
 void drawScene(Gpu& gpu, const Scene& scene, Method by) {
     if (usesMap(by)) return drawByMap(gpu, scene, by);
     if (by == Method::matrix) return drawByMatrix(gpu, scene);
@@ -66,9 +66,9 @@ void drawScene(Gpu& gpu, const Scene& scene, Method by) {
     if (by == Method::volume) drawByVolumes(gpu, scene);
 }
 
-// Draws what casts once more, flattened onto the planes.
+// Draw the casters again, flattened onto the planes.
 void drawByMatrix(Gpu& gpu, const Scene& scene) {
-    // Draw the scene in full light, and note in the stencil buffer which plane is seen, 0 for a body
+    // Draw the scene in full light, and store in the stencil buffer the number of the plane seen, 0 for a body
     const Program& program = useLight(gpu, scene);
     glEnable(GL_STENCIL_TEST);
     glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
@@ -79,7 +79,7 @@ void drawByMatrix(Gpu& gpu, const Scene& scene) {
         drawObject(program, scene, object, mesh);
     }
 
-    // Draw over each plane where it is seen: no depth test, and nothing to blend, so nothing can show twice
+    // Draw over each plane where it is seen. Without depth test and blending, no shadow can show twice
     glDisable(GL_DEPTH_TEST);
     glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
     drawFlattened(gpu, scene);
@@ -107,9 +107,9 @@ void drawFlattened(Gpu& gpu, const Scene& scene) {
     }
 }
 
-// Counts the volumes behind what is seen, by z-fail, and draws the scene again, without the light, where some are left.
+// Count the volumes behind the visible surfaces by z-fail, and draw the scene again without the light where the count is not 0.
 void drawByVolumes(Gpu& gpu, const Scene& scene) {
-    // Count. Colours and depths stay as they are
+    // Count the volumes. Colours and depths stay as they are
     glEnable(GL_STENCIL_TEST);
     glStencilFunc(GL_ALWAYS, 0, ~0U);
     glDisable(GL_CULL_FACE);
@@ -133,7 +133,7 @@ void drawByVolumes(Gpu& gpu, const Scene& scene) {
     glDisable(GL_STENCIL_TEST);
 }
 
-// Draws the scene once: the shader looks each point up in the map.
+// Draw the scene once. The shader looks up each point in the map.
 void drawByMap(Gpu& gpu, const Scene& scene, Method by) {
     const Program& program = *gpu.byMap;
     program.use();
@@ -147,7 +147,7 @@ void drawByMap(Gpu& gpu, const Scene& scene, Method by) {
     }
 }
 
-// Draws the map as the light sees the scene, unless it is kept: while the light and what casts rest.
+// Draw the map as the light sees the scene. It is kept while neither the light nor a caster moves.
 bool makeMap(Gpu& gpu, const Settings& s, const Scene& scene) {
     const bool isStale = gpu.mapFor.changed(s.scene, s.ballHeight, s.resolution, s.receiver, s.slopeBias);
     if (!isStale && s.keep) return false;
@@ -157,7 +157,7 @@ bool makeMap(Gpu& gpu, const Settings& s, const Scene& scene) {
     gpu.map.bindForDrawing();
     glClear(GL_DEPTH_BUFFER_BIT);
 
-    // Backs are as good an end of the shadow as fronts, and what is lit is not there to shade itself
+    // Without the receiver draw only back faces: they bound the shadow as well, and no lit face is there to shade itself
     if (!s.receiver) glCullFace(GL_FRONT);
     glEnable(GL_POLYGON_OFFSET_FILL);
     if (s.slopeBias > 0) glPolygonOffset(float(s.slopeBias), float(2 * s.slopeBias));
@@ -172,7 +172,7 @@ bool makeMap(Gpu& gpu, const Settings& s, const Scene& scene) {
     return true;
 }
 
-// The program that knows no shadow, with the whole light.
+// Use the program without shadows, in full light.
 const Program& useLight(Gpu& gpu, const Scene& scene) {
     gpu.byLight->use();
     gpu.byLight->set("light", scene.lights[0].position);

@@ -19,13 +19,13 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     gpu.volumes.follow(scene, light, s.silhouette ? Extrude::silhouette : Extrude::everyTriangle);
     tell(gpu, s, scene, frame);
 
-    // Draw the scene in full light: its colours, and in the depth buffer how far away each pixel's surface is
+    // Draw the scene in full light, and fill the depth buffer
     glEnable(GL_DEPTH_TEST);
     gpu.program.use();
     gpu.program.set("light", light);
     drawObjects(gpu, scene, 1);
 
-    // Count in each pixel the volumes round its surface. Colours and depths stay as they are
+    // Count for each pixel the volumes round its surface. Colours and depths stay as they are
     const std::size_t casters = gpu.volumes.casters().size();
     const bool inGroups = needsGroups(s, casters);
     glEnable(GL_STENCIL_TEST);
@@ -45,7 +45,7 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     drawObjects(gpu, scene, 0);
 }
 
-// Counts as many casters at a time as seven bits hold, and notes after each group where something was counted.
+// Count as many casters at a time as seven bits hold, and note after each group where the count is not 0.
 void countInGroups(Gpu& gpu, const Settings& s, const Scene& scene) {
     const std::size_t casters = gpu.volumes.casters().size();
     for (std::size_t first = 0; first < casters; first += inOneGroup) {
@@ -58,9 +58,9 @@ void countInGroups(Gpu& gpu, const Settings& s, const Scene& scene) {
     }
 }
 
-// Adds the volumes of some casters to the stencil buffer.
+// Count the volumes of the casters first .. last - 1 in the stencil buffer.
 void countVolumes(Gpu& gpu, const Settings& s, const Scene& scene, std::size_t first, std::size_t last) {
-    // A count from the eye starts with the volumes that the eye is in; z-pass forgets them
+    // Start a count from the eye with the volumes that contain the eye. Plain z-pass forgets them
     const int start = s.method == Method::zPassStarted ? volumesRoundEye(gpu, scene, first, last) & 0xFF : 0;
     if (start != 0 || first != 0) startCountAt(gpu, start);
 
@@ -80,7 +80,7 @@ void countVolumes(Gpu& gpu, const Settings& s, const Scene& scene, std::size_t f
     }
 }
 
-// Writes a number into the whole stencil buffer, as far as its mask lets it.
+// Write a number into the whole stencil buffer, within its mask.
 void startCountAt(Gpu& gpu, int start) {
     glStencilFunc(GL_ALWAYS, start, ~0U);
     glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
@@ -104,7 +104,7 @@ void drawObjects(Gpu& gpu, const Scene& scene, double lit) {
     }
 }
 
-// Draws over each pixel that the stencil test lets through, whatever its depth.
+// Draw over each pixel that passes the stencil test, whatever its depth.
 void drawEverywhere(Gpu& gpu, const vec4& color) {
     glDisable(GL_DEPTH_TEST);
     gpu.volumeProgram.use();
@@ -114,7 +114,7 @@ void drawEverywhere(Gpu& gpu, const vec4& color) {
     glEnable(GL_DEPTH_TEST);
 }
 
-// A convex caster counts once at most, the pawn and the ring a few times. The stencil buffer is shown as one count.
+// A convex caster counts once at most, the pawn and the ring a few times. A picture of the count needs one count, not groups.
 bool needsGroups(const Settings& s, std::size_t casters) {
     return casters > mostInOneCount && s.groups && s.show != Show::count;
 }
@@ -124,7 +124,7 @@ std::size_t countedIndices(const Settings& s, const Caster& caster) {
     return s.method == Method::zFail ? caster.volume.indices.size() : caster.volume.sides;
 }
 
-// How many volumes of the casters first .. last - 1 the eye is in.
+// The number of volumes, of the casters first .. last - 1, that contain the eye.
 int volumesRoundEye(const Gpu& gpu, const Scene& scene, std::size_t first, std::size_t last) {
     return gpu.volumes.around(scene, vec3(glm::inverse(scene.viewFromWorld)[3]), first, last);
 }

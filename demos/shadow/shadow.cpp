@@ -17,7 +17,7 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     frame.show("viewFromWorld", viewFromWorld);
     frame.show("clipFromView", clipFromView);
 
-    // Draw the square. No half space cuts anything off it: (0, 0, 0, 1) is positive everywhere
+    // Draw the square. No half space cuts it: (0, 0, 0, 1) is positive everywhere
     glEnable(GL_DEPTH_TEST);
     gpu.program.use();
     gpu.program.set("worldFromModel", worldFromModel);
@@ -28,7 +28,7 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     gpu.program.set("color", vec4(1, 0, 0, 1));
     gpu.square.draw();
 
-    // Draw it once more, flattened onto the plane: the shadow
+    // Draw the square again, flattened onto the plane, as its shadow
     const CasterVerdict verdict = judgeCaster("square", cornersOf(worldFromModel), light, planeOfShadow);
     if (!verdict.sentence.empty()) frame.say(verdict.sentence);
     if (verdict.casts) drawShadow(gpu, light, worldFromModel, frame);
@@ -39,11 +39,11 @@ void drawShadow(Gpu& gpu, const vec4& light, const mat4& worldFromModel, const F
     frame.show("shadowFromWorld", shadowFromWorld);
     gpu.program.set("viewFromModel", viewFromWorld * shadowFromWorld * worldFromModel);
 
-    // Discard the false shadow. GL itself drops what has w <= 0, but only in a parallel view is that the w of the
-    // shadow: in perspective it is multiplied by the depth, and a false shadow behind the eye has w > 0 again. And w
-    // says nothing of what lies below the plane. So each pixel of the shadow carries the distances of the point that
-    // casts it, and is discarded when that point is not between plane and light. They are linear on the caster, and the
-    // interpolation undoes the division by w: it stays exact where GL cuts at w = 0.
+    // Discard the false shadow. GL clips all points with w <= 0, but only in a parallel view is this w that of the
+    // shadow: a perspective multiplies it by the depth, so that a false shadow behind the eye has w > 0 again. And w
+    // does not tell which points lie below the plane. So each pixel of the shadow carries the distances of the point
+    // that casts it, and the shader discards the pixel when this point is not between plane and light. The distances
+    // are linear on the caster, and interpolation undoes the division by w: they stay exact where GL clips at w = 0
     const auto [abovePlane, belowLight] = shadowCasterBounds(light, planeOfShadow);
     gpu.program.set("abovePlane", abovePlane);
     gpu.program.set("belowLight", belowLight);
@@ -51,7 +51,7 @@ void drawShadow(Gpu& gpu, const vec4& light, const mat4& worldFromModel, const F
     gpu.square.draw();
 }
 
-// It goes round.
+// The light goes round in a circle.
 vec4 lightOf(const Settings& s, const FrameInfo& frame) {
     const double theta = 0.1 * frame.index();
     return {std::sin(theta), s.lightHeight, std::cos(theta), 1};
@@ -59,7 +59,7 @@ vec4 lightOf(const Settings& s, const FrameInfo& frame) {
 
 mat4 worldFromModelOf(const Settings& s) { return translate(0, s.squareHeight, 0) * rotateZ(s.tilt); }
 
-// A box. The square stays one in a picture that is not square.
+// A parallel projection. It widens with the picture, so the square stays square.
 mat4 clipFromViewOf(const FrameInfo& frame) { return ortho(-2 * frame.aspect(), 2 * frame.aspect(), -2, 2, -4, 4); }
 
 // The square's corners, in world space.

@@ -1,4 +1,4 @@
-// The scenes of soft-shadows, and the points that stand for their lamp.
+// The scenes of soft-shadows, and the points that represent their lamp.
 #include <cmath>
 
 #include "mv/geometry/lamp.h"

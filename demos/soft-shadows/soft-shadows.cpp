@@ -16,7 +16,7 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     frame.count("points", double(points.size()));
     gpu.meshes.follow(scene);
 
-    // Add up how dark each pixel is
+    // Add up the darkness of each pixel
     glEnable(GL_CULL_FACE);
     glEnable(GL_DEPTH_TEST);
     glBlendFunc(GL_ONE, GL_ONE);
@@ -40,7 +40,7 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
             break;
     }
 
-    // Shade the scene by the part of the lamp that reaches each pixel. Only a blur in the picture asks its neighbours, too
+    // Shade the scene by the part of the lamp that reaches each pixel. Only a blur in the picture reads neighbouring pixels
     frame.bindTarget();
     darkness.bindColor(0);
     shade(gpu, scene, s.method == Method::blur ? s.taps : 1);
@@ -51,7 +51,7 @@ static void drawPlain(Gpu& gpu, const mat4& clipFromWorld, const SceneObject& ob
     mesh.draw();
 }
 
-// Begins with no darkness anywhere, and with the depth of what is seen, so that only that is darkened.
+// Clear the darkness, and draw the depths of the visible surfaces, so that only these are darkened.
 const Target& clearDarkness(Gpu& gpu, const Settings& s, const Scene& scene, const Frame& frame) {
     Target& darkness = frame.measuring() ? gpu.darknessMeasured : gpu.darknessShown;
     const bool made = darkness.fit(frame.width(), frame.height(),
@@ -69,8 +69,8 @@ const Target& clearDarkness(Gpu& gpu, const Settings& s, const Scene& scene, con
     return darkness;
 }
 
-// Flattens what casts onto the floor, once for each point. Where two casters' shadows overlap the floor is darkened once:
-// its stencil counts down from 255, by one a point, and takes the darkness only where it is still higher.
+// Flatten the casters onto the floor, once for each point. Where two shadows of a point overlap, the floor is darkened once:
+// the stencil counts down from 255, by one a point, and lets darkness through only where it is still higher.
 void addByMatrix(Gpu& gpu, const Scene& scene, const std::vector<vec3>& points) {
     constexpr vec4 floor(0, 1, 0, 0);
     glEnable(GL_BLEND);
@@ -101,7 +101,7 @@ void addByMatrix(Gpu& gpu, const Scene& scene, const std::vector<vec3>& points) 
     glDisable(GL_BLEND);
 }
 
-// Draws a map from each point, one after the other into the same texture.
+// Draw a map from each point, one after the other, into the same texture.
 void addByMaps(Gpu& gpu, const Settings& s, const Scene& scene, const std::vector<vec3>& points,
                const Target& darkness) {
     for (const vec3& point : points) {
@@ -120,7 +120,7 @@ static void drawOnMap(const Gpu& gpu, const Program& program, const Scene& scene
     mesh.draw();
 }
 
-// Adds the darkness that the map drawn from `point` gives, times this share of the lamp, by a look at side x side texels.
+// Add the darkness by the map drawn from `point`, times this share of the lamp, averaged over side x side texels.
 void addByMap(Gpu& gpu, const Scene& scene, const vec3& point, double share, int side) {
     const Program& program = *gpu.byMap;
     glEnable(GL_BLEND);
@@ -139,7 +139,7 @@ void addByMap(Gpu& gpu, const Scene& scene, const vec3& point, double share, int
     glDisable(GL_BLEND);
 }
 
-// The shader searches the pyramid from each pixel to the lamp for casters, and averages over a square as large as they ask.
+// Search, in the shader, the pyramid from each pixel to the lamp for casters, and average over a square sized by their distance.
 void addByPcss(Gpu& gpu, const Settings& s, const Scene& scene) {
     const SceneLight& lamp = scene.lights[0];
     const mat4 mapFromWorld = gpu.lightOfMap.mapFromWorld();
@@ -173,7 +173,7 @@ void shade(Gpu& gpu, const Scene& scene, int side) {
     }
 }
 
-// Draws the map from the lamp's middle, unless the last frame left it as it would be.
+// Draw the map from the lamp's middle, unless the one of the last frame still holds.
 void keepMap(Gpu& gpu, const Settings& s, const Scene& scene) {
     gpu.lightOfMap = viewFrom(scene, vec3(scene.lights[0].position));
     if (gpu.mapFor.changed(s.scene, s.resolution, gpu.lightOfMap.clipFromWorld(), casterPlaces(scene)))
@@ -194,7 +194,7 @@ void drawMap(Gpu& gpu, const Settings& s, const Scene& scene) {
     glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
-// The lamp looks straight down, and the map holds all that casts.
+// The lamp looks straight down, and the map holds all casters.
 LightView viewFrom(const Scene& scene, const vec3& point) {
     return fitLightView(point, vec3(0, -1, 0), scene.lights[0].halfV, casterPoints(scene), 0.1);
 }

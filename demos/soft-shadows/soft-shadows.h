@@ -34,7 +34,7 @@ struct Gpu {
     Program shading{"soft-shadows"}, plain{"soft-shadows", "plain"};
     OnDemand<Program> byMap{"soft-shadows", "map"}, byPcss{"soft-shadows", "pcss"};
     SceneMeshes meshes;
-    // How dark each pixel is: 0 sees the whole lamp, 1 none of it. A measured picture has another size.
+    // The darkness of each pixel: 0 where it sees the whole lamp, 1 where it sees none. A measured picture has another size.
     Target darknessShown, darknessMeasured;
     DepthMap map;
     LightView lightOfMap;

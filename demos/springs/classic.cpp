@@ -120,7 +120,7 @@ void drawClassic(Drawing& drawing, const Box& box, const Classic& classic, const
     drawing.axes(plot);
     const auto valueOf = [&](const Classic::Curve& curve, const std::vector<double>& y) {
         const double value = curve.factor * y[curve.component];
-        // What is beyond the axes is drawn just beyond, and cut off there
+        // Draw points beyond the axes just beyond them, where they are cut off
         const double span = plot.y.high - plot.y.low;
         return plot.y.logarithmic ? std::clamp(value, plot.y.low / 1e3, plot.y.high * 1e3)
                                   : std::clamp(value, plot.y.low - span, plot.y.high + span);

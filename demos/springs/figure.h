@@ -1,4 +1,4 @@
-// Pictures of masses on springs: the masses, their energy over time, and where a method is stable.
+// Pictures of masses on springs: the masses, their energy over time, and the region where a method is stable.
 #pragma once
 #include <complex>
 #include <span>
@@ -14,7 +14,7 @@ namespace mv {
 inline const vec4 springRed(0.75, 0.15, 0.1, 1), springBlue(0.1, 0.3, 0.7, 1), springGrey(0.6, 0.6, 0.6, 1),
     springInk(0.1, 0.1, 0.1, 1), springHand(0.85, 0.55, 0.1, 1);
 
-// Where a place of the scene is in its pane, in pixels: seen from a little above and from the left.
+// The pixel of a place of the scene in its pane, seen from a little above and from the left.
 vec2 springPixel(const Pane& pane, const vec3& place);
 
 // Masses, springs coloured by their stretch, and the hand. What is more than 100 m away is left out; how many that are.

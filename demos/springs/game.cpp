@@ -26,7 +26,7 @@ SpringStepper SpringGame::stepperAt(double time, const std::vector<double>& stat
     return {setup_.system, *rule_.method, time, step, state};
 }
 
-// What the hand does, and who moves a knob, changes the energy at once: that is their work.
+// The hand, and a change of a knob, change the energy at once. Count that as work.
 void SpringGame::take(const SpringRule& rule, double time) {
     const double before = energy();
     std::vector<double> state = stepper_->state();

@@ -1,4 +1,4 @@
-// What is said over the pictures of springs, and where they are.
+// The words over the pictures of springs, and the places of the pictures.
 #include <algorithm>
 
 #include "figure.h"

@@ -23,16 +23,16 @@ void draw(Gpu& gpu, const Settings& s, const Memory& game, const Frame& frame) {
     gpu.drawing.draw(frame);
 }
 
-// At frame 0 the masses are where the scene has them. From frame to frame the game steps (game.cpp).
+// The masses start where the scene has them. The game steps from frame to frame (game.cpp).
 Memory start(const Settings& s) { return isPlayed(s) ? SpringGame(ruleOf(s)) : SpringGame(); }
 void step(Memory& game, const Settings& s, int index) {
     if (isPlayed(s)) game.advance(ruleOf(s), index);
 }
 
-// Near rest the springs are linear: y' = A y. A step of h makes of the part along an eigenvector of A, with eigenvalue l, what
-// depends on z = h l alone. What grows in the method and not in the springs is the method's fault.
+// Near rest the springs are linear: y' = A y. A step of h multiplies the part along an eigenvector of A, with eigenvalue l, by a
+// factor that depends on z = h l alone. Growth in the method and not in the springs is the method's fault.
 std::vector<Dot> dots(Gpu& gpu, const Settings& s) {
-    constexpr double unseen = 1e-6;  // what grows by less than this part in a step is not called growing
+    constexpr double unseen = 1e-6;  // growth by less than this part in a step does not count
     SpringSettings springs = ruleOf(s).springs;
     springs.hand = SpringSettings().hand;
     if (gpu.eigenvaluesFor.changed(springs)) {
@@ -44,8 +44,8 @@ std::vector<Dot> dots(Gpu& gpu, const Settings& s) {
     std::vector<Dot> result;
     for (const std::complex<double>& eigenvalue : gpu.eigenvaluesAtRest) {
         const std::complex<double> z = h * eigenvalue;
-        // Beyond critical damping a pair is real; symplectic Euler and Verlet do to it what depends on both. This is
-        // the fast one of a pair, which has the slow one for its partner
+        // Beyond critical damping a pair of eigenvalues is real, and with symplectic Euler and Verlet the growth depends on
+        // both. The fast one of a pair has the slow one as its partner
         const bool isFast = eigenvalue.imag() == 0 && ratio * eigenvalue.real() <= -2;
         const std::complex<double> partner = isFast ? -z / (1.0 + ratio * eigenvalue) : std::conj(z);
         result.push_back({z, amplification(asOde(s), z, partner) > 1 + unseen});
@@ -53,7 +53,7 @@ std::vector<Dot> dots(Gpu& gpu, const Settings& s) {
     return result;
 }
 
-// The region where the method does not grow: for each number z what a step makes of it. The dots are drawn on it.
+// Draw the region of numbers z for which a step of the method does not grow, and the dots on it.
 void drawRegion(Gpu& gpu, const Settings& s, const std::vector<Dot>& all, const Frame& frame) {
     const Pane pane = rightOf(frame, false);
     std::vector<std::complex<double>> numbers;
@@ -87,7 +87,7 @@ SpringRule ruleOf(const Settings& s) {
 
 bool isPlayed(const Settings& s) { return s.problem < Problem::classics; }
 SpringScene sceneOf(const Settings& s) { return static_cast<SpringScene>(s.problem); }
-// At rest, where springs are linear, energy-momentum is the implicit midpoint rule.
+// Near rest, where springs are linear, energy-momentum is the implicit midpoint rule.
 OdeMethod asOde(const Settings& s) { return s.method == energyMomentum ? OdeMethod::implicitMidpoint : s.method; }
 
 }  // namespace mv::springs

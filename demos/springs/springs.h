@@ -17,12 +17,12 @@
 
 namespace mv::springs {
 
-// The first five are played, in the order of SpringScene. From here on they are the classics, in that of odeCases().
+// The first five are played, in the order of SpringScene. The classics follow in the order of odeCases().
 enum class Problem { chain, net, cloth, threeMasses, spring, classics, robertson = classics + 3 };
-// The method behind those for all problems, which is for springs alone.
+// The last method. It is for springs alone, the others are for all problems.
 inline constexpr auto energyMomentum = static_cast<OdeMethod>(odeMethods.size());
 
-// Of what is played.
+// Settings of the game.
 struct Played {
     int substeps = 5;         // steps in a frame of 1/60 s
     double stiffness = 1000;  // N/m
@@ -32,7 +32,7 @@ struct Played {
     double grip = 50;       // N/m
     vec2 hand{1, -0.7};     // m
 };
-// Of the classics.
+// Settings of the classics.
 struct Solved {
     double tolerance = 1e-6;  // 0: equal steps
     bool confirm = false;
@@ -55,7 +55,7 @@ struct Gpu {
     OnDemand<Program> program{std::string("springs")};  // no classic needs it
     Mesh region;
     Drawing drawing;
-    // What was made last
+    // The last results, and what they were made for
     MadeFor<OdeMethod, double, double> regionFor;
     MadeFor<SpringSettings> eigenvaluesFor;
     std::vector<std::complex<double>> eigenvaluesAtRest;
@@ -64,7 +64,7 @@ struct Gpu {
     ClassicSolution solution;
 };
 
-// What is remembered from frame to frame.
+// The state kept from frame to frame.
 using Memory = SpringGame;
 
 // The game: springs.cpp.
@@ -92,7 +92,7 @@ const char* nameOf(OdeMethod method);
 void readOut(Gpu& gpu, const Settings& s, const Memory& game, const Frame& frame, Numbers& numbers);
 std::vector<double> values(const Settings& s);
 std::vector<std::pair<std::string, double>> valueCounts(const Settings& s);
-// Of a classic, its place in odeCases().
+// The place of a classic in odeCases().
 std::size_t whichClassic(const Settings& s);
 
 }  // namespace mv::springs

@@ -9,7 +9,7 @@
 namespace mv::stereocube {
 namespace {
 
-// A turn goes on in a plane, not about an axis: four coordinates have six planes. This one takes `from` towards `to`.
+// A turn happens in a plane, not about an axis: four coordinates have six planes. The turn takes `from` towards `to`.
 mat4 planeTurn(int from, int to, double angle) {
     const double c = std::cos(radians(angle)), s = std::sin(radians(angle));
     mat4 turn(1);
@@ -61,7 +61,7 @@ MeshData wireHypercube(const Hypercube& four) {
     return mesh;
 }
 
-// Of all corners: at 0 one is as near as the eye.
+// The least divisor of all corners. At 0, a corner is as near as the eye.
 double leastDivisor(const Hypercube& four) {
     const mat4 turn = turnOf(four);
     double least = std::numeric_limits<double>::infinity();

@@ -20,14 +20,14 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     frame.show("clipFromRight", right.clipFromEye);
     frame.show("worldFromModel", worldFromModelOf(s));
 
-    // Clear the picture before there is a mask: glClear, too, writes only what it lets through
+    // Clear the picture before a mask is set, since the mask holds for glClear, too
     const auto paper = float(s.background == Paper::white);
     glClearColor(paper, paper, paper, 1);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glEnable(GL_DEPTH_TEST);
 
-    // Draw. The red filter is before the left eye and shows it the red channel: so the left picture is the one that
-    // changes red
+    // Draw both pictures. The left eye looks through the red filter and sees the red channel, so the left picture is the
+    // one that changes red
     if (gpu.wireFor.changed(s.shape, s.four)) gpu.wire = Mesh(wireOf(s), "cube");
     gpu.program.use();
     const auto drawColored = s.colors == Colors::lines ? drawLines : drawMasked;
@@ -35,7 +35,7 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     drawPictures(gpu, s, left, right, frame);
 }
 
-// Draw the lines in two colours. On black the red lines change red; on white the cyan ones do, which take red away.
+// Draw the lines in two colours. On black, red lines change red. On white, cyan lines do, since they take red away.
 void drawLines(Gpu& gpu, const Settings& s, const Eye& left, const Eye& right, const FrameInfo&) {
     const bool isWhite = s.background == Paper::white;
     drawWire(gpu, s, isWhite ? right : left, vec4(1, 0, 0, 1));
@@ -64,7 +64,7 @@ void drawBeside(Gpu& gpu, const Settings& s, const Eye& left, const Eye& right, 
     glViewport(0, 0, frame.width(), frame.height());
 }
 
-// A closed eye has no picture.
+// Draw the picture of an eye, unless the eye is closed.
 void drawWire(Gpu& gpu, const Settings& s, const Eye& eye, const vec4& color) {
     const bool isOneOpen = s.eyes == Eyes::left || s.eyes == Eyes::right;
     if (isOneOpen && s.eyes != eye.which) return;
@@ -90,7 +90,7 @@ Eye eyeAt(double x, Eyes which, const Settings& s, const Lens& lens) {
     return {which, lookAt(place, ahead + vec3(x, 0, 0), vec3(0, 1, 0)), frustum(window)};
 }
 
-// 50 degrees upwards. A narrow half sees as much across, and so more upwards.
+// The vertical angle of view is 50 degrees. A narrow half has these 50 degrees across, and so more upwards.
 Lens lensOf(const Settings& s, const FrameInfo& frame) {
     const double aspect = paneOf(s, frame, 0).aspect(), narrow = isBeside(s) ? std::min(aspect, 1.0) : 1;
     return {narrow < 1 ? 2 * degrees(std::atan(std::tan(radians(25.0)) / narrow)) : 50, aspect};

@@ -53,7 +53,7 @@ struct Lens {
     double fovy, aspect;
 };
 
-// What one eye sees with: its place and direction, and its window.
+// The camera of one eye: its place and direction, and its window.
 struct Eye {
     Eyes which;  // left or right
     mat4 eyeFromWorld, clipFromEye;
@@ -80,7 +80,7 @@ double divisorOf(const Hypercube& four, const vec4& turned);
 MeshData wireHypercube(const Hypercube& four);
 double leastDivisor(const Hypercube& four);
 
-// A ruler over the picture: figure.cpp. On the screen, in mm: where its width is known.
+// A ruler over the picture: figure.cpp. Lengths on the screen, in mm, need its width.
 struct OnScreen {
     double most;                       // the largest parallax behind the screen
     std::optional<double> atInfinity;  // off-axis: the parallax of what is infinitely far away

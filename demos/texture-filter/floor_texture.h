@@ -1,4 +1,4 @@
-// A floor to the horizon and what is painted on it: made by formulas, so that demo, study and tests have the same.
+// A floor to the horizon and its patterns, made by formulas, so that demo, study and tests have the same.
 #pragma once
 #include "mv/image/picture.h"
 #include "mv/math/types.h"
@@ -15,7 +15,7 @@ FloatPicture floorPattern(FloorPattern pattern, int size);
 // The part of the light that the eye counts as brightness: Rec. 709's weights of linear red, green and blue.
 double luminance(const float* texel);
 
-// What looks at the floor y = 0: from a height of 1, tilted down.
+// The camera above the floor y = 0: at a height of 1, tilted down.
 struct FloorCamera {
     mat4 viewFromWorld, clipFromView;
 };

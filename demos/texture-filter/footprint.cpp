@@ -8,16 +8,16 @@
 namespace mv::texture_filter {
 
 Pane floorPane(const FrameInfo& frame) { return {0, 0, std::max(1, frame.width() * 5 / 8), frame.height()}; }
-// A quantity is measured all over.
+// A measured picture is the floor alone, in the whole frame.
 Pane paneOf(const Frame& frame) {
     return frame.measuring() ? Pane{0, 0, frame.width(), frame.height()} : floorPane(frame);
 }
 
-// The place whose pixel is shown, in pixels of the floor's pane.
+// The place of the shown pixel, in pixels of the floor's pane.
 vec2 pixelShown(const Settings& s, const FrameInfo& frame) {
     const Pane pane = floorPane(frame);
     const mat3 repeats = repeatsFromPixel(pane.width, pane.height, 0);
-    const double horizon = -repeats[2].z / repeats[1].z;  // where the third is 0
+    const double horizon = -repeats[2].z / repeats[1].z;  // where the third component is 0
     return {s.pixelX * pane.width, s.pixelY * horizon};
 }
 

@@ -17,7 +17,7 @@ namespace mv::texture_filter {
 void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     bindTexture(gpu, s);
 
-    // Draw the floor: the driver looks up each pixel's footprint, or the shader several places along it
+    // Draw the floor. The driver looks up each pixel's footprint, or the shader looks up several places along it
     const Pane pane = paneOf(frame);
     glViewport(pane.x, pane.y, pane.width, pane.height);
     const FloorCamera camera = floorCamera(pane.aspect());
@@ -31,8 +31,8 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     tell(s, frame);
 }
 
-// Upload the texture, with its levels where the filter reads them, and say how it is looked up: between texels, between
-// levels, and along the footprint.
+// Upload the texture, with its levels where the filter reads them, and set its filter: between texels, between levels, and
+// along the footprint.
 void bindTexture(Gpu& gpu, const Settings& s) {
     if (gpu.imageFor.changed(s.pattern, s.picture.version(), s.size, s.average, formatOf(s), isMipmapped(s),
                              isByDriver(s), areColored(s))) {
@@ -69,7 +69,7 @@ int looks(const Settings& s) {
     return looksAlong && has(beyond_es::anisotropicFiltering) ? std::min(s.anisotropy, largestAnisotropy()) : 1;
 }
 
-// What is averaged is light, or what is kept of it.
+// Turn light into the encoded values of sRGB. Averages are of light, or of encoded values.
 static void encode(FloatPicture& picture) {
     for (float& value : picture.values) value = static_cast<float>(srgbFromLinear(double(value)));
 }
@@ -80,7 +80,7 @@ static void tint(FloatPicture& picture, const vec3& color) {
     }
 }
 
-// The picture, and each level half as wide and high as the one before.
+// The picture and its levels, each half as wide and high as the one before.
 std::vector<FloatPicture> levelsOf(const Settings& s) {
     FloatPicture first =
         s.picture.isSet() ? ownTexels(*s.picture.content(), s.size, s.size) : floorPattern(s.pattern, s.size);

@@ -18,7 +18,7 @@ vec3 surfacePoint(Shape shape, Formula formula, double u, double v) {
     return {out * std::cos(around), std::sin(up), out * std::sin(around)};
 }
 
-// A grid of cells, two triangles each; at a pole, where one of them is a line, the other.
+// A grid of cells of two triangles. At a pole one triangle of a cell is a line, so the cell has only the other.
 MeshData surfaceMesh(Shape shape, const Surface& surface) {
     const int columns = shape == Shape::quad ? surface.divisions : 4 * surface.divisions;
     const int rows = shape == Shape::sphere ? 2 * surface.divisions : surface.divisions;
@@ -44,7 +44,7 @@ MeshData surfaceMesh(Shape shape, const Surface& surface) {
     return made;
 }
 
-// The lecture's other order: not which texel a pixel shows, but which pixel a texel falls on.
+// The lecture's other order, from texels to pixels: a point for each texel, on the pixel that the texel falls on.
 MeshData texelPoints(Shape shape, const Surface& surface, int texels) {
     MeshData made{.primitive = Primitive::points};
     for (int j = 0; j < texels; ++j) {

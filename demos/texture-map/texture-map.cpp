@@ -14,7 +14,7 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     if (isCircle(s)) return;  // the figure draws it
     bindTexture(gpu, s);
 
-    // Choose what is interpolated between the corners, by the vertex and the fragment shader
+    // Choose the program by what it interpolates between the corners
     const Program& program = programOf(gpu, s);
     program.use();
     program.set("clipFromModel", clipFromModel(s, pane));
@@ -31,10 +31,10 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     gpu.mesh.draw();
 }
 
-// Upload the texture when another one is set, and say what is beyond 0..1; else bind the one that is there.
+// Upload the texture when another one is set, with its wrapping beyond 0..1. Else bind the texture that is there.
 void bindTexture(Gpu& gpu, const Settings& s) {
     if (!gpu.imageFor.changed(s.texels, s.picture.version(), s.wrap)) return gpu.image.bind(0);
-    gpu.image = Texture(imageOf(s), GL_NEAREST, "chart");  // which clamps
+    gpu.image = Texture(imageOf(s), GL_NEAREST, "chart");  // a new texture clamps
     if (s.wrap == Wrap::clamp) return;
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, static_cast<GLint>(wrapping(s.wrap)));
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, static_cast<GLint>(wrapping(s.wrap)));
@@ -68,7 +68,7 @@ mat4 clipFromModel(const Settings& s, const Pane& pane) {
     return isTriangle(s) ? clipFromTriangle(s.triangle, pane) : clipFromSurface(s.shape, s.surface, pane);
 }
 
-// Let the shader tell how far from its place each pixel's texture lies on the square.
+// Let the shader measure how far each pixel's texture lies from its place on the square.
 void setMeasured(const Program& program, const Settings& s, const Pane& pane) {
     program.set("compared", s.shape == Shape::quad);
     program.set("pixelFromQuad", pixelFromQuad(s.surface.ratio, pane));

@@ -80,7 +80,7 @@ MeshData triangleMesh(const Triangle& triangle);
 void setPlaneMap(const Program& program, const PlaneMap& map);
 mat4 clipFromTriangle(const Triangle& triangle, const Pane& pane);
 
-// Which of these settings say what.
+// Questions to the settings.
 bool isTriangle(const Settings& s);
 bool isForward(const Settings& s);
 bool isByHand(const Settings& s);

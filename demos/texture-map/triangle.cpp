@@ -5,14 +5,14 @@
 
 namespace mv::texture_map {
 
-// Corners in a plane at that distance from the origin.
+// The corners, in a plane at the distance from the origin.
 TexturedTriangle cornersOf(const Triangle& triangle) {
     const mat4 tilt = rotateX(30) * rotateY(25);
     const auto at = [&](double x, double y) { return vec3(tilt * vec4(x, y, triangle.distance, 0)); };
     return {{at(-1.2, -1), at(1.2, -1), at(0, 1.2)}, {vec2(0.1, 0.1), vec2(0.9, 0.1), vec2(0.5, 0.9)}};
 }
 
-// From a point to its texture coordinates: by the inverse of the lecture's matrix P, or along the triangle's edges.
+// Map a point to its texture coordinates: by the inverse of the lecture's matrix P, or along the triangle's edges.
 PlaneMap planeMap(const Triangle& triangle) {
     return triangle.map == Map::matrix ? mapByMatrix(cornersOf(triangle)) : mapByEdges(cornersOf(triangle));
 }
@@ -33,7 +33,7 @@ MeshData triangleMesh(const Triangle& triangle) {
     return made;
 }
 
-// The camera goes with the plane: at every distance from the origin, the triangle looks the same.
+// The camera moves with the plane, so the triangle looks the same at every distance from the origin.
 mat4 clipFromTriangle(const Triangle& triangle, const Pane& pane) {
     return perspective(50, pane.aspect(), 0.1, 20) * translate(0, 0, -3.2) * rotateY(30) *
            translate(0, 0, -triangle.distance) * rotateY(-25) * rotateX(-30);

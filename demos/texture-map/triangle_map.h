@@ -21,7 +21,7 @@ struct PlaneMap {
 
 // The lecture's P, with (x, y, z) = P (u, v, 1). Refused: texture coordinates on a line.
 mat3 pointFromTexture(const TexturedTriangle& triangle);
-// By its inverse, from the point itself. Refused: a plane that holds the origin, for which P has no inverse.
+// Map by the inverse of P, from the point itself. Refused: a plane that contains the origin, for which P has no inverse.
 PlaneMap mapByMatrix(const TexturedTriangle& triangle);
 // By how u and v change along the plane from the first corner on: nothing here asks where the origin is, and any texture
 // coordinates do. Refused: a triangle without area.

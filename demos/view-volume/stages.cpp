@@ -25,15 +25,15 @@ mat4 planeFromCamera(const Settings& s) {
     return m;
 }
 
-// The first half of what perspective does: the sides of the pyramid come to x = -z, x = z, y = -z and y = z, 90 degrees apart. The
-// sides of a box come to -1 and 1.
+// The first half of the projection: the sides of the pyramid move to x = -z, x = z, y = -z and y = z, 90 degrees apart. The sides
+// of a box move to -1 and 1.
 mat4 sidesFromCamera(const Settings& s) {
     const vec2 half = s.projection == Projection::perspective ? std::tan(radians(fovy / 2)) * vec2(aspect, 1)
                                                               : boxHalf() * vec2(aspect, 1);
     return scale(1 / half.x, 1 / half.y, 1);
 }
 
-// The other half is depth alone. Of a perspective: z = -near comes to -1 and z = -far to 1, after the division by -z.
+// The other half is depth alone. In a perspective z = -near moves to -1 and z = -far to 1, after the division by -z.
 mat4 clipFromSides(const Settings& s) {
     const double n = s.nearUsed(), f = s.far;
     if (s.projection == Projection::orthographic) return scale(1, 1, -2 / (f - n)) * translate(0, 0, (f + n) / 2);
@@ -43,7 +43,7 @@ mat4 clipFromSides(const Settings& s) {
     return m;
 }
 
-// Look at the plane, or from the eye to far, from far enough away.
+// Look at the plane, or at the space from the eye to far, from far enough away.
 mat4 paneFromStage(const Settings& s, const Pane& pane) {
     if (s.stage == Stage::cube) return cubeFromClip(s, pane);
     const bool isPlane = s.stage == Stage::plane, isParallel = s.projection == Projection::orthographic;

@@ -20,7 +20,7 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_SCISSOR_TEST);
 
-    // Take the world to clip space by the camera's matrix. On the right one more matrix looks at what that makes
+    // Take the world to clip space by the camera's matrix. In the right pane one more matrix looks at the result
     const std::vector<Pane> panes = frame.panes(2);
     const mat4 clipFromWorld = clipFromCamera(s) * cameraFromWorld(s);
     const mat4 stageFromWorld = stageFromCamera(s) * cameraFromWorld(s);
@@ -29,7 +29,7 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     frame.show("outsideFromWorld", outside);
     frame.show(s.stage == Stage::cube ? "cubeFromClip" : "paneFromStage", right);
 
-    // Draw what is kept, from outside and after the projection. In a plane nothing hides anything: only edges are drawn
+    // Draw the kept things, from outside and after the projection. In a plane nothing hides anything, so draw only edges
     const Kept kept = keptOf(gpu, s);
     gpu.faces.use();
     gpu.faces.set("clipFromWorld", clipFromWorld);
@@ -42,9 +42,9 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
         drawThings(gpu, kept, gpu.house, gpu.tree);
 }
 
-// Leave out each object that is whole outside of one plane.
+// Leave out each object that lies wholly outside one plane.
 Kept keptOf(const Gpu& gpu, const Settings& s) {
-    // A matrix takes points from the right, and planes back from the left
+    // A matrix maps points on its right, and maps planes back on its left
     SixPlanes worldPlanes = cameraPlanes(s);
     for (vec4& plane : worldPlanes) plane = plane * cameraFromWorld(s);
 
@@ -67,8 +67,8 @@ SixPlanes cameraPlanes(const Settings& s) {
     return planesOfBox(s);
 }
 
-// The planes of Gribb and Hartmann as they are mostly copied: sums of the matrix's rows, all in float. A normal that has
-// cancelled to 0 stays 0; such a plane holds everything.
+// The planes of Gribb and Hartmann as most programs have them: sums of the matrix's rows, all in float. A normal that has
+// cancelled to 0 stays 0, and its plane excludes nothing.
 SixPlanes planesInFloat(const mat4& clipFromCamera) {
     const fmat4 rows = glm::transpose(fmat4(clipFromCamera));
     SixPlanes planes;
@@ -98,7 +98,7 @@ mat4 clipFromCamera(const Settings& s) {
 // The camera stands 3 m high and looks along -z when pan is 0.
 mat4 cameraFromWorld(const Settings& s) { return rotateY(-s.pan) * translate(0, -3, 0); }
 
-// Turn what is looked at, the camera on the left and the cube on the right, by the same angles.
+// Turn the camera in the left pane and the cube in the right pane by the same angles.
 mat4 turned(const Settings& s) { return rotateX(s.tilt) * rotateY(-s.turn); }
 
 mat4 outsideFromWorld(const Settings& s, const Pane& pane) {

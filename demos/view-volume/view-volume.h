@@ -22,13 +22,13 @@ enum class Stage { cube, sides, plane };
 struct Settings {
     Projection projection = Projection::perspective;
     double near = 8, far = 30;  // metres before the camera
-    int closer = 1;             // by what near is divided
+    int closer = 1;             // divisor of near
     double pan = 0;             // degrees, of the camera to the left
     bool cull = true;
     Planes planes = Planes::parameters;
     Round round = Round::box;
-    double turn = 65, tilt = 32;  // degrees, of who looks at it
-    Stage stage = Stage::cube;    // that the right pane shows
+    double turn = 65, tilt = 32;  // degrees, of the view from outside
+    Stage stage = Stage::cube;    // shown in the right pane
     bool sight = false;           // draw lines of sight
     double nearUsed() const { return near / closer; }
 };

@@ -1,4 +1,4 @@
-// What lookAt computes: the axes of a camera, and the matrix that has them as rows.
+// The computation of lookAt: the axes of a camera, and the matrix whose rows they are.
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
@@ -7,7 +7,7 @@
 
 namespace mv::viewpoints {
 
-// The camera looks along -w. `up` need not be perpendicular to that; v is.
+// The camera looks along -w. `up` need not be perpendicular to w, but v is.
 Axes axesOf(const Gaze& gaze) {
     const vec3 w = normalize(gaze.eye - gaze.at);
     const vec3 u = normalize(cross(gaze.up, w));

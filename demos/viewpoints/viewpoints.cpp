@@ -14,12 +14,12 @@
 namespace mv::viewpoints {
 
 void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
-    // Let near things hide far ones, in the lower half where the camera is shown above it
+    // Let near things hide far ones, and draw into the lower half if the camera is shown above it
     glEnable(GL_DEPTH_TEST);
     const Pane pane = lowerPane(s, frame);
     if (s.camera) glViewport(pane.x, pane.y, pane.width, pane.height);
 
-    // Drive, and look
+    // Place the car, and look from the chosen view
     const Car car = carAt(frame.index());
     const auto [viewFromWorld, viewFromCar] = lookFrom(s, car);
     const mat4 clipFromView = perspective(50, pane.aspect(), 1, 500);
@@ -27,7 +27,8 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     frame.show("viewFromCar", viewFromCar);
     frame.show("clipFromView", clipFromView);
 
-    // Draw first what lookAt speaks of, as its matrix comes first. The depth test makes any order do
+    // Draw car or scenery first, whichever is in the space of lookAt, as its matrix comes first. With the depth test any order is
+    // right
     gpu.program.use();
     gpu.program.set("clipFromView", clipFromView);
     const bool carFirst = gazeOf(s, car).space == Space::car;
@@ -43,7 +44,7 @@ Car carAt(int frame) {
     return {d, place, translate(place) * rotateZ(-d), rotateZ(d) * translate(-place)};
 }
 
-// lookAt speaks of the world, and the car is put into the world, or of the car, and the world is put around the car.
+// Put the car into the world when lookAt is in world space, or the world around the car when lookAt is in the car's space.
 Look lookFrom(const Settings& s, const Car& car) {
     const Gaze gaze = gazeOf(s, car);
     const mat4 look = lookAt(gaze.eye, gaze.at, gaze.up);
@@ -53,7 +54,7 @@ Look lookFrom(const Settings& s, const Car& car) {
     return {viewFromCar * car.carFromWorld, viewFromCar};
 }
 
-// The page's table: a line for each view. View 5 has a second one, which is exact.
+// The page's table, with a line for each view. View 5 has a second line, which is exact.
 Gaze gazeOf(const Settings& s, const Car& car) {
     const double h = s.height;
     const vec3 house = watchedPlace(s), seat(3, 0, 5 + h);
@@ -67,7 +68,7 @@ Gaze gazeOf(const Settings& s, const Car& car) {
         {vec3(-12, 0, 6 + h), vec3(15, 0, 4), Space::car},
         {vec3(25, 5, 5 + h), vec3(0, 0, 2), Space::car},
         {vec3(2, 20, 5 + h), vec3(2, 0, 2), Space::car},
-        {vec3(0, 0, 200 + h), vec3(0, 0, 0), Space::world, vec3(0, 1, 0)},  // looks along z: up must be another
+        {vec3(0, 0, 200 + h), vec3(0, 0, 0), Space::world, vec3(0, 1, 0)},  // looks along z, so up must differ
     }};
     return gazes[std::size_t(s.view)];
 }
@@ -87,7 +88,7 @@ void drawScenery(Gpu& gpu, const mat4& clipFromView, const mat4& viewFromWorld) 
     gpu.program.set("viewFromModel", viewFromWorld);
     gpu.track.draw();
 
-    // Draw in red the houses that are in view
+    // Draw the houses that are in view in red
     gpu.program.set("paint", vec4(1, 0, 0, 1));
     for (const auto& [x, y, size] : houses) {
         const mat4 viewFromHouse = viewFromWorld * translate(x, y, size / 2) * scale(size);

@@ -16,7 +16,7 @@ struct Settings {
     double height = 0;    // added to that of the eye
     bool exact = false;   // of view 5
     double aim = 0;       // of view 5: how high on the house
-    bool camera = false;  // above the picture, the camera from outside
+    bool camera = false;  // show the camera from outside, above the picture
 };
 
 struct Gpu {
@@ -38,7 +38,7 @@ struct Car {
     mat4 worldFromCar, carFromWorld;
 };
 
-// What lookAt is told, and the space in which eye and at are given.
+// The arguments of lookAt, and the space of eye and at.
 struct Gaze {
     vec3 eye, at;
     Space space;

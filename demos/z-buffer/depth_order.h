@@ -1,4 +1,4 @@
-// What a depth buffer knows of the order of things: a model in the arithmetic of a GPU, without one.
+// The order of things as a depth buffer keeps it: a model in the arithmetic of a GPU, without a GPU.
 #pragma once
 #include <functional>
 #include <vector>
@@ -13,7 +13,7 @@ enum class DepthFormat { d16, d24, d32f };
 // distance, and taken to the depth range 0..1. `zeroToOne`: z/w is in 0..1 already, as with glClipControl.
 float windowDepth(const fmat4& clipFromView, float distance, bool zeroToOne);
 
-// What a buffer of that format keeps of a depth: cut to 0..1, and in 16 or 24 bits rounded to the nearest step.
+// The depth that a buffer of this format keeps: cut to 0..1, and in 16 or 24 bits rounded to the nearest step.
 double keptDepth(DepthFormat format, float depth);
 
 // Of `count` pairs of points, one at z and one at z (1 + separation), in equal ratios between near and far: 1 for each that

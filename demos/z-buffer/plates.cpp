@@ -83,7 +83,7 @@ std::vector<std::optional<vec3>> colorsByRays(std::span<const Plate> plates, con
             for (std::size_t i = 0; i < plates.size(); ++i) {
                 const vec3 hit = plateFromRay[i] * ray;
                 const double along = hit.x / hit.z, across = std::abs(hit.y / hit.z);
-                // Said so that it also fails where the plate is edge-on and nothing is a number
+                // Written so that the test also fails where the plate is edge-on and the values are NaN
                 const bool seen = hit.z > 1 / view.far && hit.z < 1 / view.near && along > 0 && along < 1;
                 if (seen && across < 0.5) met.push_back({hit.z, (across > plateRim ? 0.7 : 1.0) * plates[i].color});
             }

@@ -1,4 +1,4 @@
-// Flat plates in front of an eye, and what rays see of them: of several translucent ones all, in their order.
+// Flat plates in front of an eye, as rays see them: all of several translucent plates, in their order.
 #pragma once
 #include <array>
 #include <optional>

@@ -18,8 +18,8 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     const mat4 clip = clipFromView(s, frame.aspect(), hasZeroToOne(s));
     frame.show("clipFromView", clip);
 
-    // Draw into colours with a depth buffer of the format under test, each as a texture where it is shown. The picture's own
-    // target needs no depth, and the painter's way needs none at all
+    // Draw into a target with a depth buffer of the format under test. The buffer that is shown is a texture. The picture's own
+    // target needs no depth, and the painter's algorithm needs none at all
     const bool showsDepth = s.shown == Shown::depth;
     constexpr GLenum formats[] = {GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT32F};
     const Target::Buffers buffers{.depth = s.depthTest || showsDepth,
@@ -29,7 +29,7 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     if (!gpu.drawn.fit(frame.width(), frame.height(), buffers, "scene")) gpu.drawn.bind();
     drawPlates(gpu, s, clip);
 
-    // Show one of the two
+    // Show the colours, or the depths
     frame.bindTarget();
     gpu.show.use();
     gpu.show.set("drawn", 0);
@@ -42,13 +42,13 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
 }
 
 void drawPlates(Gpu& gpu, const Settings& s, const mat4& clipFromView) {
-    // Clear the depths to the farthest one. Either near is 0 and the smaller depth wins, or near is 1 and the larger one
+    // Clear the depths to the farthest one. The smaller depth wins where near is 0, the larger one where near is 1
     const float farthest = nearIsOne(s) ? 0 : 1;
     glClearColor(float(background.r), float(background.g), float(background.b), 1);
     glClear(GL_COLOR_BUFFER_BIT);
     glClearBufferfv(GL_DEPTH, 0, &farthest);
 
-    // Let each pixel keep what is nearest, and blend what is translucent
+    // Keep the nearest surface in each pixel, and blend translucent ones
     if (s.depthTest) glEnable(GL_DEPTH_TEST);
     if (nearIsOne(s)) glDepthFunc(GL_GREATER);
     if (hasZeroToOne(s)) glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
@@ -73,13 +73,13 @@ void drawPlates(Gpu& gpu, const Settings& s, const mat4& clipFromView) {
         gpu.plate.draw(6 * part.first, 6 * part.count);
     }
 
-    // Leave the state as it was: the picture that follows is not of this scene
+    // Restore the state: the draw that follows is not of this scene
     if (s.depthTest) glDisable(GL_DEPTH_TEST);
     if (s.opacity < 1) glDisable(GL_BLEND);
     if (hasZeroToOne(s)) glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
 }
 
-// The painter's algorithm sorts: first what is far, then over it what is near.
+// The painter's algorithm draws the farthest part first, and nearer parts over it.
 std::vector<Part> partsInOrder(Order order, const std::array<Plate, 3>& plates, std::span<const double> cuts) {
     const std::size_t cells = cuts.size() - 1;
     std::vector<Part> parts;
@@ -108,7 +108,7 @@ mat4 clipFromView(const Settings& s, double aspect, bool zeroToOne) {
     return perspective(50, aspect, s.near, s.far);
 }
 
-// The depth that the buffer is given for a distance.
+// The depth that is written for a distance.
 float depthOf(const Settings& s, const mat4& clipFromView, float distance, bool zeroToOne) {
     if (s.mapping == Mapping::logarithmic) return std::log2(1 + distance) / std::log2(1 + float(s.far));
     return windowDepth(fmat4(clipFromView), distance, zeroToOne);
@@ -125,8 +125,8 @@ std::array<Plate, 3> platesOf(const Settings& s) {
     return roadOnGround(s.far, s.separation);
 }
 
-// Where a plate is cut. The road has cells a quarter as long as they are far away: over a cell the GPU interpolates depth in
-// float, with an error that is a part of the largest depth there, the near end's.
+// The cuts of a plate. A cell of the road is a quarter as long as its distance: over a cell the GPU interpolates depth in
+// float, with an error relative to the largest depth there, that of the near end.
 std::vector<double> cutsOf(const Settings& s) {
     std::vector<double> ends{0};
     if (s.scene == Which::road) {

@@ -17,7 +17,7 @@
 namespace mv::z_buffer {
 
 enum class Which { cycle, road, panes };
-// The plates by the letters of their colours, or from far to near.
+// The order of the plates, by the letters of their colours, or from far to near.
 enum class Order { rgb, rbg, grb, gbr, brg, bgr, sorted };
 enum class Shown { colors, depth, curve };
 enum class Mapping { standard, infinite, reversed, flipped, logarithmic, zeroToOne };

@@ -1,11 +1,11 @@
 // What bump-map claims, and a test for each.
 //
-// - [right-straight-on] Seen straight on, a normal map leaves less than a tenth of the error of mere paint.
-// - [fails-at-80] At 80 degrees it leaves more than half of that error, and more than five times its own straight on.
+// - [right-straight-on] In a view straight on, a normal map leaves less than a tenth of the error of mere paint.
+// - [fails-at-80] At 80 degrees a normal map leaves more than half of paint's error, and over five times its own straight on.
 // - [occlusion-sees-relief] From 20 to 80 degrees parallax occlusion leaves at most two thirds of the normal map's error.
-// - [finer-maps] From 256 rows on, twice as many make the normals of the map four times as exact.
+// - [finer-maps] From 256 rows on, twice as many rows make the normals of the map four times as exact.
 // - [no-mirror-seam] A mirrored wall is lit as well as a plain one; without the sign of its frames it is not.
-// - [round-outline] By maps the orange keeps the outline of the sphere; displaced it does not.
+// - [round-outline] With maps the orange keeps the outline of the sphere; displaced it does not.
 // - [no-depth-no-bumps] With depth 0 all methods show the smooth surface.
 #include <gtest/gtest.h>
 

@@ -1,15 +1,15 @@
 // What clipping claims, and a test for each; X25 in docs/stability.md is its extreme.
 //
-// - [nine-codes] The code of a point says beyond which sides it lies; what OR and AND say of two is true of their segment.
-// - [same-on-paper] All four methods give the same on whole numbers that they can compute without rounding.
-// - [decided-by-luck] Of segments aimed at a corner, only the exact method decides all rightly, and ends within 4 ulp.
+// - [nine-codes] The code of a point says beyond which sides it lies; OR and AND of two codes are right about their segment.
+// - [same-on-paper] All four methods agree on whole numbers that they can compute without rounding.
+// - [decided-by-luck] Only the exact method decides all segments aimed at a corner rightly, and ends within 4 ulp.
 // - [one-piece-too-many] Of a concave polygon in two pieces Sutherland and Hodgman's method makes one, with edges on each
 //   other; its area is right, and the other method's pieces have the same.
 // - [sides-do-not-close] Sides clipped as segments are right one by one, and have no area together.
 // - [unit-normal] A half plane's product with a point is its distance where the normal is 1 long, as of a window, not where all three
 //   numbers are; of a polygon's edge it is the distance times the edge's length.
-// - [inside-out] Clipped after the division, a segment from before the eye to behind it shows what is not seen of it; clipped
-//   before the projection or before the division, it shows the same, which is right.
+// - [inside-out] Clipping after the division shows the wrong part of a segment that goes from before the eye to behind it;
+//   clipping before the projection or before the division shows the right part, the same in both.
 #include <gtest/gtest.h>
 
 #include <algorithm>

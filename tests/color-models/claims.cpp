@@ -1,10 +1,10 @@
 // What color-models claims, and a test for each.
 //
-// - [linked] Where a solid is dragged, the mark is under the pointer in it, and at the same colour in the others.
-// - [right-at-each-pixel] What a pixel of a solid shows is the colour of its place, cut open or not.
+// - [linked] A mark dragged in a solid stays under the pointer, and is at the same colour in the other solids.
+// - [right-at-each-pixel] Each pixel of a solid shows the colour of its place, cut open or not.
 // - [there-and-back] All 2^24 colours come back from HSL and HSV in float; through 8 bits a component is off by up to 4/255
 //   in HSL and 3/255 in HSV, and no more.
-// - [greys-have-no-hue] A grey gets hue 0; beside it any hue is found. To mix, it takes the hue of the other colour.
+// - [greys-have-no-hue] A grey gets hue 0; any hue is found beside it. In a mixture it takes the hue of the other colour.
 // - [even-in-oklab] The steps of the OKLab strip are even; those of the others are not, and linear light is brighter.
 // - [a-third-is-shown] sRGB holds a third of the diagram of 1931, and of that of 1976.
 #include <gtest/gtest.h>

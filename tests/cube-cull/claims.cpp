@@ -3,7 +3,7 @@
 // - [convex-needs-no-depth] The cube is closed and convex: with back faces culled its pixels need no depth test.
 // - [front-is-inside] Culling front faces shows the inside, and so does culling back faces of the other winding.
 // - [half-to-five-sixths] From outside 1, 2 or 3 faces are seen, so culling discards 1/2 to 5/6 of all triangles.
-// - [eye-inside] From inside no face turns to the eye: culling back faces leaves the axes alone.
+// - [eye-inside] Inside the cube no face turns to the eye: culling back faces leaves the axes alone.
 // - [lines-stay] Lines have no faces: culling both leaves the axes.
 #include <gtest/gtest.h>
 

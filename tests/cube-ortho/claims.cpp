@@ -1,9 +1,9 @@
 // What cube-ortho claims, and a test for each.
 //
 // - [identity-and-mirror] The box from -1 to 1 mirrors depth; with near and far exchanged the matrix is the identity.
-// - [far-hides-near] With near and far exchanged what is far hides what is near.
-// - [distance-changes-nothing] Moved away with its box, the cube looks exactly the same.
-// - [box-fills-window] Whatever the size of the box it fills the window, so the cube is drawn in inverse proportion.
+// - [far-hides-near] With near and far exchanged, far surfaces hide near ones.
+// - [distance-changes-nothing] The cube looks exactly the same when it moves away with its box.
+// - [box-fills-window] A box of any size fills the window, so the cube is drawn in inverse proportion.
 // - [slab-is-a-hexagon] A thin slab across a diagonal leaves a ring of six sides, one of each face.
 // - [minus-in-row-three] With near 1 and far 3 the matrix has -2 at the end of row 3; the slide's +2 misses the cube.
 // - [nothing-is-refused] A box of no size, and one that misses every face of the cube, are refused.

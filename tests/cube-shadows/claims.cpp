@@ -5,11 +5,11 @@
 // - [special-case] On planes across an axis the slide's special case and the general matrix give the same picture.
 // - [transposed-is-wrong] The matrix as the slide prints it, for columns transposed, draws another picture.
 // - [darkened-once] However many triangles and casters overlap in a shadow, each of its pixels is darkened once.
-// - [between-plane-and-light] What is above the light, at its height or behind the plane casts nothing.
+// - [between-plane-and-light] Parts above the light, at its height or behind the plane cast nothing.
 // - [clip-or-discard] Clip distances and discard cut the same false shadows off.
 // - [light-in-the-plane] A light in the plane or behind it throws no shadow there, and a sentence says so.
 // - [grazing-light] Under a light 1e-7 above the plane no pixel beside floor and wall is darkened.
-// - [far-from-the-origin] With the plane 1e6 from the origin a shadow's place is right to 1e-5 of the cube.
+// - [far-from-the-origin] A shadow's place is right to 1e-5 of the cube with the plane 1e6 from the origin.
 // - [moved-by-hand] The arrow keys turn the light by 5 degrees.
 #include <gtest/gtest.h>
 

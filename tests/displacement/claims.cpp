@@ -1,14 +1,14 @@
 // What displacement claims, and a test for each.
 //
-// - [outline-is-real] Moved vertices change the outline; with the same normals and no move it is that of the smooth body.
+// - [outline-is-real] Moved vertices change the outline; the same normals without moves leave that of the smooth body.
 // - [prepared-is-the-same] At a fixed level the tessellator draws what the processor's mesh of as many cells draws.
 // - [no-cracks] Where neighbours agree on the levels of their edges, no pixel of the background is seen through the surface.
-// - [cracks-without-agreement] Where each patch has a level of its own, some are.
+// - [cracks-without-agreement] Where each patch has a level of its own, some pixels of the background are seen.
 // - [triangles-by-the-rule] The tessellator makes as many triangles as the levels say; patches out of view give none.
-// - [left-out-changes-nothing] What is left out is not seen: the picture stays byte for byte, with fewer triangles.
+// - [left-out-changes-nothing] Patches that are left out are not in view: the picture stays byte for byte, with fewer triangles.
 // - [far-needs-less] On the long wall levels by distance make a better outline of fewer triangles than a fixed level.
-// - [levels-in-range] Levels beyond 64 are drawn as 64; a knob refuses 0, 65 and what is no number.
-// - [says-what-is-lacking] Without tessellation the prepared mesh is drawn, and said to be.
+// - [levels-in-range] Levels beyond 64 are drawn as 64; a knob refuses 0, 65 and words that are no number.
+// - [says-what-is-lacking] Without tessellation the prepared mesh is drawn, and a sentence says so.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,12 +1,12 @@
 // What environment claims, and a test for each.
 //
-// - [rays-are-right] By rays each pixel of the sphere is what double precision finds, for each material.
-// - [off-by-distance] Looked up by direction alone, of the error a room of twice the size leaves half, up to 0.71 of it.
-// - [walls-corrected] Looked up where the ray meets the room's walls, the mirrored walls are right; balls before them are not.
-// - [no-seams] Nothing jumps where a reflection crosses the cube's edges, which are seen where each face ends by itself.
-// - [kept] While nothing moves no face is drawn; where the ball moves only those are in which it is or was.
+// - [rays-are-right] By rays each pixel of the sphere has the colour of double precision, for each material.
+// - [off-by-distance] A room of twice the size halves the error of a lookup by direction alone, or leaves at most 0.71 of it.
+// - [walls-corrected] A lookup where the ray meets the room's walls gets the walls right, but not the balls before them.
+// - [no-seams] Seamless cubes show no jump at the cube's edges; faces that end by themselves show the edges.
+// - [kept] No face is drawn while nothing moves; a moving ball redraws only the faces that it is or was in.
 // - [total-reflection] In a bubble, beyond the limiting angle, everything is mirrored, and nothing shines through.
-// - [no-surface] Glass with the index of what is around it is not to be seen.
+// - [no-surface] Glass with the index of its surroundings cannot be seen.
 // - [indices] Water, glass and diamond reflect ((n - 1) / (n + 1))^2 head on, and from inside all beyond the angle whose sine is 1/n.
 // - [own-model] A model of one's own, an OBJ file, is as large as the sphere wherever and however large its corners are.
 #include <gtest/gtest.h>

@@ -3,11 +3,11 @@
 // - [right-ones-agree] After an hour, at an irrational speed, what is moved per second and what is a function of the time
 //   agree to 1e-12, whatever the display does; what goes in steps is where they were less than two steps before.
 // - [wrong-by-its-ratio] What is moved per picture goes display/60 times as fast, and slower where pictures are left out.
-// - [made-for-60] On a display of 60 Hz that keeps up nobody sees which of the first three it is.
-// - [hands-turn-backwards] As the slide has them, by positive angles, the hands go round the wrong way.
+// - [made-for-60] The first three ways look the same on a display of 60 Hz that keeps up.
+// - [hands-turn-backwards] The slide's positive angles turn the hands the wrong way.
 // - [spiral] Where a step takes longer to compute than it lasts, each picture takes longer than the one before; with a cap
 //   it does not, and time is lost.
-// - [same-frame] A frame is the same whatever was drawn before it, and whoever moved a knob meanwhile.
+// - [same-frame] A frame does not depend on the frames drawn before it, or on knobs moved meanwhile.
 #include <gtest/gtest.h>
 
 #include <array>

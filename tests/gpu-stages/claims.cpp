@@ -5,9 +5,9 @@
 //   one or a line, of each point four triangles.
 // - [stages-pass-on] A stage that is on and changes nothing changes no pixel by more than its colours' last place; without
 //   fragments there is no picture, and all is counted as before.
-// - [hidden-lines] What shows them draws lines behind faces and nothing else, and covers no line before them.
-// - [ten-primitive-types] So many vertices make so many primitives, in each of the seven types of the core; it refuses the
-//   other three.
+// - [hidden-lines] The second draw adds lines behind faces and nothing else, and covers no line in front of them.
+// - [ten-primitive-types] The number of primitives follows from that of the vertices in each of the seven types of the core,
+//   which refuses the other three.
 // - [regular-only-with-euler-0] Of the closed bodies the torus is regular and the sphere is not; what its vertices lack of
 //   six edges is 6 times Euler's number.
 // - [compute-is-the-same-picture] The compute shader stores the picture that the fragment shader draws.

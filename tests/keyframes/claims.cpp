@@ -1,12 +1,12 @@
 // What keyframes claims, and a test for each.
 //
-// - [through-its-keys] Every kind of curve is at every key at its time, but for the B-spline and the Bezier curve.
+// - [through-its-keys] Every kind of curve but the B-spline and the Bezier curve is at each key at the key's time.
 // - [speed-jumps] Straight from key to key the speed is constant, and jumps at the keys. A spline's does not; that of a
 //   uniform Catmull-Rom curve does not either, but its acceleration does.
 // - [ends] Where it rests before and after, all kinds leave with a jump, but what is eased at both ends and the clamped
 //   spline.
-// - [who-feels-a-key] Who moves a key moves four spans of a Catmull-Rom curve or a B-spline, more of a spline, and all of
-//   one polynomial.
+// - [who-feels-a-key] A moved key changes four spans of a Catmull-Rom curve or a B-spline, more of a spline, and all of one
+//   polynomial.
 // - [swings] Through more and more even nodes of Runge's function one polynomial swings more and more, and says so from 13
 //   on; through as many of Chebyshev's, or in a spline, it comes nearer and nearer.
 // - [float-swings-too] Even where the polynomial comes near, at sin 3x, 41 even nodes are too many for the textbook's form

@@ -5,12 +5,12 @@
 // - [falloff-exponents] A constant, linear or quadratic term alone falls as d^0, d^-1 or d^-2, read from the picture.
 // - [ambient-is-everywhere] Ambient light is the same on every surface, whichever way it faces.
 // - [directional-is-far] Directional light does not depend on the place, only on the way a surface faces.
-// - [behind-lights-nothing] A light behind a surface lights nothing of it.
+// - [behind-lights-nothing] A light behind a surface does not light the surface.
 // - [cone] A spot lights nothing outside of its outer cone, as much as a point within the inner one, and its edge has no
 //   step where the inner one is smaller.
 // - [colours-multiply] Under red light a picture has its red channel and nothing else; red paper under green light is black.
 // - [finite] A lamp on a surface, and a spot with one cone, give finite light.
-// - [off-costs-nothing] A light that is off, or cannot reach what is seen, is not sent, and the picture is the same.
+// - [off-costs-nothing] A light that is off, or reaches nothing in view, is not sent, and the picture is the same.
 // - [as-in-double] The shader gives what the same formulas give in double.
 #include <gtest/gtest.h>
 

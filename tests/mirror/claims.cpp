@@ -4,10 +4,10 @@
 //   way turns round, by either method, with one bounce and with many.
 // - [few-edges] Edges are at most 5 % of the picture.
 // - [methods-agree] Both methods make the same picture, but for the rounding of the texture's 8 bits.
-// - [stays-behind] What stands behind the mirror is not seen in it, by either near plane; with none it is.
+// - [stays-behind] The mirror does not show things behind it, with either near plane; without one it does.
 // - [eye-in-the-plane] An eye in the mirror's plane or behind it sees nothing in it, and no pass is drawn for it.
-// - [each-bounce-a-pass] A bounce more costs each of two mirrors a pass at most, and one mirror has a single bounce.
-// - [winding] A reflection turns the winding over: unless that is set, bodies are seen from inside.
+// - [each-bounce-a-pass] Each further bounce costs each of two mirrors a pass at most, and one mirror has a single bounce.
+// - [winding] A reflection reverses the winding: without the switch bodies are seen from inside.
 // - [only-what-it-shows] Objects that no mirror shows are not drawn for it, and the picture is the same.
 #include <gtest/gtest.h>
 

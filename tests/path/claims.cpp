@@ -6,10 +6,10 @@
 //   banked and of the minimizing frame nowhere.
 // - [no-turn-about-the-path] The minimizing frame does not turn about the path. On a flat curve it closes; in space it does
 //   not, and spread over the lap its closing angle is gone.
-// - [equal-ways] By arc length equal times are equal ways; by the parameter they are not.
+// - [equal-ways] Equal times are equal ways by arc length, but not by the parameter.
 // - [chase-keeps-car] The chase camera keeps the car in the same place of its picture.
 // - [shortest-turn] Slerp takes the shortest turn at constant speed, nlerp the same at another, three angles neither.
-// - [gimbal-lock] Where the nose points straight up, yaw and roll are one turn: other angles, the same pose, another way.
+// - [gimbal-lock] With the nose straight up, yaw and roll are one turn: other angles give the same pose, but another way.
 #include <gtest/gtest.h>
 
 #include <algorithm>

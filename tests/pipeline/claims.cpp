@@ -1,14 +1,14 @@
 // What pipeline claims, and a test for each.
 //
 // - [same-as-gpu] The products shown are the GPU's: transform feedback gives the same, bit for bit on llvmpipe.
-// - [within-the-bound] However a GPU adds up, it is within 4 2^-24 sum |m v|, though many of the last bits differ.
+// - [within-the-bound] A GPU's sum in any order is within 4 2^-24 sum |m v|, though many of the last bits differ.
 // - [marked-where-computed] GL marks the vertex at the pixel that the numbers say.
 // - [w-is-the-distance] w is how far the vertex is in front of the eye; behind the eye it is negative.
-// - [behind-is-mirrored] Behind the eye GL draws nothing; the division alone would show it, mirrored through the middle.
+// - [behind-is-mirrored] GL draws nothing behind the eye; the division alone would show it, mirrored through the middle.
 // - [depth-both-ranges] Device depth is from -1 at near to 1 at far, the depth that is stored from 0 to 1.
 // - [rows-for-columns] A slide's matrix has the position in its last row: it moves row vectors, and distorts columns.
 // - [slide-of-projection] A slide's projection has w < 0 for all that the camera sees, and nothing is left to draw.
-// - [one-product-far-out] Far from the origin one product, multiplied in double and rounded once, keeps the picture.
+// - [one-product-far-out] One product, multiplied in double and rounded once, keeps the picture far from the origin.
 #include <gtest/gtest.h>
 
 #include <algorithm>

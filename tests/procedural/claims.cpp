@@ -1,8 +1,8 @@
 // What procedural claims, and a test for each; X52 in docs/stability.md is a pattern 2^24 from the origin.
 //
-// - [no-texels] Zoomed in a million times, with the origin near, each pixel is what double precision computes.
+// - [no-texels] At a zoom of a million, with the origin near, each pixel has the value of double precision.
 // - [float-breaks] With the origin far, neighbouring pixels round to the same point, and the picture falls into blocks.
-// - [near-is-far] Moved 2^24 from the origin, the pattern is computed as exactly as before where the origin is near.
+// - [near-is-far] The pattern 2^24 from the origin is computed as exactly as before if the origin is near.
 // - [finer-by-name] In a small picture the audit names each octave that is finer than every pixel; leave-out computes none.
 // - [goes-through] A body is cut out of its pattern: the same point has the same number on the sphere and on the wall.
 #include <gtest/gtest.h>

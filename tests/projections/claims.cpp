@@ -2,11 +2,11 @@
 //
 // - [views-line-up] In the CAD panes each corner is right below its place in the top view and level with it at the side.
 // - [shortening-as-theory] The three axes are as short as the formulas say; in the isometric view sqrt(2/3), all of them.
-// - [squares-sum-to-two] However an axonometric view is turned, the squares of the three shortenings add up to 2.
+// - [squares-sum-to-two] The squares of the three shortenings add up to 2 in every axonometric view.
 // - [only-face-on] Lengths and angles are kept on faces parallel to the picture and nowhere else (cavalier: depths, too).
 // - [one-two-three] There are as many vanishing points as axes that are not parallel to the picture.
 // - [lines-meet] Each edge of the walls, drawn longer, runs to the image of its direction, the point with w = 0.
-// - [eye-on-the-horizon] What is as high as the eye is on the horizon, at any distance.
+// - [eye-on-the-horizon] Points at the height of the eye are on the horizon, at any distance.
 // - [far-eye-is-parallel] The farther the eye the nearer the perspective is to the parallel view: in proportion 1/distance.
 #include <gtest/gtest.h>
 

@@ -3,17 +3,17 @@
 // - [within-half-a-pixel] Bresenham's method sets in each column, or row, the pixel nearest to the line, in all octants.
 // - [four-steps-to-it] From line to line of the lecture's improvements only the unit of the error changes, not a pixel, as long as
 //   floats are exact.
-// - [same-coverage] Brute force, box, adding up and tiles cover the same pixels, and asked are ever fewer.
-// - [no-hole-no-double] Of two triangles with a common edge no pixel is in both, and none between them in neither.
+// - [same-coverage] Brute force, box, adding up and tiles cover the same pixels, and ask fewer pixels each.
+// - [no-hole-no-double] Two triangles with a common edge share no pixel, and leave out none between them.
 // - [as-opengl] OpenGL's driver covers the same pixels where no clipping cuts the triangle.
 // - [divided-by-w] Colours weighted by the corners' parts of the picture are not those of the surface; over w they are.
-// - [eight-leaks] Through the outline that Bresenham's method draws, a fill with 8 neighbours leaks, one with 4 does not.
+// - [eight-leaks] A fill with 8 neighbours leaks through the outline of Bresenham's method, one with 4 does not.
 // - [ends-and-refuses] A fill into its own colour ends, and recursion that would end the stack is refused.
-// - [as-thick] A line of columns is as thick as said times the cosine of its slope; across the line it is that thick at every slope.
+// - [as-thick] A line of columns has its thickness times the cosine of its slope; a line filled across has it at every slope.
 // - [circle-nearest] In each column of an eighth, and in each row of the next one, the midpoint method sets the nearest pixel, and no
 //   pixel twice; a square root in float, mirrored, sets the same ones.
 // - [circle-gaps] One pixel a column leaves gaps in a circle; its eighths mirrored, or a point turned round, leave none.
-// - [one-by-one] A key takes a pixel away from all of them, however many there are, and the picture counts them.
+// - [one-by-one] A key takes away one of all pixels, however many there are, and the picture counts them.
 // - [two-insides] A star's middle is outside by even and odd, and inside by how often the outline winds round it.
 #include <gtest/gtest.h>
 

@@ -4,9 +4,9 @@
 // - [through-the-middle] The ray of a pixel goes through its middle, and u, v, w are a right-handed frame.
 // - [nearest-first] Candidates come in order of t, and the pixel has the colour of the first.
 // - [three-planes] Implicit, by point and normal, and parametric: the plane's three forms give one picture.
-// - [slips-show] As printed, the implicit plane and the triangle are wrong in the picture; mended, they are right. The other
+// - [slips-show] The printed forms of the implicit plane and the triangle are wrong in the picture, the mended ones right. The other
 //   objects have no slip that a picture shows.
-// - [same-t-in-both-spaces] A ray taken to an object's space, not normalized anew, meets it at the t of the world.
+// - [same-t-in-both-spaces] A ray taken to an object's space, and not normalized again, meets it at the t of the world.
 // - [textbook-fails-far] In float the textbook's sphere is wrong in over a tenth of its pixels 1e4 away; the stable one in none.
 // - [newton-needs-a-start] From one start Newton's method misses parts of the flag; from a grid of 12 by 12 a tenth of them
 //   at most.

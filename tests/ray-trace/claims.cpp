@@ -1,13 +1,13 @@
 // What ray-trace claims, and a test for each.
 //
-// - [energy] In a white room, with mirror and glass alone, what is seen and what the depth cuts off are 1 together.
-// - [never-itself] A ray meets the surface that it leaves nowhere but on its other side.
-// - [as-one-thread] However many threads share the rows, the picture has the same bits.
+// - [energy] In a white room with mirror and glass alone, the light seen and the light that the depth cuts off add up to 1.
+// - [never-itself] A ray meets the surface that it leaves only on the surface's other side.
+// - [as-one-thread] The picture has the same bits, however many threads share the rows.
 // - [soft-contact] A lamp without an area makes shadows that are on or off; one with an area makes them soft, and the softer,
 //   the farther the body is from the floor.
-// - [through-glass] Behind glass there is a shadow, and some light.
+// - [through-glass] Glass casts a shadow, with some light in it.
 // - [squares-averaged] The floor's squares are averaged over the ray's cone as the mean of many places is.
-// - [total-reflection] Where the slide's root is negative nothing is refracted, and all is reflected.
+// - [total-reflection] If the slide's root is negative, all light is reflected and none is refracted.
 // - [both-ways] Lambert's, the mirror's and Fresnel's parts are the same with light and eye exchanged; the radiance in the glass, and
 //   Phong's lobe as it is printed, are not.
 // - [schlick-from-within] Schlick's curve by the angle within the glass is off by up to 0.96 near total reflection.

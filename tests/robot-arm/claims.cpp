@@ -1,16 +1,16 @@
 // What robot-arm claims, and a test for each.
 //
-// - [product] Where a part is is the product of the matrices on the way to it; two links end where the slide's formula says.
+// - [product] The product of the matrices on the way to a part places it; two links end where the slide's formula says.
 // - [by-rates] The angles of a frame are those of the start plus its number times the rates: no sum, no drift.
 // - [solutions] Two links have none, one, two or infinitely many solutions, each named, and each drawn ends at the target.
 // - [all-arrive] All methods bring the two links, and the arm, within a millimetre of targets that are well within reach.
 // - [never-farther] No iteration of any method leaves the end farther from its goal than it was.
-// - [nearest] Out of reach damped least squares ends within a thousandth of the reach of the nearest point there is.
+// - [nearest] For targets out of reach, damped least squares ends within a thousandth of the reach of the nearest point.
 // - [straight-stalls] A straight arm with its target on its lower link does not move, by any method. Bent by a degree it
 //   arrives, but for coordinate descent, which makes it straight again and stays.
 // - [limits-hold] No joint of the arm leaves its limits; without them it reaches targets that it does not reach with them.
-// - [foot-slides] By angles between right poses the foot that stands slides: the less the more poses, and never not.
-// - [foot-stands] By inverse kinematics it stands: in closed form to rounding, by iteration to its tolerance.
+// - [foot-slides] With angles between right poses the standing foot slides: less with more poses, but always some.
+// - [foot-stands] With inverse kinematics the foot stands: in closed form to rounding, by iteration to its tolerance.
 #include <gtest/gtest.h>
 
 #include <array>

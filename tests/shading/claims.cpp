@@ -1,9 +1,9 @@
 // What shading claims, and a test for each; X46, X47 and X50 in docs/stability.md are its extremes.
 //
 // - [one-colour-a-face] Flat shading gives each face one colour; a body without shading has one in all.
-// - [misses-the-highlight] Gouraud shading shows nothing of a highlight that lies within a face, and Phong shading does.
+// - [misses-the-highlight] Gouraud shading loses a highlight that lies within a face, and Phong shading shows it.
 // - [finer-is-alike] The finer the mesh, the nearer are flat and Gouraud shading to Phong's.
-// - [no-light-from-behind] Where the lamp is behind the surface there is no light, and no highlight, in any model.
+// - [no-light-from-behind] A lamp behind the surface gives no light and no highlight, in any model.
 // - [blinn-matches-phong] Blinn's highlight is as strong as Phong's with 4 cos(angle) times the exponent.
 // - [reciprocity] Lambert's model reflects light that goes the other way alike; Phong's and Blinn's highlight divided by
 //   the cosine do not, by the ratio of the two cosines.

@@ -3,8 +3,8 @@
 // - [cast-by-rays] The picture is what rays show: dark where the way from the floor to the light meets the square.
 // - [marker-at-the-light] The yellow ball is where the light of this frame's shadow is, not where the last one's was.
 // - [on-one-line] Each ray goes from the light through a corner of the square to the same corner of its shadow.
-// - [no-fighting] From every distance no pixel of the floor comes through the shadow, which lies 0.0001 above it.
-// - [floor-hides-from-below] From below the floor hides the shadow; it does not shine through.
+// - [no-fighting] No pixel of the floor comes through the shadow, which lies 0.0001 above it, at the distances that were tried.
+// - [floor-hides-from-below] Seen from below, the floor hides the shadow, which does not shine through.
 // - [ends-with-the-floor] With crop on, no shadow lies where there is no floor; without it hangs in the air.
 // - [moved-by-keys] The arrow keys move the light by 0.05, and the shadow by a third of that the other way.
 // - [no-false-shadow] Light at the square's height, below it, in or below the floor: no shadow, and a sentence says so.

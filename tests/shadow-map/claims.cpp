@@ -2,13 +2,13 @@
 //
 // - [cast-by-rays] With a fine map the shadows are those that rays find, to a pixel at their edges.
 // - [error-is-one-over-resolution] Without a filter the misjudged part of the picture falls as 1/resolution.
-// - [acne-without-bias] With no bias what is in the map shades itself, in stripes; slope-bias 1 ends that on what is flat
-//   and slopes; what faces the light needs the least constant bias, too.
-// - [light-leaks-with-bias] With back faces in the map a bias lets light in at the foot of what casts.
-// - [floor-left-out-needs-no-bias] Where the floor is not in the map, nothing can shade it falsely: no bias is needed.
-// - [back-faces-need-no-bias] With back faces in the map nothing that faces the light shades itself.
-// - [map-is-kept] While the light and what casts rest, the map is not drawn again, and the picture is the same.
-// - [frustum-holds-the-map] The white lines are the edges of what the map holds; fitted, they are tight round what casts.
+// - [acne-without-bias] Without a bias the surfaces in the map shade themselves, in stripes; slope-bias 1 ends that on flat
+//   surfaces that slope; surfaces that face the light need the least constant bias, too.
+// - [light-leaks-with-bias] With back faces in the map, a bias lets light in at the foot of a caster.
+// - [floor-left-out-needs-no-bias] A floor that is not in the map cannot be shaded falsely, and needs no bias.
+// - [back-faces-need-no-bias] With back faces in the map, no surface that faces the light shades itself.
+// - [map-is-kept] The map is not drawn again while light and casters rest, and the picture is the same.
+// - [frustum-holds-the-map] The white lines are the edges of the map's view; a fitted view is tight round the casters.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,12 +1,12 @@
 // What shadow-methods claims, and a test for each.
 //
 // - [exact-on-a-plane] On the cube's plane neither the matrix nor the volumes have a wrong pixel.
-// - [least-work] Of all methods that draw a shadow the matrix draws the fewest fragments, in one pass.
+// - [least-work] The matrix draws the fewest fragments of all methods that draw a shadow, in one pass.
 // - [bodies-need-more] In the still life the matrix is wrong where a body shades a body; volumes stay exact there.
 // - [texels-are-the-error] Doubling the map's resolution halves the part of the pixels that is wrong.
 // - [map-is-kept] A kept map makes the same picture in one pass less.
 // - [receiver-left-out] Without floor and wall the map needs no bias, and draws less for the same shadow.
-// - [split] Left of the split is one method, right of it the other.
+// - [split] One method is left of the split, the other right of it.
 // - [where-is-the-ball] Without shadows the picture of a ball is the same at any height along the way from the eye; its
 //   shadow moves, by every method.
 // - [difference] The false colours stand where the two differ, and the readouts count them.

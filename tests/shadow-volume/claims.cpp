@@ -1,9 +1,9 @@
 // What shadow-volume claims, and a test for each.
 //
-// - [exact] By z-fail no pixel of any scene differs from what rays show, except in the band of one pixel at edges.
+// - [exact] With z-fail no pixel of any scene differs from the rays' picture, except in the band of one pixel at edges.
 // - [eye-in-volume] With the eye in a volume z-pass is wrong nearly everywhere, z-fail and a counted start are right.
 // - [silhouette-is-enough] Drawing out every triangle gives the same shadow, with many times the triangles.
-// - [counts-are-rays] The stencil buffer holds how many surfaces stand between each pixel and the light.
+// - [counts-are-rays] The stencil buffer holds the number of surfaces between each pixel and the light.
 // - [three-hundred-shells] 255, 256 and 300 nested shells are exact in groups; in one count 256 of them read as lit,
 //   and a sentence says so.
 // - [light-anywhere] A light at infinity, exactly in the plane of a face, or below the casters: still no pixel wrong (llvmpipe; with

@@ -3,9 +3,9 @@
 // - [cast-by-rays] The picture is what rays show: dark where the way from the plane to the light meets the square.
 // - [textbook-matrix] The matrix is the course's T(light) M T(-light) but for a factor; +1/y_l is on the wrong side.
 // - [on-the-ray] Each corner's shadow lies on the plane y = 0, on the line through light and corner.
-// - [above-the-light] What is above the light casts no shadow; unchecked, one appears opposite.
-// - [at-the-lights-height] A square as high as the light casts none, and no number becomes NaN.
-// - [below-the-floor] What is below the plane casts none; unchecked, its false shadow has w > 0 and is drawn.
+// - [above-the-light] A square above the light casts no shadow; without the check one appears opposite.
+// - [at-the-lights-height] A square at the light's height casts no shadow, and no number becomes NaN.
+// - [below-the-floor] A square below the plane casts no shadow; without the check its false shadow has w > 0 and is drawn.
 // - [light-not-above] With the light in or below the plane there is no shadow, and a sentence says so.
 // - [circles-by-index] In frame n the light is at angle 0.1 n, computed and not summed up.
 #include <gtest/gtest.h>

@@ -2,9 +2,9 @@
 //
 // - [penumbra-width] Dark to lit takes the lamp's size times the caster's height over the lamp's height above it.
 // - [sharp-where-they-touch] The shadow of an upright edge is sharp at its foot and grows softer on the way out.
-// - [points-converge] Summed in float, the error of N points falls with a slope of -0.5 to -1 in N.
-// - [eight-bit-floor] Summed in 8 bits up to 256 points are as right as in float, and it ends there, at about 1e-3: a
-//   share of 1/1024 is less than half a step, and is refused.
+// - [points-converge] The error of N points, summed in float, falls with a slope of -0.5 to -1 in N.
+// - [eight-bit-floor] A sum in 8 bits is as right as one in float up to 256 points, with an error of about 1e-3 there. A share of
+//   1/1024 is less than half a step, and is refused.
 // - [pcf-does-not-converge] No kernel and no map brings a blur of fixed size below the error of 16 points.
 // - [blur-in-the-picture] A blur of the shadow's picture is as wide in pixels at any size of the picture, is smeared over
 //   the edges of what stands before the shadow, and is of no size as right as 16 points.

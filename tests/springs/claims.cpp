@@ -3,16 +3,16 @@
 // - [limits] One spring grows where the region says so, and not within 1 % below it: damped or not, by each method.
 // - [dots-tell] By velocity Verlet chain, net and cloth blow up where a dot is outside; with one substep more than leaves
 //   none outside they do not.
-// - [stops-in-words] What blows up stops at its last finite state, and the picture says at which step and why.
+// - [stops-in-words] A simulation that blows up stops at its last finite state, and the picture says at which step and why.
 // - [falls-asleep] At w h = 16.7 implicit Euler has lost all but 0.4 % of the energy after a step, without damping.
-// - [phase] There implicit midpoint keeps the energy to 1e-9, and turns by 2.9 rad a step instead of 16.7.
+// - [phase] At the same w h implicit midpoint keeps the energy to 1e-9, and turns by 2.9 rad a step instead of 16.7.
 // - [rest-lengths] Three stiff masses with rest lengths: no dot is outside, and implicit midpoint loses half of the energy
 //   although its steps are halved; energy-momentum keeps it to 1e-9.
 // - [balance] Energy + dissipated - work stays level while somebody plays: by energy-momentum to 1e-9 of it, and by a
 //   method of order 4 16 times better for half the step.
 // - [default-is-cheapest] How it opens it keeps that to 1e-3 for five seconds, and no explicit method does by fewer
 //   evaluations.
-// - [rests] What rests is neither stepped nor uploaded.
+// - [rests] Resting masses are neither stepped nor uploaded.
 // - [classics] On stiff problems RODAS ends at the published values, and an explicit method says that it cannot.
 // - [confirmed] Where a tolerance of 1e-2 ends wrong, a second run by a tenth of it raises a doubt, and one is not
 //   raised where each classic ends right.

@@ -1,12 +1,12 @@
 // What stereocube claims, and a test for each; row X39 of docs/stability.md.
 //
-// - [left-is-red-channel] On white and on black, lines and masks alike, the left eye's picture is what changes red.
+// - [left-is-red-channel] The left eye's picture is the one that changes red, on white and on black, by lines and by masks.
 // - [left-is-left] The eye behind the red filter is the one on the left: near things move right in its picture.
 // - [masks-lose-nothing] With masks each eye's picture is whole; with lines the nearer colour cuts gaps at crossings.
 // - [toe-in-is-crooked] Toe-in moves corners up in one eye and down in the other; the less, the further the eyes meet.
 // - [off-axis-is-level] Off-axis leaves no vertical parallax at all, whatever the convergence.
 // - [zero-at-convergence] Off-axis, what is at the convergence distance has no parallax: the screen is there.
-// - [cube-out-of-view] With nothing of the cube before the eyes the setting is refused.
+// - [cube-out-of-view] A setting with no part of the cube before the eyes is refused.
 // - [eyes-turn-outwards] On a screen of a known width the parallax is told in millimetres, the ruler is 63.5 mm long, and what is
 //   more than that is warned of. Off-axis no depth has more than the parallax at infinity.
 // - [side-by-side] Each half is one eye's picture; for crossed eyes they are exchanged.

@@ -1,10 +1,10 @@
 // What texture-filter claims, and a test for each.
 //
-// - [texel-squares] Magnified, nearest shows each texel as a flat shape whose pixels are those that the geometry says.
+// - [texel-squares] Under magnification, nearest shows each texel as a flat shape, on the pixels that the geometry says.
 // - [nearest-aliases] Far away a checker looked up at one point stays as black and white as it was; with mipmaps it is grey.
-// - [trilinear-continuous] With the level, what trilinear shows changes continuously; with one level it jumps.
+// - [trilinear-continuous] The trilinear picture changes continuously with the level; with one level it jumps.
 // - [level-as-computed] The driver takes the level that the footprint's longer axis has, to a fifth of a level.
-// - [anisotropic-keeps] Along the sight, stripes that trilinear has made grey keep most of their contrast.
+// - [anisotropic-keeps] Stripes along the sight that trilinear has made grey keep most of their contrast.
 // - [light-adds] A checker's far mean is 188 of 255 averaged in linear light, and 128 averaged as it is kept.
 // - [odd-sizes] Our mipmaps keep the mean of the texture for odd sizes, and a texture of one texel is a flat colour.
 // - [eight-bits] With 8 bits a texel llvmpipe filters in 8 bits, too, and is off by a few steps of them.

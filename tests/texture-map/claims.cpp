@@ -1,11 +1,11 @@
 // What texture-map claims, and a test for each.
 //
-// - [slips] Interpolated along the picture, a texture slips by as much as the formula says, and correctly not at all.
+// - [slips] A texture interpolated along the picture slips by the formula's amount, and one interpolated correctly does not.
 // - [falls-with-the-square] The slip falls as 1/n^2 once a cell's w's are nearly alike, which takes the longer, the larger W.
 // - [divide-at-the-end] u/w and v/w show the right point only when divided by 1/w.
 // - [forward-leaves-holes] Texels drawn as points leave holes where they are larger than pixels, and meet where smaller.
 // - [a-circle] The lecture's cylinder (cos u, h, sin u) is a circle, of no area.
-// - [one-strip-runs-back] Where the corners of a seam are shared, one strip shows the whole texture backwards.
+// - [one-strip-runs-back] With the corners of a seam shared, one strip shows the whole texture backwards.
 // - [half-at-the-pole] At a pole each cell of the texture is shown by a single triangle: half of it is lost.
 // - [through-the-origin] A triangle's texture matrix has no inverse when its plane holds the origin; edges always work.
 // - [beyond] Beyond 0..1 a texture repeats itself, or every other one is its mirror image, or its edge goes on; within, nothing changes.

@@ -1,9 +1,9 @@
 // What view-volume claims, and a test for each; the extreme one is X07 in docs/stability.md.
 //
 // - [planes-are-the-clip-volume] A point is inside the six planes exactly when its clip coordinates are within -w to w.
-// - [orange-is-clipped] Orange is what the clip volume cuts off, and none of it is left after the projection.
-// - [culled-is-not-drawn] An object whole outside one plane is not drawn, and nothing is missing in the cube.
-// - [cube-is-the-picture] Seen from the front the canonical cube is what the camera sees.
+// - [orange-is-clipped] The parts that the clip volume cuts off are orange, and none of them is left after the projection.
+// - [culled-is-not-drawn] An object wholly outside one plane is not drawn, and nothing is missing in the cube.
+// - [cube-is-the-picture] The canonical cube, seen from the front, is the camera's picture.
 // - [near-takes-the-cube] The nearer near is, the thinner the slice of the cube that is left for what is far away.
 // - [parameters-never-cancel] Planes from near and far are exact at any far/near; from the matrix they are not.
 // - [onto-a-plane] The first matrices draw a point where its line of sight meets the plane; the shadow's matrix is the same.

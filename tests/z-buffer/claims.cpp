@@ -1,6 +1,6 @@
 // What z-buffer claims, and a test for each.
 //
-// - [any-order-with-depth] With the depth test all orders of drawing opaque things give one picture: what rays show.
+// - [any-order-with-depth] With the depth test all orders of drawing opaque things give one picture, that of the rays.
 // - [no-order-without] Without it the bars, which overlap in a cycle, are wrong in every order, sorted ones too.
 // - [cut-and-sorted] With each bar cut in two, drawing from far to near by the middles of the parts is right.
 // - [first-of-equals] At equal depths the order decides, depth test or not: GL_LESS keeps the first.
