@@ -1,6 +1,7 @@
 // bump-map: a smooth wall and a smooth ball that are lit as bricks and as an orange, beside the really displaced surface.
 #include "bump-map.h"
 
+#include <array>
 #include <cmath>
 
 #include "mv/geometry/mesh_tangents.h"
@@ -36,20 +37,9 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
 
 // The programs differ in how a pixel finds its normal and its place in the texture.
 const Program& programOf(Gpu& gpu, const Settings& s) {
-    switch (s.method) {
-        case Method::smooth:
-        case Method::displaced:
-            return *gpu.smooth;
-        case Method::height:
-            return *gpu.byHeight;
-        case Method::normal:
-            return *gpu.byNormal;
-        case Method::parallax:
-            return *gpu.byParallax;
-        case Method::occlusion:
-            break;
-    }
-    return *gpu.byOcclusion;
+    const std::array ofMethod{&gpu.smooth,     &gpu.byHeight,    &gpu.byNormal,
+                              &gpu.byParallax, &gpu.byOcclusion, &gpu.smooth};  // in the order of Method
+    return **ofMethod.at(static_cast<std::size_t>(s.method));
 }
 bool usesFrames(Method method) { return method != Method::smooth && method != Method::displaced; }
 bool usesNormals(Method method) { return usesFrames(method) && method != Method::height; }

@@ -1,9 +1,6 @@
 // cube-shadows: shadows of what stands before a floor and a wall, by one matrix for any plane and any light.
 #include "cube-shadows.h"
 
-#include <set>
-#include <string>
-
 #include "mv/demo/seen.h"
 #include "mv/gl/beyond_es.h"
 #include "mv/math/shadow.h"
@@ -26,7 +23,7 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     // Draw the casters again, flattened onto each plane, where the tag shows that this plane is seen. The tag replaces
     // the depth test, so shadow and plane do not z-fight
     glDisable(GL_DEPTH_TEST);
-    drawShadows(gpu, s, scene, frame);
+    drawShadows(gpu, s, scene);
 }
 
 static void setSeen(GLboolean seen) {
@@ -61,7 +58,7 @@ void drawSurface(Gpu& gpu, const Scene& scene, const Mesh& mesh, const mat4& wor
     mesh.draw();
 }
 
-void drawShadows(Gpu& gpu, const Settings& s, const Scene& scene, const Frame& frame) {
+void drawShadows(Gpu& gpu, const Settings& s, const Scene& scene) {
     // Multiply the colour of the plane. With `once`, the first shadow sets the tag to 0, so that no second one follows
     glEnable(GL_BLEND);
     glBlendFunc(GL_ZERO, GL_SRC_COLOR);
@@ -78,15 +75,12 @@ void drawShadows(Gpu& gpu, const Settings& s, const Scene& scene, const Frame& f
     if (!isEs()) gpu.shadows.set("clips", clips);
     gpu.shadows.set("discardOutside", s.cut != Cut::none && !clips);
 
-    std::set<std::string> said{""};
     for (const Ground& ground : groundsOf(s)) {
         const bool isUncut = s.cut == Cut::none && isLit(s, ground.plane);
         glStencilFunc(GL_EQUAL, ground.tag, 0xFF);
         for (const auto& [object, mesh] : gpu.meshes.of(scene)) {
             if (!object.casts) continue;
-            const CasterVerdict verdict = judged(s, object, ground);
-            if (said.insert(verdict.sentence).second) frame.say(verdict.sentence);
-            if (verdict.casts || isUncut) drawShadow(gpu, s, scene, ground.plane, object, mesh);
+            if (isUncut || judged(s, object, ground).casts) drawShadow(gpu, s, scene, ground.plane, object, mesh);
         }
     }
 }

@@ -70,7 +70,7 @@ struct Gpu {
 void draw(Gpu& gpu, const Settings& s, const Frame& frame);
 void drawSurfaces(Gpu& gpu, const Settings& s, const Scene& scene);
 void drawSurface(Gpu& gpu, const Scene& scene, const Mesh& mesh, const mat4& worldFromModel);
-void drawShadows(Gpu& gpu, const Settings& s, const Scene& scene, const Frame& frame);
+void drawShadows(Gpu& gpu, const Settings& s, const Scene& scene);
 void drawShadow(Gpu& gpu, const Settings& s, const Scene& scene, const Plane& plane, const SceneObject& caster,
                 const Mesh& mesh);
 bool isLit(const Settings& s, const Plane& plane);

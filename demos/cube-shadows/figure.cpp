@@ -1,5 +1,7 @@
 // Drawn over cube-shadows, and told beside it: the cube's edges, the lamp, the light's rays, the matrices.
 #include <glm/geometric.hpp>
+#include <set>
+#include <string>
 #include <utility>
 
 #include "cube-shadows.h"
@@ -39,6 +41,14 @@ void tell(const Settings& s, const Scene& scene, const Frame& frame) {
     frame.show("viewFromWorld", scene.viewFromWorld);
     frame.show("clipFromView", scene.clipFromView);
     if (isLit(s, floor)) frame.show("shadowFromWorld", flattened(s, mat4(1), floor, mat4(1)));
+    std::set<std::string> said{""};
+    for (const Ground& ground : groundsOf(s)) {
+        for (const SceneObject& object : scene.objects) {
+            if (!object.casts) continue;
+            const std::string sentence = judged(s, object, ground).sentence;
+            if (said.insert(sentence).second) frame.say(sentence);
+        }
+    }
 }
 
 void readOut(Gpu&, const Settings& s, const Frame&, Numbers& numbers) {

@@ -4,17 +4,13 @@
 #include <string>
 
 #include "mv/gl/beyond_es.h"
-#include "mv/gl/feedback.h"
 #include "mv/gl/gl.h"
 #include "mv/image/mipmap.h"
 
 namespace mv::displacement {
 
 void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
-    if (frame.measuring()) {  // which pixels are covered: those beside the surface count, too
-        glClearColor(0, 0, 0, 0);
-        glClear(GL_COLOR_BUFFER_BIT);
-    }
+    if (frame.measuring()) clearCoverage();
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CULL_FACE);  // the wall's back and the orange's inside show only through cracks
 
@@ -42,7 +38,7 @@ void drawPatches(Gpu& gpu, const Program& program, const Settings& s, const Fram
 
     setTessellator(program, s, rule);
     glPatchParameteri(GL_PATCH_VERTICES, 4);
-    drawAll(gpu, gpu.corners, GL_PATCHES, frame);
+    drawCounted(gpu, gpu.corners, GL_PATCHES, frame);
 }
 
 // Set what the control shader needs for the levels, and the evaluation shader for the positions.
@@ -77,17 +73,7 @@ void drawPrepared(Gpu& gpu, const Program& program, const Settings& s, const Fra
     }
     frame.count("triangles made", gpu.prepared.front().count() / 3.0);
     program.set("cells", double(s.level));
-    drawAll(gpu, gpu.prepared, GL_TRIANGLES, frame);
-}
-
-// Count the triangles that reach the rasterizer, where somebody reads their number.
-void drawAll(Gpu& gpu, const std::vector<Mesh>& meshes, GLenum mode, const Frame& frame) {
-    const auto draw = [&] {
-        for (const Mesh& mesh : meshes) mesh.drawAs(mode);
-    };
-    gpu.rasterized.reset();
-    if (!frame.readouts() || !has(beyond_es::countingQueries)) return draw();
-    gpu.rasterized = double(countedBy(GL_PRIMITIVES_GENERATED, draw));
+    drawCounted(gpu, gpu.prepared, GL_TRIANGLES, frame);
 }
 
 // One program for each kind: with or without tessellation, with or without lines.

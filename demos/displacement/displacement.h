@@ -62,7 +62,6 @@ void setLight(const Program& program, const Settings& s, const Frame& frame);
 void drawPatches(Gpu& gpu, const Program& program, const Settings& s, const Frame& frame);
 void setTessellator(const Program& program, const Settings& s, const LevelRule& rule);
 void drawPrepared(Gpu& gpu, const Program& program, const Settings& s, const Frame& frame);
-void drawAll(Gpu& gpu, const std::vector<Mesh>& meshes, GLenum mode, const Frame& frame);
 LevelRule ruleOf(const Settings& s, const FrameInfo& frame);
 bool isTessellated(const Settings& s);
 bool isByDistance(const Settings& s);
@@ -77,6 +76,8 @@ vec3 eyeOf(const Settings& s, const FrameInfo& frame);
 
 // Beside the technique: figure.cpp, study.cpp.
 LampDial lampDial(const FrameInfo& frame);
+void clearCoverage();
+void drawCounted(Gpu& gpu, const std::vector<Mesh>& meshes, GLenum mode, const Frame& frame);
 void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame);
 void tell(const PatchCount& counted, const Settings& s, const Frame& frame);
 void readOut(Gpu& gpu, const Settings& s, const Frame& frame, Numbers& numbers);

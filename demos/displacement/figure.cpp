@@ -3,6 +3,9 @@
 #include <string>
 
 #include "displacement.h"
+#include "mv/gl/beyond_es.h"
+#include "mv/gl/feedback.h"
+#include "mv/gl/gl.h"
 
 namespace mv::displacement {
 namespace {
@@ -32,6 +35,22 @@ void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
     if (hasRoom) drawing.text(vec2(0.5, -0.5) * double(size) + vec2(0, frame.height()), titleOf(s), {size, ink, paper});
     if (s.paint == Paint::levels && hasRoom) drawLevelColors(drawing, frame, size);
     drawing.draw(frame);
+}
+
+// A measured picture is 0 in the pixels beside the surface.
+void clearCoverage() {
+    glClearColor(0, 0, 0, 0);
+    glClear(GL_COLOR_BUFFER_BIT);
+}
+
+// Draw the meshes. Count the triangles that reach the rasterizer if a readout asks for their number.
+void drawCounted(Gpu& gpu, const std::vector<Mesh>& meshes, GLenum mode, const Frame& frame) {
+    const auto draw = [&] {
+        for (const Mesh& mesh : meshes) mesh.drawAs(mode);
+    };
+    gpu.rasterized.reset();
+    if (!frame.readouts() || !has(beyond_es::countingQueries)) return draw();
+    gpu.rasterized = double(countedBy(GL_PRIMITIVES_GENERATED, draw));
 }
 
 void tell(const PatchCount& counted, const Settings& s, const Frame& frame) {

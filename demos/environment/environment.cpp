@@ -2,6 +2,7 @@
 #include "environment.h"
 
 #include <algorithm>
+#include <array>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <utility>
@@ -79,9 +80,8 @@ int waysOut(const Settings& s) {
 
 Coating coatingOf(const Settings& s) {
     using Kind = Coating::Kind;
-    return {.kind = s.material == Material::mirror  ? Kind::mirror
-                    : s.material == Material::glass ? Kind::glass
-                                                    : Kind::metal,
+    constexpr std::array kinds{Kind::mirror, Kind::metal, Kind::metal, Kind::glass};  // in the order of Material
+    return {.kind = kinds.at(static_cast<std::size_t>(s.material)),
             .metal = s.material == Material::copper ? copper : gold,
             .index = s.index};
 }

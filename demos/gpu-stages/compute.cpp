@@ -54,19 +54,19 @@ static void drawStored(Gpu& gpu, Kernel kernel, const Pane& right) {
     fill(gpu, right, program);
 }
 
-void drawCompute(Gpu& gpu, Kernel kernel, const Frame& frame) {
+void drawCompute(Gpu& gpu, const Settings& s, const Frame& frame) {
     const std::vector<Pane> panes = frame.panes(2);
     const Pane left = belowHeading(panes[0]), right = belowHeading(panes[1]);
     const bool computes = has(beyond_es::computeShaders);
-    if (computes && kernel == Kernel::rings) computePicture(gpu, right, frame);
-    if (computes && kernel == Kernel::caustics) countRays(gpu, right);
+    if (computes && s.kernel == Kernel::rings) computePicture(gpu, right, frame);
+    if (computes && s.kernel == Kernel::caustics) countRays(gpu, right);
 
     // Draw the left picture by a fragment shader
     const Program& byFragment = programOf(gpu, {"ripples.vert", "ripples.frag"});
     byFragment.use();
     byFragment.set("size", vec2(left.width, left.height));
     fill(gpu, left, byFragment);
-    if (computes) drawStored(gpu, kernel, right);
+    if (computes) drawStored(gpu, s.kernel, right);
     glViewport(0, 0, frame.width(), frame.height());
 }
 

@@ -33,6 +33,22 @@ void drawCounted(Gpu& gpu, const Stages& s, const Frame& frame) {
     if (!s.fragments) glDisable(GL_RASTERIZER_DISCARD);
 }
 
+// Count the primitives that this program sends on, and those that it would without its geometry shader. Count again when
+// another number is to be expected.
+void countPrimitives(Gpu& gpu, const Settings& s, const Frame& frame) {
+    if (!has(beyond_es::countingQueries)) return;
+    const Geometry stage = geometryStage(s.stages);
+    if (gpu.countedFor.changed(isTessellated(s.stages), s.stages.inner, outerLevel(s.stages), stage,
+                               domainOf(s.stages))) {
+        const auto countedBy = [&](const Program& program) {
+            return counted(program, mode(s.stages), [&] { submit(gpu, s.stages); });
+        };
+        gpu.sent = countedBy(programOf(gpu, filesOf(s.stages, stage)));
+        gpu.toGeometry = stage == Geometry::off ? gpu.sent : countedBy(prepare(gpu, s, Geometry::off, frame));
+    }
+    frame.count("primitives for the rasterizer", double(gpu.sent.number.generated));
+}
+
 static void drawStagesFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
     const Stages& stages = s.stages;
     if (stages.fragments) {

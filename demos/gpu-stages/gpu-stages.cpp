@@ -11,11 +11,9 @@
 namespace mv::gpu_stages {
 
 void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
+    constexpr std::array ofShow{drawStages, drawPrimitives, drawMeshes, drawCompute};  // the last: compute.cpp
     glEnable(GL_DEPTH_TEST);
-    if (s.show == Show::stages) drawStages(gpu, s, frame);
-    if (s.show == Show::primitives) drawPrimitives(gpu, s, frame);
-    if (s.show == Show::meshes) drawMeshes(gpu, s, frame);
-    if (s.show == Show::compute) drawCompute(gpu, s.kernel, frame);  // compute.cpp
+    ofShow.at(static_cast<std::size_t>(s.show))(gpu, s, frame);
 }
 
 static const vec3 sheetColor(0.85, 0.55, 0.25), lineColor(0.1, 0.3, 0.6);
@@ -25,7 +23,7 @@ constexpr std::array primitivesOf{"patch.tese", "triangles.tese", "isolines.tese
 constexpr std::array pointsOf{"points.tese", "triangle-points.tese", ""};
 
 // A program has a file for each of its stages. Without the file, the pipeline has no such stage.
-static std::vector<std::string> filesOf(const Stages& s, Geometry stage) {
+std::vector<std::string> filesOf(const Stages& s, Geometry stage) {
     std::vector<std::string> files{"gpu-stages.vert"};
     if (isTessellated(s)) {
         files.emplace_back("patch.tesc");
@@ -41,8 +39,14 @@ static bool isOfLines(const Stages& s, Geometry stage) {
     return stage == Geometry::normals || stage == Geometry::wireframe || domainOf(s) == Domain::isolines;
 }
 
+// Let the geometry shader measure in pixels, and draw the lines in front of the faces.
+static void setWireframe(const Program& program, const Frame& frame) {
+    program.set("halfPicture", 0.5 * vec2(frame.width(), frame.height()));
+    program.set("isHidden", false);
+}
+
 // Use the program of these stages, and set all uniforms that it has.
-static const Program& prepare(Gpu& gpu, const Settings& s, Geometry stage, const Frame& frame) {
+const Program& prepare(Gpu& gpu, const Settings& s, Geometry stage, const Frame& frame) {
     const Program& program = programOf(gpu, filesOf(s.stages, stage));
     program.use();
     program.set("clipFromWorld", seen(sceneOf(s, frame), frame).clipFromWorld());
@@ -53,10 +57,7 @@ static const Program& prepare(Gpu& gpu, const Settings& s, Geometry stage, const
         program.set("outer", double(outerLevel(s.stages)));
     }
     if (hasAmount(stage)) program.set("amount", s.stages.amount);
-    if (stage == Geometry::wireframe) {
-        program.set("halfPicture", 0.5 * vec2(frame.width(), frame.height()));
-        program.set("isHidden", false);
-    }
+    if (stage == Geometry::wireframe) setWireframe(program, frame);
     return program;
 }
 
@@ -88,21 +89,6 @@ void drawStages(Gpu& gpu, const Settings& s, const Frame& frame) {
 
     // Count the primitives of each stage, for the table beside the patch (figure.cpp)
     countPrimitives(gpu, s, frame);
-}
-
-// Count what this program sends on, and what it would without its geometry shader.
-void countPrimitives(Gpu& gpu, const Settings& s, const Frame& frame) {
-    if (!has(beyond_es::countingQueries)) return;
-    const Geometry stage = geometryStage(s.stages);
-    if (gpu.countedFor.changed(isTessellated(s.stages), s.stages.inner, outerLevel(s.stages), stage,
-                               domainOf(s.stages))) {
-        const auto countedBy = [&](const Program& program) {
-            return counted(program, mode(s.stages), [&] { submit(gpu, s.stages); });
-        };
-        gpu.sent = countedBy(programOf(gpu, filesOf(s.stages, stage)));
-        gpu.toGeometry = stage == Geometry::off ? gpu.sent : countedBy(prepare(gpu, s, Geometry::off, frame));
-    }
-    frame.count("primitives for the rasterizer", double(gpu.sent.number.generated));
 }
 
 bool isTessellated(const Stages& s) { return s.tessellation && has(beyond_es::tessellation); }
@@ -149,10 +135,7 @@ void drawMeshes(Gpu& gpu, const Settings& s, const Frame& frame) {
     program.use();
     program.set("bend", 0.0);
     program.set("color", wires ? lineColor : sheetColor);
-    if (wires) {
-        program.set("halfPicture", vec2(frame.width(), frame.height()) / 2.0);
-        program.set("isHidden", false);
-    }
+    if (wires) setWireframe(program, frame);
     gpu.bodies.draw(frame, turnOf(s), program, s.cells);
 }
 

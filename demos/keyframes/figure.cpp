@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "keyframes.h"
+#include "mv/motion/nodes.h"
 
 namespace mv::keyframes {
 namespace {
@@ -233,4 +234,11 @@ Plot easePlot(const FrameInfo& frame) {
 vec2 pixelOf(const Pane& pane, const vec2& place) {
     return vec2(pane.width, pane.height) / 2.0 + metre(pane) * (place - vec2(5, 5));
 }
+// Warn of curves that are not what they seem.
+void tell(const Settings& s, const Frame& frame) {
+    if (s.curve.startsAtOnce()) frame.say("the root leaves each key at infinite speed, which the graph cuts off");
+    const auto warning = swingWarning(timesOf(s.keys.size()));
+    if (warning && s.curve.kind == KeyCurve::Kind::lagrange) frame.say(*warning);
+}
+
 }  // namespace mv::keyframes

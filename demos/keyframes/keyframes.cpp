@@ -5,8 +5,6 @@
 #include <array>
 #include <cmath>
 
-#include "mv/motion/nodes.h"
-
 namespace mv::keyframes {
 
 void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
@@ -27,11 +25,7 @@ void drawBall(Gpu& gpu, const Settings& s, const Frame& frame) {
     showWay(gpu.drawing, s, motion, now, pane);
     showBall(gpu.drawing, ball, velocityShown(motion, now), pane);
     showGraphs(gpu.drawing, s, motion, now, frame);
-
-    // Warn of curves that are not what they seem
-    if (s.curve.startsAtOnce()) frame.say("the root leaves each key at infinite speed, which the graph cuts off");
-    const auto warning = swingWarning(timesOf(s.keys.size()));
-    if (warning && s.curve.kind == KeyCurve::Kind::lagrange) frame.say(*warning);
+    tell(s, frame);
 }
 
 // The motion through the keys, one a second. A closed curve returns to the first key.

@@ -86,6 +86,7 @@ void showWay(Drawing& drawing, const Settings& s, const Motion<vec3>& motion, do
 void showBall(Drawing& drawing, const vec2& place, const std::optional<vec2>& velocity, const Pane& pane);
 void showGraphs(Drawing& drawing, const Settings& s, const Motion<vec3>& motion, double now, const FrameInfo& frame);
 void showValues(Drawing& drawing, const Settings& s, const Sampled& shown, const FrameInfo& frame);
+void tell(const Settings& s, const Frame& frame);
 void showZoom(Drawing& drawing, const Settings& s, double now, const FrameInfo& frame);
 Pane leftPane(const FrameInfo& frame);
 Plot easePlot(const FrameInfo& frame);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "mv/geometry/plot.h"
 #include "path.h"
@@ -94,6 +95,17 @@ void showTurnings(Drawing& drawing, const Turnings& turnings, const FrameInfo& f
     const Plot plot{graphInStrip(frame, 0, 1), {0, 1, "t"}, {0, roundAbove(fastest)}};
     for (std::size_t way = 0; way < 3; ++way) drawing.curve(plot, turnings.at(way).speeds, {ways.at(way).second, 2});
     drawAxes(drawing, frame, plot, {{"speed of the turn, deg per t:", ink}, ways[0], ways[1], ways[2]});
+}
+
+// Warn of a pose with gimbal lock.
+void tellLock(const Poses& poses, const Frame& frame) {
+    for (const auto& [name, pose] : {std::pair("from", &poses.from), std::pair("to", &poses.to)}) {
+        const YawPitchRoll found = yawPitchRollOf(orientationOf(*pose));
+        if (!found.locked) continue;
+        frame.say(std::string("gimbal lock at pose ") + name +
+                  ": its nose is on the axis of yaw, so yaw and roll are one turn, and other angles, yaw " +
+                  rounded("%.6g", found.yaw) + " and roll 0, are the same pose");
+    }
 }
 
 }  // namespace mv::path

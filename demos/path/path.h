@@ -99,6 +99,7 @@ mat4 clipFromPoses(const Settings& s, const Pane& pane);
 // Lines, graphs and words: figure.cpp.
 void showTrack(Gpu& gpu, const Settings& s, const PathSample& now, const PathFrame& axes, const FrameInfo& frame);
 void showPose(Drawing& drawing, const Settings& s, std::size_t way, const Turning& turning, const FrameInfo& frame);
+void tellLock(const Poses& poses, const Frame& frame);
 void showTurnings(Drawing& drawing, const Turnings& turnings, const FrameInfo& frame);
 
 // knobs.cpp, study.cpp.

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
-#include <utility>
 
 #include "mv/gl/functions.h"
 #include "mv/math/projection.h"
@@ -12,16 +11,6 @@
 
 namespace mv::path {
 namespace {
-
-void sayLock(const Poses& poses, const Frame& frame) {
-    for (const auto& [name, pose] : {std::pair("from", &poses.from), std::pair("to", &poses.to)}) {
-        const YawPitchRoll found = yawPitchRollOf(orientationOf(*pose));
-        if (!found.locked) continue;
-        frame.say(std::string("gimbal lock at pose ") + name +
-                  ": its nose is on the axis of yaw, so yaw and roll are one turn, and other angles, yaw " +
-                  rounded("%.6g", found.yaw) + " and roll 0, are the same pose");
-    }
-}
 
 // Angles about x, y and z: those that give the pose, or those of another order that make the same pose.
 vec3 anglesOf(const Pose& pose, EulerOrder order) {
@@ -44,7 +33,7 @@ void drawPoses(Gpu& gpu, const Settings& s, const Frame& frame) {
         gpu.car.draw();
         showPose(gpu.drawing, s, way, turnings.at(way), frame);
     }
-    sayLock(s.poses, frame);
+    tellLock(s.poses, frame);
     showTurnings(gpu.drawing, turnings, frame);
 }
 

@@ -93,18 +93,19 @@ class Tracer {
     LampLight lampsAt(const Met& met, const vec3& direction) {
         LampLight light{scene_.ambient, vec3(0)};
         for (const TracedLamp& lamp : scene_.lamps) {
-            const vec3 at = lamp.middle + place_.x * lamp.halfU + place_.y * lamp.halfV, way = at - met.point;
-            const double cosine = glm::dot(met.normal, glm::normalize(way));
+            const vec3 onLamp = lamp.middle + place_.x * lamp.halfU + place_.y * lamp.halfV,
+                       toLamp = onLamp - met.point;
+            const double cosine = glm::dot(met.normal, glm::normalize(toLamp));
             if (!(cosine > 0)) continue;
             double through = 1;
             if (options_.shadows) {
                 ++traced.rays;
-                through = letThrough(scene_, startFrom(scene_, met, way), at);
+                through = letThrough(scene_, startFrom(scene_, met, toLamp), onLamp);
             }
-            const double falloff = options_.falloff ? glm::dot(lamp.middle, lamp.middle) / glm::dot(way, way) : 1;
+            const double falloff = options_.falloff ? glm::dot(lamp.middle, lamp.middle) / glm::dot(toLamp, toLamp) : 1;
             light.diffuse += cosine * through * falloff * lamp.light;
             if (options_.highlight > 0)
-                light.highlight += lobe(met, direction, glm::normalize(way)) * through * falloff * lamp.light;
+                light.highlight += lobe(met, direction, glm::normalize(toLamp)) * through * falloff * lamp.light;
         }
         return light;
     }
@@ -134,11 +135,11 @@ class Tracer {
     }
 
     vec3 throughGlass(const Following& path, const Met& met, double index, double radius) {
-        const vec3 way = glm::normalize(path.ray.direction);
-        const bool enters = glm::dot(way, met.normal) < 0;
+        const vec3 direction = glm::normalize(path.ray.direction);
+        const bool enters = glm::dot(direction, met.normal) < 0;
         const vec3 normal = enters ? met.normal : -met.normal;
-        const double behind = enters ? index : 1 / index, cosine = std::min(1.0, -glm::dot(way, normal));
-        const auto on = refracted(way, normal, behind);
+        const double behind = enters ? index : 1 / index, cosine = std::min(1.0, -glm::dot(direction, normal));
+        const auto on = refracted(direction, normal, behind);
         Split split = fresnel(std::max(0.0, cosine), behind);
         if (options_.schlick && on) {
             // Use Schlick's curve with the angle on the ray's side, as many programs do. Total reflection stays exact
@@ -146,7 +147,7 @@ class Tracer {
             split.reflected = schlick(std::max(0.0, cosine), headOn);
             split.transmitted = 1 - split.reflected;
         }
-        vec3 light = follow(path, met, way - 2 * glm::dot(way, normal) * normal, split.reflected, radius);
+        vec3 light = follow(path, met, direction - 2 * glm::dot(direction, normal) * normal, split.reflected, radius);
         if (on) light += follow(path, met, *on, split.transmitted, radius);
         return light;
     }
@@ -220,12 +221,9 @@ vec3 startFrom(const TracedScene& scene, const Met& met, const vec3& direction) 
 double letThrough(const TracedScene& scene, const vec3& start, const vec3& lamp) {
     double through = 1;
     Ray ray{start, lamp - start};
-    double gone = 0;
     for (;;) {
         const auto met = firstMet(scene, ray);
-        if (!met) return through;
-        gone += met->t * (1 - gone);  // of the whole way, since each ray leads to the lamp
-        if (met->t >= 1) return through;
+        if (!met || met->t >= 1) return through;  // each ray ends in the lamp, at t = 1
         if (met->ball < 0) return 0;  // the floor and triangles are opaque
         const Surface& surface = scene.balls[static_cast<std::size_t>(met->ball)].surface;
         if (surface.index <= 0) return 0;

@@ -32,17 +32,8 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
 
 // The shaders differ in where they call the same function of shaders/include/reflection.glsl.
 const Program& programOf(Gpu& gpu, Shading shading) {
-    switch (shading) {
-        case Shading::own:
-            return *gpu.plain;
-        case Shading::flat:
-            return *gpu.byFace;
-        case Shading::gouraud:
-            return *gpu.byVertex;
-        case Shading::phong:
-            break;
-    }
-    return *gpu.byPixel;
+    const std::array ofShading{&gpu.plain, &gpu.byFace, &gpu.byVertex, &gpu.byPixel};  // in the order of Shading
+    return **ofShading.at(static_cast<std::size_t>(shading));
 }
 
 // Set lamp, eye and material. Normals have a matrix of their own.

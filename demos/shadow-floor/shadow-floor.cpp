@@ -6,7 +6,6 @@
 #include "mv/gl/functions.h"
 #include "mv/math/projection.h"
 #include "mv/math/shadow.h"
-#include "mv/math/shadow_caster.h"
 #include "mv/math/transform.h"
 
 namespace mv::shadow_floor {
@@ -34,7 +33,7 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
 
     // Draw the square flattened onto the floor. The square is level, so either all of it casts a shadow or nothing does
     const CasterVerdict verdict = judgeCaster("square", corners, vec4(light, 1), planeOfShadow);
-    if (!verdict.sentence.empty()) frame.say(verdict.sentence);
+    tell(s, light, verdict, frame);
     if (verdict.casts) drawShadow(gpu, s, light, worldFromSquare, frame);
 }
 
@@ -45,8 +44,6 @@ void drawShadow(Gpu& gpu, const Settings& s, const vec3& light, const mat4& worl
     gpu.program.set("shadowFromModel", shadowFromWorld * worldFromSquare);
     gpu.program.set("crop", s.crop);
     drawMesh(gpu.program, gpu.plate, vec4(0.2, 0, 0, 1), viewFromWorldOf(s) * shadowFromWorld * worldFromSquare);
-    if (s.crop && areaOnFloor(shadowFromWorld) == 0)
-        frame.say("The shadow falls beside the floor: with crop off it is seen there.");
 }
 
 void drawMesh(const Program& program, const Mesh& mesh, const vec4& color, const mat4& viewFromModel) {

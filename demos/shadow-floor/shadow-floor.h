@@ -7,6 +7,7 @@
 #include "mv/gl/drawing.h"
 #include "mv/gl/mesh.h"
 #include "mv/gl/program.h"
+#include "mv/math/shadow_caster.h"
 
 namespace mv::shadow_floor {
 
@@ -40,6 +41,7 @@ vec3 lightOf(const Settings& s, const FrameInfo& frame);
 mat4 viewFromWorldOf(const Settings& s);
 mat4 clipFromViewOf(const FrameInfo& frame);
 
+void tell(const Settings& s, const vec3& light, const CasterVerdict& verdict, const Frame& frame);
 void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame);
 
 // Measurements: study.cpp. The area of the shadow's part on the floor.

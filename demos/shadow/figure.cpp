@@ -4,6 +4,10 @@
 
 namespace mv::shadow {
 
+void tell(const CasterVerdict& verdict, const Frame& frame) {
+    if (!verdict.sentence.empty()) frame.say(verdict.sentence);
+}
+
 void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
     if (!s.rays) return;
     gpu.drawing.begin(frame);

@@ -6,7 +6,6 @@
 #include "mv/gl/functions.h"
 #include "mv/math/projection.h"
 #include "mv/math/shadow.h"
-#include "mv/math/shadow_caster.h"
 
 namespace mv::shadow {
 
@@ -30,7 +29,7 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
 
     // Draw the square again, flattened onto the plane, as its shadow
     const CasterVerdict verdict = judgeCaster("square", cornersOf(worldFromModel), light, planeOfShadow);
-    if (!verdict.sentence.empty()) frame.say(verdict.sentence);
+    tell(verdict, frame);
     if (verdict.casts) drawShadow(gpu, light, worldFromModel, frame);
 }
 

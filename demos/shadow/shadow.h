@@ -7,6 +7,7 @@
 #include "mv/gl/drawing.h"
 #include "mv/gl/mesh.h"
 #include "mv/gl/program.h"
+#include "mv/math/shadow_caster.h"
 #include "mv/math/transform.h"
 
 namespace mv::shadow {
@@ -35,6 +36,7 @@ mat4 worldFromModelOf(const Settings& s);
 mat4 clipFromViewOf(const FrameInfo& frame);
 std::array<vec3, 4> cornersOf(const mat4& worldFromModel);
 
+void tell(const CasterVerdict& verdict, const Frame& frame);
 void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame);
 void readOut(Gpu& gpu, const Settings& s, const Frame& frame, Numbers& numbers);
 

@@ -36,4 +36,8 @@ void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
     gpu.drawing.draw(frame);
 }
 
+void tell(const Settings& s, const Frame& frame) {
+    if (!s.depthTest) frame.say("Without depth test nothing is written into the depth buffer, either.");
+}
+
 }  // namespace mv::z_buffer

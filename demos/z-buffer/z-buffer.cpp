@@ -14,7 +14,6 @@
 namespace mv::z_buffer {
 
 void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
-    if (!s.depthTest) frame.say("Without depth test nothing is written into the depth buffer, either.");
     const mat4 clip = clipFromView(s, frame.aspect(), hasZeroToOne(s));
     frame.show("clipFromView", clip);
 
@@ -39,6 +38,7 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     else
         gpu.drawn.bindColor(0);
     gpu.cover.draw();
+    tell(s, frame);
 }
 
 void drawPlates(Gpu& gpu, const Settings& s, const mat4& clipFromView) {

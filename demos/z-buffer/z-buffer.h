@@ -66,6 +66,7 @@ std::vector<double> cutsOf(const Settings& s);
 
 // figure.cpp, study.cpp.
 void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame);
+void tell(const Settings& s, const Frame& frame);
 void readOut(Gpu& gpu, const Settings& s, const Frame& frame, Numbers& numbers);
 std::vector<double> values(const Settings& s);
 
