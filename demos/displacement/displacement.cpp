@@ -7,6 +7,7 @@
 #include "mv/gl/feedback.h"
 #include "mv/gl/gl.h"
 #include "mv/image/mipmap.h"
+#include "shared/relief_maps.h"
 
 namespace mv::displacement {
 
