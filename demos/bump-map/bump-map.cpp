@@ -10,6 +10,7 @@
 #include "mv/image/mipmap.h"
 #include "mv/math/transform.h"
 #include "shared/own_picture.h"
+#include "shared/relief_maps.h"
 
 namespace mv::bump_map {
 

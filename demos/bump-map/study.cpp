@@ -13,7 +13,9 @@
 #include "mv/demo/lesson.h"
 #include "mv/math/color.h"
 #include "shared/in_rows.h"
+#include "shared/relief_maps.h"
 #include "shared/relief_rays.h"
+#include "shared/seen_pixels.h"
 
 namespace mv::bump_map {
 
@@ -96,16 +98,6 @@ class Seen {
     vec3 light_, way_;
 };
 
-double rmsBetween(const std::vector<double>& a, const std::vector<double>& b) {
-    double squares = 0, n = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        if (a[i] < 0 || b[i] < 0) continue;
-        squares += (a[i] - b[i]) * (a[i] - b[i]);
-        ++n;
-    }
-    return n > 0 ? std::sqrt(squares / n) : 0;
-}
-
 // Lines of sight along each side of a pixel: of the orange some thousand pixels count, and many are at its outline.
 int sideOf(const Settings& s) { return s.body == ReliefBody::wall ? 2 : 6; }
 
@@ -118,8 +110,8 @@ Reference reference(const Demo& demo, const ReferenceFrame& frame, const std::fu
     const Seen seen(s, frame);
     const int side = sideOf(s);
     Reference right{.values = seen.means(side, progress)};
-    for (const double value : right.values) right.regions.push_back(value < 0 ? -1 : 0);
-    if (frame.ownError) right.ownError = rmsBetween(right.values, seen.means(2 * side, progress));
+    right.regions = regionsOfSeen(right.values);
+    if (frame.ownError) right.ownError = rmsBetween(right.values, seen.means(2 * side, progress)).value_or(0);
     right.work = double(side) * side * double(right.values.size());
     return right;
 }
@@ -132,7 +124,7 @@ std::vector<double> errorNow(Probing& probing) {
     const std::vector<float> shown = probing.measured(width, height);
     if (shown.empty()) return {};
     const Seen seen(s, {probing.frame().index(), width, height});
-    return {rmsBetween({shown.begin(), shown.end()}, seen.means(2))};
+    return rmsOfShown(shown, seen.means(2));
 }
 
 // How far the normals of the normal map are from the true ones, before any filter: the root mean square, in degrees.

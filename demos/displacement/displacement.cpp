@@ -6,6 +6,7 @@
 #include "mv/gl/beyond_es.h"
 #include "mv/gl/gl.h"
 #include "mv/image/mipmap.h"
+#include "shared/relief_maps.h"
 
 namespace mv::displacement {
 

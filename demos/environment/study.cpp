@@ -1,11 +1,11 @@
 // What environment tells in numbers, and what measures it: its sphere against rays in double precision.
-#include <cmath>
 #include <string>
 #include <vector>
 
 #include "environment.h"
 #include "mv/demo/lesson.h"
 #include "mv/math/color.h"
+#include "shared/seen_pixels.h"
 #include "shiny_sphere.h"
 
 namespace mv::environment {
@@ -47,15 +47,7 @@ std::vector<double> errorNow(Probing& probing) {
     const std::vector<float> shown = probing.measured(side, side);
     if (shown.empty()) return {};
     const FrameInfo frame(probing.frame().index(), side, side);
-    const std::vector<double> exact = sphereOf(s, frame).picture(sceneOf(s, frame), side, side);
-    double squares = 0, count = 0;
-    for (std::size_t i = 0; i < exact.size(); ++i) {
-        if (exact[i] < 0 || shown[i] < 0) continue;
-        squares += std::pow(exact[i] - double(shown[i]), 2);
-        ++count;
-    }
-    if (count == 0) return {};
-    return {std::sqrt(squares / count)};
+    return rmsOfShown(shown, sphereOf(s, frame).picture(sceneOf(s, frame), side, side));
 }
 
 Study study() {

@@ -1,7 +1,6 @@
 // The readouts of gpu-stages, and its study: how far its triangles are from the patch itself, and whether two
 // kinds of shader make one picture.
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <glm/common.hpp>
 #include <glm/matrix.hpp>
@@ -12,6 +11,7 @@
 #include "gpu-stages.h"
 #include "mv/demo/demo.h"
 #include "mv/gl/beyond_es.h"
+#include "shared/seen_pixels.h"
 
 namespace mv::gpu_stages {
 
@@ -86,15 +86,7 @@ std::vector<double> depthErrors(Probing& probing) {
     const FrameInfo frame(probing.frame().index(), 240, 140);
     const std::vector<float> shown = probing.measured(frame.width(), frame.height());
     if (shown.empty()) return {};
-    const std::vector<double> exact = exactDepths(demo, frame);
-    double squares = 0, count = 0;
-    for (std::size_t i = 0; i < exact.size(); ++i) {
-        if (exact[i] < 0 || shown[i] < 0) continue;
-        squares += std::pow(exact[i] - double(shown[i]), 2);
-        ++count;
-    }
-    if (count == 0) return {};
-    return {std::sqrt(squares / count)};
+    return rmsOfShown(shown, exactDepths(demo, frame));
 }
 
 // Pixels of the two panes that differ in any channel; of what cannot be compared, nothing.

@@ -12,6 +12,7 @@
 #include "mv/math/transform.h"
 #include "procedural.h"
 #include "shared/in_rows.h"
+#include "shared/seen_pixels.h"
 
 namespace mv::procedural {
 
@@ -114,17 +115,10 @@ std::vector<double> trueMeans(const Settings& s, const FrameInfo& frame, int sid
 
 Reference reference(const Settings& s, const ReferenceFrame& frame) {
     Reference right{.values = trueMeans(s, frame, 20)};
-    for (const double value : right.values) right.regions.push_back(value < 0 ? -1 : 0);
+    right.regions = regionsOfSeen(right.values);
     if (frame.ownError) {
         // One pixel of 16 is enough for a root mean square.
-        const auto finer = trueMeans(s, frame, 40, 4);
-        double squares = 0, n = 0;
-        for (std::size_t i = 0; i < finer.size(); ++i) {
-            if (finer[i] < 0) continue;
-            squares += std::pow(finer[i] - right.values[i], 2);
-            ++n;
-        }
-        right.ownError = std::sqrt(squares / n);
+        right.ownError = rmsBetween(right.values, trueMeans(s, frame, 40, 4)).value_or(0);
     }
     return right;
 }

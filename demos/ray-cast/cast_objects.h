@@ -1,13 +1,9 @@
-// The objects that ray-cast's rays meet: each once as a formula, and once as triangles for GL.
+// The objects that ray-cast's rays meet, as formulas; cast_meshes.h has them as triangles.
 #pragma once
 #include <array>
 #include <optional>
-#include <string>
-#include <vector>
 
-#include "mv/geometry/bvh.h"
 #include "mv/geometry/ray_forms.h"
-#include "mv/geometry/scene.h"
 
 namespace mv {
 
@@ -59,12 +55,6 @@ struct CastHit {
 // and for the teapot, which is no formula.
 template <typename T>
 std::optional<CastHit> castAt(CastKind kind, double scale, const RayOf<T>& ray, const CastWay& way);
-
-// The objects as triangles, named by their kinds, each placed in the world but for the scale; not the teapot.
-SceneObject castMesh(CastKind kind, double scale);
-// And as they stand in the world at scale 1; the teapot with `teapotCells` cells a side on each patch. SceneTriangle::object is
-// the kind.
-std::vector<SceneTriangle> castTriangles(const std::vector<CastKind>& kinds, int teapotCells);
 
 // The numbers that define the objects at scale 1. All are floats, but for the matrix and the star's corners.
 namespace cast {

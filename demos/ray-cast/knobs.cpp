@@ -88,7 +88,7 @@ constexpr Declaration about{
 
 const Settings far{.precision = Precision::single,
                    .rows = 120,
-                   .objects = Objects::sphere,
+                   .objects = only(CastKind::sphere),
                    .distance = 3000,
                    .pixelX = 0.3,
                    .pixelY = 0.47};
@@ -102,10 +102,10 @@ std::vector<SettingsPreset<Settings>> presets() {
         {"far-and-stable", "The library's sphere, from as far and in float.", far},
         {"teapot",
          "Triangles: rays ask a tree, a raster fills one after the other.",
-         {.rows = 240, .objects = Objects::teapot}},
+         {.rows = 240, .objects = only(CastKind::teapot)}},
         {"one-start",
          "Newton's method from the flag's middle alone: it walks away from parts of it.",
-         {.form = CastForm::textbook, .rows = 120, .objects = Objects::surface, .pixelX = 0.6, .pixelY = 0.7}},
+         {.form = CastForm::textbook, .rows = 120, .objects = only(CastKind::surface), .pixelX = 0.6, .pixelY = 0.7}},
     };
 }
 

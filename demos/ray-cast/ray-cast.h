@@ -20,22 +20,9 @@ namespace mv::ray_cast {
 
 enum class Precision { single, twice };
 enum class Maker { rays, raster, gl };
-// All formulas together, or one: after `all`, in the order of CastKind.
-enum class Objects {
-    all,
-    plane,
-    sphere,
-    box,
-    triangle,
-    polygon,
-    transformed,
-    surface,
-    teapot,
-    cylinder,
-    cone,
-    disk,
-    torus
-};
+// All formulas together, or one object alone, whose number is that of its kind and 1.
+enum class Objects { all };
+constexpr Objects only(CastKind kind) { return static_cast<Objects>(1 + static_cast<int>(kind)); }
 
 constexpr vec4 sky(0.85, 0.9, 0.95, 1);
 constexpr double opening = 0.53,

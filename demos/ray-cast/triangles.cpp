@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 #include <string>
 
+#include "cast_meshes.h"
 #include "depth_raster.h"
 #include "mv/demo/seen.h"
 #include "mv/gl/gl.h"
@@ -22,7 +23,7 @@ Settings withoutPixel(Settings s) {
 
 bool isThere(const Settings& s, CastKind kind) {
     if (s.objects == Objects::all) return kind < CastKind::teapot;
-    return static_cast<int>(kind) + 1 == static_cast<int>(s.objects);
+    return s.objects == only(kind);
 }
 std::vector<CastKind> kindsOf(const Settings& s) {
     std::vector<CastKind> kinds;

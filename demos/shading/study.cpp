@@ -10,6 +10,7 @@
 #include "mv/demo/lesson.h"
 #include "mv/geometry/ray.h"
 #include "shading.h"
+#include "shared/seen_pixels.h"
 
 namespace mv::shading {
 
@@ -80,16 +81,10 @@ class ExactSphere {
 Reference exactHighlight(const Demo& demo, const ReferenceFrame& frame) {
     const ExactSphere sphere(settingsOf<Settings>(demo), frame);
     Reference reference{.values = sphere.picture(frame.width(), frame.height(), 8)};
-    for (const double value : reference.values) reference.regions.push_back(value < 0 ? -1 : 0);
+    reference.regions = regionsOfSeen(reference.values);
     if (frame.ownError) {
-        const auto finer = sphere.picture(frame.width(), frame.height(), 16);
-        double squares = 0, n = 0;
-        for (std::size_t i = 0; i < finer.size(); ++i) {
-            if (finer[i] < 0) continue;
-            squares += std::pow(finer[i] - reference.values[i], 2);
-            ++n;
-        }
-        reference.ownError = std::sqrt(squares / n);
+        reference.ownError =
+            rmsBetween(reference.values, sphere.picture(frame.width(), frame.height(), 16)).value_or(0);
     }
     return reference;
 }

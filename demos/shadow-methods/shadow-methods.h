@@ -2,6 +2,7 @@
 #include <optional>
 #include <vector>
 
+#include "lit_difference.h"
 #include "mv/demo/frame.h"
 #include "mv/demo/made_for.h"
 #include "mv/demo/numbers.h"
@@ -13,7 +14,6 @@
 #include "mv/gl/program.h"
 #include "mv/gl/scene_meshes.h"
 #include "shared/caster_volumes.h"
-#include "shared/lit_difference.h"
 #include "shared/orbit.h"
 
 namespace mv::shadow_methods {

@@ -1,5 +1,5 @@
 // Reliefs: a brick wall and the peel of an orange, as surfaces that lie below a smooth one. As functions in double
-// precision, which are the truth, as the maps that a GPU is given of them, and as displaced meshes.
+// precision, which are the truth, and as displaced meshes; relief_maps.h has the maps that a GPU is given of them.
 //
 // The wall's smooth surface is the plane z = 0, facing +z, where y is -1..1 and all is repeated after 2 units of x; a
 // brick is 1 long and 1/2 high. The orange's is the unit sphere about the origin, with poles on the y axis.
@@ -49,17 +49,6 @@ MeshData wallPiece(const Relief& relief, double fromX, double toX, int cellsX, i
 vec3 smoothPoint(ReliefBody body, const vec2& texCoord);
 // How far u and v go round in units where they are as long as anywhere: at the equator, on the orange.
 vec2 unitsOfRepeat(ReliefBody body);
-
-// Colours in red, green and blue, and the height in alpha: one repeat of the wall in size x size texels, or all of the
-// orange in 2 size x size. Each texel is what is in its middle; row 0 has the smallest v. `mirrored` plays no part.
-FloatPicture paintedMap(ReliefBody body, int size);
-// Normals from the heights of such a map (mv/image/normal_map.h).
-FloatPicture reliefNormals(const Relief& relief, const FloatPicture& painted);
-// The true normal in the middle of a texel of those, in the frame along u, along v, out.
-vec3 trueNormal(const Relief& relief, int x, int y, int size);
-// How far the normals of that map are from the true ones, as a root mean square over its texels, in degrees. `inBytes`:
-// heights are rounded to 8 bits before, and normals after.
-double normalMapError(const Relief& relief, int size, bool inBytes);
 
 // The shift by which parallax mapping finds what a line of sight meets, along the surface, in units: from the point where
 // it enters the smooth surface to where it would have come down to this height. `view`, of unit length, points to the

@@ -8,6 +8,7 @@
 
 #include "mv/demo/lesson.h"
 #include "shared/own_picture.h"
+#include "shared/seen_pixels.h"
 #include "texture-filter.h"
 
 namespace mv::texture_filter {
@@ -81,21 +82,12 @@ class FloorMean {
 
 constexpr int side = 32;  // points along each side of a pixel
 
-double rmsBetween(const std::vector<double>& a, const std::vector<double>& b) {
-    double squares = 0, n = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        if (a[i] < 0 || b[i] < 0) continue;
-        squares += (a[i] - b[i]) * (a[i] - b[i]);
-        ++n;
-    }
-    return n > 0 ? std::sqrt(squares / n) : 0;
-}
-
 Reference areaMean(const Demo& demo, const ReferenceFrame& frame, const std::function<void(double)>& progress) {
     const FloorMean floor(settingsOf<Settings>(demo), frame);
     Reference reference{.values = floor.picture(side, progress)};
-    for (const double value : reference.values) reference.regions.push_back(value < 0 ? -1 : 0);
-    if (frame.ownError) reference.ownError = rmsBetween(reference.values, floor.picture(2 * side, progress));
+    reference.regions = regionsOfSeen(reference.values);
+    if (frame.ownError)
+        reference.ownError = rmsBetween(reference.values, floor.picture(2 * side, progress)).value_or(0);
     reference.work = double(side) * side * double(reference.values.size());
     return reference;
 }
@@ -106,7 +98,7 @@ std::vector<double> errorNow(Probing& probing) {
     const std::vector<float> shown = probing.measured(width, height);
     if (shown.empty()) return {};
     const FloorMean floor(settingsOf<Settings>(probing.demo()), {probing.frame().index(), width, height});
-    return {rmsBetween({shown.begin(), shown.end()}, floor.picture(16, {}))};
+    return rmsOfShown(shown, floor.picture(16, {}));
 }
 
 Study study() {

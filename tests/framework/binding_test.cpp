@@ -17,10 +17,10 @@ struct Controls : DemoOf<Values> {
         : DemoOf(together(mv::number("distance", &Values::distance, {-10, 10}, ""),
                           angle("across", &Values::across, ""), angle("down", &Values::down, ""),
                           whole("view", &Values::view, {1, 9}, ""))) {
-        bindKeys(Key::down, Key::up, distance, 0.2);
-        bindKey(key('3'), knob("view"), "3");
-        bindDrag(across, 1, down, -1);
-        bindWheel(distance, -0.1);
+        addControl(keys(Key::down, Key::up, "distance", 0.2));
+        addControl(keySets(key('3'), "view", "3"));
+        addControl(mv::drag("across", 1, "down", -1));
+        addControl(mv::wheel("distance", -0.1));
     }
     Knob &distance = knob("distance"), &across = knob("across"), &down = knob("down");
 };

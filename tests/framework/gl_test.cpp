@@ -217,8 +217,8 @@ TEST_F(Gl, uniforms_are_known_typed_finite_and_in_use) {
     EXPECT_TRUE(has(errorOf([&] { program.set("c", vec4(0.0 / 0.0)); }), "must be finite as a float, nan"));
     EXPECT_TRUE(has(errorOf([&] { program.set("c", vec4(1e39)); }), "must be finite as a float, 1e+39"));
     EXPECT_TRUE(has(errorOf([&] { program.set("m", mat4(1.0 / 0.0)); }), "must be finite"));
-    EXPECT_TRUE(has(errorOf([] { Program().use(); }), "must be made in init()"));
-    EXPECT_TRUE(has(errorOf([] { Mesh().draw(); }), "must be made in init()"));
+    EXPECT_TRUE(has(errorOf([] { Program().use(); }), "must be made from shaders"));
+    EXPECT_TRUE(has(errorOf([] { Mesh().draw(); }), "must be made from a shape"));
 }
 
 TEST_F(Gl, an_edited_shader_is_compiled_anew_and_a_mistake_keeps_the_last_good) {

@@ -33,22 +33,19 @@ struct Hands : DemoOf<Values> {
               mv::number("flat-y", &Values::flatY, {0, 1}, ""), mv::number("height", &Values::height, {0.5, 2}, ""),
               angle("turn", &Values::turn, ""), mv::number("coarse", &Values::coarse, {0, 1}, ""),
               mv::number("fine", &Values::fine, {0, 10}, ""), mv::number("unseen", &Values::unseen, {0, 2}, ""))) {
-        bindHandle("in space", numbers({"x", "y", "z"}),
-                   [this](const FrameInfo& f) { return placeOf(f, vec3(s.x, s.y, s.z)); });
-        bindHandle("on a line", numbers({"height"}),
-                   [this](const FrameInfo& f) { return placeOf(f, vec3(-1, s.height, 0)); });
-        bindHandle("in a pane", numbers({"flat-x", "flat-y"}), [this](const FrameInfo& f) {
-            return pictureFromPane(f.panes(2)[1], 100.0 * vec2(s.flatX, s.flatY));
-        });
-        bindHandle("on a circle", numbers({"turn"}), [this](const FrameInfo& f) {
+        addPlace("in space", {"x", "y", "z"}, [this](const FrameInfo& f) { return placeOf(f, vec3(s.x, s.y, s.z)); });
+        addPlace("on a line", {"height"}, [this](const FrameInfo& f) { return placeOf(f, vec3(-1, s.height, 0)); });
+        addPlace("in a pane", {"flat-x", "flat-y"},
+                 [this](const FrameInfo& f) { return pictureFromPane(f.panes(2)[1], 100.0 * vec2(s.flatX, s.flatY)); });
+        addPlace("on a circle", {"turn"}, [this](const FrameInfo& f) {
             return placeOf(f, vec3(std::sin(radians(s.turn)), 0, std::cos(radians(s.turn))));
         });
-        bindHandle("nowhere", numbers({"unseen"}), [this](const FrameInfo&) -> std::optional<vec2> {
+        addPlace("nowhere", {"unseen"}, [this](const FrameInfo&) -> std::optional<vec2> {
             if (s.unseen < 0.9) throw Error("--unseen", "must be above 0.9");
             return vec2(100 * s.unseen, 0);
         });
-        bindHandle("uneven", numbers({"coarse", "fine"}),
-                   [this](const FrameInfo&) { return vec2(100 * s.coarse + 5 * s.fine, 0); });
+        addPlace("uneven", {"coarse", "fine"},
+                 [this](const FrameInfo&) { return vec2(100 * s.coarse + 5 * s.fine, 0); });
     }
 
     FrameInfo frame{1, 400, 300};

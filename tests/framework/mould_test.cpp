@@ -16,7 +16,7 @@
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
 #include "mv/show/stage.h"
-#include "shared/lit_difference.h"
+#include "shadow-methods/lit_difference.h"
 #include "shared/scenes.h"
 #include "support/demo_of.h"
 #include "support/demo_run.h"

@@ -26,10 +26,10 @@ struct Dots : DemoOf<Values> {
         : DemoOf(together(mv::points("dots", &Values::dots, within(1, 4), "where they are"),
                           mv::points("one", &Values::one, within(1, 1), "where it is"),
                           mv::points("ends", &Values::ends, within(2, 2), "where they are"))) {
-        bindPoints("dot", dots, [](const FrameInfo& f, const vec2& value) -> std::optional<vec2> {
+        addPlaces("dot", "dots", [](const FrameInfo& f, const vec2& value) -> std::optional<vec2> {
             return pictureFromPane(f.panes(2)[1], 50.0 * (value + 1.0));
         });
-        bindPoints("end", ends, [](const FrameInfo&, const vec2& value) { return value; });
+        addPlaces("end", "ends", [](const FrameInfo&, const vec2& value) { return value; });
     }
     Knob &dots = knob("dots"), &one = knob("one"), &ends = knob("ends");
 

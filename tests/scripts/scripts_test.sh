@@ -177,8 +177,8 @@ only() {
 # All studies are those that a study file adds; none is an error.
 studies() {
     ./test --update-studies >out 2>err && fail "no study must be an error"
-    says err '^error: --update-studies: demos/\*.study.cpp must hold a study'
-    echo 'static const bool added = addStudy("two", study());' >demos/two.study.cpp
+    says err '^error: --update-studies: demos/\*/study.cpp must hold a study'
+    mkdir demos/two && echo 'static const bool added = addStudy("two", study());' >demos/two/study.cpp
     mkdir -p build/studies/two && echo '# renderer: llvmpipe' >build/studies/two/study.csv
     ./test --update-studies >out 2>err || fail "./test --update-studies: $(cat out err)"
     says out ": two --study $tree/build/studies/two --headless$"

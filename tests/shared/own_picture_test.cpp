@@ -9,7 +9,7 @@
 #include "mv/error.h"
 #include "mv/image/load.h"
 #include "mv/math/color.h"
-#include "shared/relief.h"
+#include "shared/relief_maps.h"
 #include "support/random.h"
 
 using namespace mv;

@@ -1,4 +1,5 @@
 #include "shared/relief.h"
+#include "shared/relief_maps.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 namespace mv::test {
 
 template <class Settings>
-class DemoOf : public LessonBase {
+class DemoOf : public Demo {
   public:
     explicit DemoOf(std::vector<Row<Settings>> rows = {}) : rows_(std::move(rows)) {
         for (const Row<Settings>& row : rows_) addRow(row, &s, &row_detail::example<Settings>());

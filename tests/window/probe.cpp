@@ -69,9 +69,9 @@ struct Probe final : DemoOf<Settings> {
                                     {"exhausted", "for a count of 4 there is no memory"}},
                                    "what is refused"),
                           mv::angle("angle", &Settings::angle, "an angle that turns on"))) {
-        bindKey(key('4'), knob("count"), "4");
-        bindKeys(key('N'), key('S'), knob("level"), 0.125);  // S is the window's own key for saving, too
-        bindDrag(knob("angle"), 1, knob("level"), 0.001);
+        addControl(keySets(key('4'), "count", "4"));
+        addControl(keys(key('N'), key('S'), "level", 0.125));  // S is the window's own key for saving, too
+        addControl(mv::drag("angle", 1, "level", 0.001));
     }
 
     void init() override {

@@ -2,6 +2,8 @@
 #pragma once
 #include <string>
 
+#include "mv/demo/literal.h"
+
 namespace mv {
 
 class Knob;
@@ -20,6 +22,14 @@ struct Binding {
     Knob* knob;
     double amount;
     std::string text = {};
+};
+
+// A key, a drag or the wheel, which moves settings by their names.
+struct Control {
+    Gesture gesture;
+    Literal knob, other = {};  // `other`: of a drag, what moving down moves; of a key, the value that it sets
+    Key key = {}, otherKey = {};
+    double amount = 0, otherAmount = 0;
 };
 
 // "Up", "7", "W"

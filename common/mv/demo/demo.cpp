@@ -19,11 +19,23 @@ AnyMemory::AnyMemory(Demo* owner) {
     owner->memory_ = this;
 }
 
-void Demo::add(Knob* knob) {
+void Demo::addRow(const AnyRow& row, void* settings, const void* initial) {
+    auto made = std::make_unique<Knob>(row, settings, initial);
     for (const Knob* other : knobs_) {
-        if (other->name() == knob->name()) throw Error("knob " + knob->name(), "must be declared once");
+        if (other->name() == made->name()) throw Error("knob " + made->name(), "must be declared once");
     }
-    knobs_.push_back(knob);
+    knobs_.push_back(made.get());
+    madeKnobs_.push_back(std::move(made));
+}
+
+void Demo::addReadout(const Probe::Number& number) {
+    madeReadouts_.push_back(std::make_unique<Readout>(this, number.name, number.help, number.unit));
+}
+
+void Demo::checkFiles() const {
+    for (const Knob* knob : knobs_) {
+        if (knob->kind() == Knob::Kind::file) knob->checkFile();
+    }
 }
 
 Scene Demo::scene(const FrameInfo&) const {
@@ -81,27 +93,39 @@ bool Demo::wheel(double notches) {
     return moved;
 }
 
-void Demo::bindKeys(Key less, Key more, Knob& knob, double amount) {
-    bindings_.push_back({Gesture::key, less, &knob, -amount});
-    bindings_.push_back({Gesture::key, more, &knob, amount});
+void Demo::addControl(const Control& control) {
+    Knob* const moved = &knob(control.knob);
+    switch (control.gesture) {
+        case Gesture::key:
+            if (!control.other.empty()) {
+                bindings_.push_back({Gesture::key, control.key, moved, 0, control.other});
+            } else {
+                bindings_.push_back({Gesture::key, control.key, moved, -control.amount});
+                bindings_.push_back({Gesture::key, control.otherKey, moved, control.amount});
+            }
+            break;
+        case Gesture::dragAcross:
+        case Gesture::dragDown:
+            bindings_.push_back({Gesture::dragAcross, Key{}, moved, control.amount});
+            bindings_.push_back({Gesture::dragDown, Key{}, &knob(control.other), control.otherAmount});
+            break;
+        case Gesture::wheel:
+            bindings_.push_back({Gesture::wheel, Key{}, moved, control.amount});
+            break;
+    }
 }
 
-void Demo::bindKey(Key key, Knob& knob, std::string_view text) {
-    bindings_.push_back({Gesture::key, key, &knob, 0, std::string(text)});
-}
-
-void Demo::bindDrag(Knob& across, double perPixelAcross, Knob& down, double perPixelDown) {
-    bindings_.push_back({Gesture::dragAcross, Key{}, &across, perPixelAcross});
-    bindings_.push_back({Gesture::dragDown, Key{}, &down, perPixelDown});
-}
-
-void Demo::bindWheel(Knob& knob, double perNotch) { bindings_.push_back({Gesture::wheel, Key{}, &knob, perNotch}); }
-
-void Demo::bindHandle(std::string name, std::vector<Knob*> knobs,
-                      std::function<std::optional<vec2>(const FrameInfo&)> where) {
-    Handle handle{.name = std::move(name), .knobs = knobs};
+void Demo::addPlace(Literal name, const std::vector<Literal>& numbers,
+                    std::function<std::optional<vec2>(const FrameInfo&)> where) {
+    Handle handle{.name = name, .knobs = {}};
+    for (const Literal number : numbers) {
+        handle.knobs.push_back(&knob(number));
+        const Knob::Kind kind = handle.knobs.back()->kind();
+        if (kind != Knob::Kind::number && kind != Knob::Kind::angle)
+            throw Error("handle", "must name rows that are numbers", number);
+    }
     handle.count = [] { return std::size_t{1}; };
-    handle.coordinates = [knobs = std::move(knobs)](std::size_t) {
+    handle.coordinates = [knobs = handle.knobs](std::size_t) {
         std::vector<Coordinate> coordinates;
         for (Knob* knob : knobs) coordinates.push_back(knob->coordinate());
         return coordinates;
@@ -110,9 +134,11 @@ void Demo::bindHandle(std::string name, std::vector<Knob*> knobs,
     handles_.push_back(std::move(handle));
 }
 
-void Demo::bindPoints(std::string name, Knob& points,
-                      std::function<std::optional<vec2>(const FrameInfo&, const vec2& value)> where) {
-    Handle handle{.name = std::move(name), .knobs = {&points}};
+void Demo::addPlaces(Literal name, Literal pointsName,
+                     std::function<std::optional<vec2>(const FrameInfo&, const vec2& value)> where) {
+    Knob& points = knob(pointsName);
+    if (points.kind() != Knob::Kind::points) throw Error("handle", "must name a row of points", pointsName);
+    Handle handle{.name = name, .knobs = {&points}};
     handle.count = [&points] { return points.points().size(); };
     handle.coordinates = [&points](std::size_t i) {
         return std::vector<Coordinate>{points.coordinate(i, 0), points.coordinate(i, 1)};
@@ -214,8 +240,7 @@ void addProbedReadouts(Demo& demo, std::string_view name) {
     const auto found = measures().find(name);
     if (found == measures().end()) return;
     for (const Probe& probe : found->second.probes) {
-        for (const Probe::Number& number : probe.numbers)
-            demo.probed_.push_back(std::make_unique<Readout>(&demo, number.name, number.help, number.unit));
+        for (const Probe::Number& number : probe.numbers) demo.addReadout(number);
     }
 }
 

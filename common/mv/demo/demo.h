@@ -24,6 +24,8 @@
 
 namespace mv {
 
+struct AnyRow;  // mv/demo/row.h
+
 class Demo {
   public:
     virtual ~Demo() = default;
@@ -31,7 +33,7 @@ class Demo {
     Demo(const Demo&) = delete;
     Demo& operator=(const Demo&) = delete;
 
-    // Makes the GL objects; a context is current. Called once, before the first draw.
+    // Makes the lesson's Gpu; a context is current. Called once, before the first draw.
     virtual void init() = 0;
     // Draws frame.index(): a pure function of the knobs and the index. OpenGL is in its initial state; the picture is the
     // target, all of it the viewport, and cleared where the demo declares its background. What draw() changes is undone
@@ -44,8 +46,8 @@ class Demo {
     // Headless that ends the program; the window keeps its last picture and shows the sentence.
     virtual void check() const {}
 
-    // For a demo with a Memory: what it remembers at frame 0, by the present knobs; and the way from frame index - 1 to
-    // `index`, 1/60 s later. Neither asks OpenGL for anything.
+    // For a lesson with start and step: what it remembers at frame 0, by the present knobs; and the way from frame index - 1
+    // to `index`, 1/60 s later. Neither asks OpenGL for anything.
     virtual void reset() {}
     virtual void step(int /*index*/) {}
 
@@ -88,19 +90,18 @@ class Demo {
     bool wheel(double notches);
 
   protected:
-    // Error: there is one of that name.
-    void add(Knob* knob);
-    // `amount` as in Binding.
-    void bindKeys(Key less, Key more, Knob& knob, double amount);
-    void bindKey(Key key, Knob& knob, std::string_view text);
-    void bindDrag(Knob& across, double perPixelAcross, Knob& down, double perPixelDown);
-    void bindWheel(Knob& knob, double perNotch);
-    // Something in the picture that is dragged there and moves these numbers; `where` as in Handle.
-    void bindHandle(std::string name, std::vector<Knob*> knobs,
-                    std::function<std::optional<vec2>(const FrameInfo&)> where);
-    // One for each of the points; `where` says where the value of one is.
-    void bindPoints(std::string name, Knob& points,
-                    std::function<std::optional<vec2>(const FrameInfo&, const vec2& value)> where);
+    // Makes the knob of a row, over these settings. Error: there is one of that name.
+    void addRow(const AnyRow& row, void* settings, const void* initial);
+    void addReadout(const Probe::Number& number);
+    void addControl(const Control& control);
+    // A handle of a place that these numbers move; `where` as in Handle. Error: one of them is no number.
+    void addPlace(Literal name, const std::vector<Literal>& numbers,
+                  std::function<std::optional<vec2>(const FrameInfo&)> where);
+    // One for each of the points; `where` says where the value of one is. Error: they are no row of points.
+    void addPlaces(Literal name, Literal points,
+                   std::function<std::optional<vec2>(const FrameInfo&, const vec2& value)> where);
+    // Error: a file that is set cannot be read.
+    void checkFiles() const;
 
   private:
     friend class Readout;
@@ -112,7 +113,8 @@ class Demo {
     std::vector<Binding> bindings_;
     std::vector<Handle> handles_;
     AnyMemory* memory_ = nullptr;
-    std::vector<std::unique_ptr<Readout>> probed_;
+    std::vector<std::unique_ptr<Knob>> madeKnobs_;
+    std::vector<std::unique_ptr<Readout>> madeReadouts_;
     friend void addProbedReadouts(Demo& demo, std::string_view name);
 };
 
@@ -161,8 +163,8 @@ struct DemoInfo : Declaration {
     // Two to six settings worth a look. The first has none of its own: it is the knobs' initial values, which are to teach
     // at first sight. Where there is an original, `original` is its first picture.
     std::vector<Preset> presets = {};
-    std::string page = {};  // "demos/cube-cull.md"
-    // What is to be measured, error against run time (--study), and read out: added by NAME.study.cpp.
+    std::string page = {};  // "demos/cube-cull/cube-cull.md"
+    // What is to be measured, error against run time (--study), and read out: added by the demo's study.cpp.
     std::optional<Study> study = {};
     std::vector<Probe> probes = {};
     std::function<std::unique_ptr<Demo>()> make = {};

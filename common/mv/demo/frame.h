@@ -72,7 +72,7 @@ class Frame : public FrameInfo {
     // Whether a study asks for its quantity instead of a picture. The target then has one float a pixel (R32F): clear it
     // to -1, where nothing is compared, and write the quantity (the lit fraction, say) in red where it is.
     bool measuring() const { return mode_.measuring; }
-    // The camera that a probe looks through; none: the demo's own. Demo::seen() heeds it.
+    // The camera that a probe looks through; none: the demo's own. seen() heeds it (mv/demo/seen.h).
     const std::optional<Camera>& camera() const { return mode_.camera; }
     // Draws go into the picture again, all of it, after a demo has drawn into a target of its own.
     void bindTarget() const { mode_.bindTarget(); }

@@ -1,5 +1,6 @@
 // Handles: what is dragged in the picture itself. A handle is a place in the picture that is computed from knobs. Whoever
-// drags it moves those knobs until the place is under the pointer. No demo computes the way back from a pixel.
+// drags it moves those knobs until the place is under the pointer. A lesson gives the place (LessonHandle::where), and computes
+// no way back from a pixel.
 #pragma once
 #include <cstddef>
 #include <functional>

@@ -7,7 +7,7 @@
 //
 //     const bool added = addLesson(about, Lesson<Settings, Gpu>{.rows = {...}, .presets = {...}, .draw = draw});
 //
-// What is said of a Demo's functions of these names holds for a lesson's; addLesson() makes a Demo of it.
+// What is said of a Demo's functions of these names (mv/demo/demo.h) holds for a lesson's; addLesson() makes a Demo of it.
 #pragma once
 #include <memory>
 #include <optional>
@@ -38,13 +38,7 @@ Settings with(Settings settings, Change change) {
     return settings;
 }
 
-// A key, a drag or the wheel, which moves settings by their names.
-struct Control {
-    Gesture gesture;
-    Literal knob, other = {};  // `other`: of a drag, what moving down moves; of a key, the value that it sets
-    Key key = {}, otherKey = {};
-    double amount = 0, otherAmount = 0;
-};
+// Controls: two keys that step a setting, a key that sets it, a drag, and the wheel.
 inline Control keys(Key less, Key more, Literal knob, double amount) {
     return {.gesture = Gesture::key, .knob = knob, .key = less, .otherKey = more, .amount = amount};
 }
@@ -106,7 +100,7 @@ struct Lesson {
     std::vector<Probe::Number> readouts = {};  // names, what they say, units
 
     typename Functions::Draw draw = {};
-    typename Functions::Draw figure = {};      // what people need over the picture: Demo::annotate
+    typename Functions::Draw figure = {};      // over the picture, what only people need: Demo::annotate
     typename Functions::ReadOut readOut = {};  // right after draw, where somebody reads the readouts
     void (*check)(const Settings&) = {};
     Scene (*scene)(const Settings&, const FrameInfo&) = {};
@@ -121,26 +115,8 @@ struct Lesson {
     std::vector<std::pair<std::string, double>> (*valueCounts)(const Settings&) = {};
 };
 
-// What a lesson is as a Demo, but for the types of its settings.
-class LessonBase : public Demo {
-  protected:
-    // Makes the knob of a row, over these settings.
-    void addRow(const AnyRow& row, void* settings, const void* initial);
-    void addControl(const Control& control);
-    void addReadout(const Probe::Number& number);
-    // Error: a file that is set cannot be read.
-    void checkFiles() const;
-    // Error: one that is no number, or no row of points.
-    std::vector<Knob*> numbers(const std::vector<Literal>& names) const;
-    Knob& points(Literal name) const;
-
-  private:
-    std::vector<std::unique_ptr<Knob>> made_;
-    std::vector<std::unique_ptr<Readout>> told_;
-};
-
 template <class Settings, class Gpu, class Kept>
-class LessonDemo final : public LessonBase {
+class LessonDemo final : public Demo {
   public:
     using Of = Lesson<Settings, Gpu, Kept>;
 
@@ -213,13 +189,12 @@ class LessonDemo final : public LessonBase {
     }
     void addHandle(const LessonHandle<Settings>& handle) {
         if (handle.where) {
-            bindHandle(handle.name, numbers(handle.knobs),
-                       [this, &handle](const FrameInfo& frame) { return handle.where(settings_, frame); });
+            addPlace(handle.name, handle.knobs,
+                     [this, &handle](const FrameInfo& frame) { return handle.where(settings_, frame); });
         } else {
-            bindPoints(handle.name, points(handle.knobs.front()),
-                       [this, &handle](const FrameInfo& frame, const vec2& value) {
-                           return handle.wherePoint(settings_, frame, value);
-                       });
+            addPlaces(handle.name, handle.knobs.front(), [this, &handle](const FrameInfo& frame, const vec2& value) {
+                return handle.wherePoint(settings_, frame, value);
+            });
         }
     }
 

@@ -6,7 +6,7 @@
 
 namespace mv {
 
-// A member of a demo: `MadeFor<int, double> mapFor;` and later `if (mapFor.changed(size, bias)) drawMap();`
+// A member of a lesson's Gpu: `MadeFor<int, double> mapFor;` and later `if (gpu.mapFor.changed(s.size, s.bias)) drawMap();`
 template <class... What>
 class MadeFor {
   public:

@@ -4,11 +4,11 @@
 // (masses on springs, a clock that sums up) keeps all that it remembers in one copyable struct:
 //
 //     struct Bodies { std::vector<vec3> places, velocities; };
-//     Memory<Bodies> bodies{this};
-//     void reset() override { *bodies = startOf(count); }             // at frame 0, by the knobs
-//     void step(int index) override { advance(*bodies, stiffness); }  // from frame index - 1 to index
+//     Bodies start(const Settings& s) { ... }                          // at frame 0
+//     void step(Bodies& bodies, const Settings& s, int index) { ... }  // from frame index - 1 to index
+//     Lesson<Settings, Gpu, Bodies>{..., .draw = draw, .start = start, .step = step}
 //
-// The framework calls reset() and then step(1), step(2) ... in every mode alike, draws no frame without having stepped to
+// The framework calls start() and then step() with 1, 2 ... in every mode alike, draws no frame without having stepped to
 // it, and copies the struct to come back to a frame: so frame n is the same picture whatever was drawn before.
 #pragma once
 #include <memory>

@@ -1,5 +1,5 @@
-// Readouts: numbers a demo reports about its picture. Declared like a knob, shown in the panel, printed by --report,
-// checked by the tests.
+// Readouts: numbers a demo reports about its picture. A lesson names them in `readouts` and sets them in `readOut`
+// (mv/demo/lesson.h), a probe in its `numbers`; they are shown in the panel, printed by --report and checked by the tests.
 #pragma once
 #include <cmath>
 #include <optional>

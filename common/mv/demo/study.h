@@ -1,8 +1,9 @@
-// What measures a demo, and stands beside it in NAME.study.cpp: its study, error against run time, and its probes.
+// What measures a demo, and stands beside it in its study.cpp: its study, error against run time, and its probes.
 //
 // A demo that shows an approximation has a study: the settings to try, the quantity that is compared, and a reference made
-// by a different and far more exact method. mv/study/study.h runs it. A study file speaks to the demo through its knobs
-// (Demo::number, Demo::word), its scene (Demo::scene) and its values (Demo::values).
+// by a different and far more exact method. mv/study/study.h runs it. A study file asks the demo for its settings
+// (settingsOf, in mv/demo/lesson.h), or for one by the name of its knob (Demo::number, Demo::word), for its scene (Demo::scene) and its
+// values (Demo::values).
 #pragma once
 #include <functional>
 #include <optional>
@@ -102,7 +103,7 @@ class Probing {
     // The picture that is probed: its size and index.
     const FrameInfo& frame() const { return frame_; }
     // The demo's quantity as a study measures it, in width x height pixels, the upper row first; -1 where there is none.
-    // With a camera, through that instead of the demo's own (Demo::seen). Empty where the context has no
+    // With a camera, through that instead of the demo's own, as seen() heeds it (mv/demo/seen.h). Empty where the context has no
     // targets of floats (ES 3.0 without EXT_color_buffer_float).
     virtual std::vector<float> measured(int width, int height, const std::optional<Camera>& camera = {}) = 0;
     // The picture that was just drawn.
@@ -127,7 +128,7 @@ struct Probe {
     std::function<std::vector<double>(Probing&)> measure;
 };
 
-// Measures the demo of that name; at file scope in NAME.study.cpp, each once for a demo, or Error.
+// Measures the demo of that name; at file scope in its study.cpp, each once for a demo, or Error.
 bool addStudy(const std::string& name, Study study);
 bool addProbes(const std::string& name, std::vector<Probe> probes);
 

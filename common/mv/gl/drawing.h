@@ -19,12 +19,12 @@ struct Stroke {
     double width = 1.5;  // px; edges are smooth (mv/geometry/strokes.h)
 };
 
-// A member of a demo. Shapes are collected, and drawn together by one call of draw(), words on top of them. What has
+// A member of a lesson's Gpu. Shapes are collected, and drawn together by one call of draw(), words on top of them. What has
 // not changed since the last draw() is not uploaded again.
 //     drawing.begin(frame);                              // first: what was collected before is forgotten
 //     drawing.in(pane);                                  // only where a picture has panes; before the shapes of the pane
 //     drawing.arrow({20, 20}, {60, 20}, {.color = red});
-//     drawing.draw(frame);                               // last, and in annotate() where only people need it
+//     drawing.draw(frame);                               // last, and in a figure where only people need it
 class Drawing {
   public:
     // Nothing is collected yet; the pane is the whole picture.

@@ -94,7 +94,7 @@ void Mesh::draw(std::size_t first, std::size_t count) const { drawPart(primitive
 void Mesh::drawAs(GLenum mode) const { drawPart(mode, 0, static_cast<std::size_t>(count_)); }
 
 void Mesh::drawPart(GLenum mode, std::size_t first, std::size_t count) const {
-    if (!vertexArray_) throw Error("Mesh", "must be made in init() before it is drawn");
+    if (!vertexArray_) throw Error("Mesh", "must be made from a shape before it is drawn");
     if (first + count > static_cast<std::size_t>(count_)) {
         throw Error("Mesh", "has only " + std::to_string(count_) + " vertices to draw", std::to_string(first + count));
     }

@@ -6,7 +6,7 @@
 
 namespace mv {
 
-// A member of a demo: `OnDemand<Program> byMap{"soft-shadows", "map"};` and later `byMap->use()`. A context is current by
+// A member of a lesson's Gpu: `OnDemand<Program> byMap{"soft-shadows", "map"};` and later `byMap->use()`. A context is current by
 // then. Error: as the constructor of T.
 template <class T>
 class OnDemand {

@@ -360,12 +360,12 @@ Program::~Program() {
 GLuint Program::id() const { return state_ ? state_->linked.program.id() : 0; }
 
 GLenum Program::primitiveOut(GLenum mode) const {
-    if (!state_) throw Error("Program", "must be made in init() before it is asked");
+    if (!state_) throw Error("Program", "must be made from shaders before it is asked");
     return state_->linked.lastPrimitive.value_or(separatePrimitive(mode));
 }
 
 void Program::use() const {
-    if (!state_) throw Error("Program", "must be made in init() before it is used");
+    if (!state_) throw Error("Program", "must be made from shaders before it is used");
     glUseProgram(id());
     programInUse = id();
     Linked& linked = state_->linked;  // a program made anew has been told nothing

@@ -1,13 +1,37 @@
-#include "shared/lit_difference.h"
+#include "lit_difference.h"
 
 #include <cmath>
 
 #include "mv/error.h"
+#include "mv/gl/gl.h"
+#include "mv/gl/program.h"
+#include "mv/gl/state.h"
 #include "mv/gl/text.h"
 #include "shared/lit_reference.h"
-#include "shared/measured.h"
 
 namespace mv {
+
+// Clears the target to -1, where nothing is compared, with all its buffers, has `draw` draw the quantity into it as for a study,
+// and returns that, one float a pixel, the upper row first. `draw` finds the state as the caller has it; what it changes is
+// undone, and the frame's picture is bound again.
+static std::vector<float> drawMeasured(const Target& target, const Frame& frame, const std::function<void()>& draw) {
+    std::vector<float> drawn;
+    const bool before = setMeasuring(true);
+    try {
+        const StateScope scope;
+        target.bind();
+        glClearColor(-1, -1, -1, -1);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+        draw();
+        drawn = target.readRed();
+    } catch (...) {
+        setMeasuring(before);
+        throw;
+    }
+    setMeasuring(before);
+    frame.bindTarget();
+    return drawn;
+}
 
 LitDifference::Found LitDifference::show(const Scene& scene, const Frame& frame, const std::function<void()>& draw,
                                          const std::function<void()>& against) {

@@ -1,0 +1,16 @@
+// mirror's reference: a ray for each pixel, which the mirrors turn round; nothing of the matrices that draw them.
+#pragma once
+#include <vector>
+
+#include "mv/demo/demo.h"
+
+namespace mv::mirror {
+
+// Of each pixel the number of the object that is seen, from 1, and 0.9 times its brightness; its region is a number for the object and the
+// bounces together. -1 where there is nothing.
+Reference traced(const Demo& demo, const FrameInfo& frame);
+
+// For each object's number, from 1: whether all of it is behind the first mirror.
+std::vector<bool> behindFirst(const Demo& demo, const FrameInfo& frame);
+
+}  // namespace mv::mirror
