@@ -224,7 +224,7 @@ double letThrough(const TracedScene& scene, const vec3& start, const vec3& lamp)
     for (;;) {
         const auto met = firstMet(scene, ray);
         if (!met || met->t >= 1) return through;  // each ray ends in the lamp, at t = 1
-        if (met->ball < 0) return 0;  // the floor and triangles are opaque
+        if (met->ball < 0) return 0;              // the floor and triangles are opaque
         const Surface& surface = scene.balls[static_cast<std::size_t>(met->ball)].surface;
         if (surface.index <= 0) return 0;
         const double cosine = glm::dot(glm::normalize(ray.direction), met->normal);

@@ -316,9 +316,8 @@ TEST(Environment, own_model) {
     for (fvec3& position : grid.positions) position = glm::round(position * 1024.0F) / 1024.0F;
     const Picture onGrid = run.set("model", written("grid.obj", grid, 1, vec3(0))).picture();
     // (Another model comes between, so that no picture is of one that was kept.)
-    EXPECT_GT(
-        differentPixels(run.set("model", written("eight.obj", sphere(1, 4, 2), 1, vec3(0))).picture(), onGrid),
-        1000);
+    EXPECT_GT(differentPixels(run.set("model", written("eight.obj", sphere(1, 4, 2), 1, vec3(0))).picture(), onGrid),
+              1000);
     EXPECT_EQ(differentPixels(run.set("model", written("far.obj", grid, 64, vec3(1000, -300, 77))).picture(), onGrid),
               0);
 
