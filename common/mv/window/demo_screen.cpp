@@ -320,7 +320,7 @@ void DemoScreen::draw() {
     if (!session_.error().empty() && shownTarget()) {
         const float wide = float(pictureWidth() / window_.size().pixelsPerUnit());
         ImGui::GetBackgroundDrawList()->AddRectFilled({0, 0}, {wide, float(window_.size().height())},
-                                                      IM_COL32(30, 33, 38, 146));
+                                                      IM_COL32(30, 33, 38, 150));
     }
     if (panelShown_) {
         showPanel();
