@@ -165,7 +165,7 @@ Study study() {
     Study study;
     study.quantity = "t of each pixel's ray without the eye's distance, in units of the scene; 64 x 64 rays";
     study.reference = "the same rays, as rounded, in long double: perpendiculars, volumes and halving";
-    study.reads = {"precision", "rows", "objects", "triangles", "distance", "scale"};
+    study.reads = {"precision", "objects", "triangles", "distance", "scale", "rows"};
     study.makeReference = [](const Demo& demo, const ReferenceFrame& frame, const auto& progress) {
         return demo.word("objects") == "teapot" ? teapotReference(demo) : longDouble(demo, frame, progress);
     };

@@ -28,9 +28,9 @@ TEST(Orientation, HasTheExactSignWhereCoordinatesAreNeighbours) {
     for (const double size : {1e-90, 1e-3, 1.0, 1e8, 1e90}) {
         const vec2 a = size * vec2(12, 12), b = size * vec2(24, 24);
         vec2 c = size * vec2(0.5, 0.5);
-        for (int i = 0; i < 40; ++i, c.x = std::nextafter(c.x, HUGE_VAL)) {
+        for (int i = 0; i < 30; ++i, c.x = std::nextafter(c.x, HUGE_VAL)) {
             vec2 at = c;
-            for (int k = 0; k < 40; ++k, at.y = std::nextafter(at.y, HUGE_VAL)) {
+            for (int k = 0; k < 30; ++k, at.y = std::nextafter(at.y, HUGE_VAL)) {
                 const int sign = orientation(a, b, at);
                 ASSERT_EQ(sign, exactSign(a, b, at));
                 ASSERT_EQ(orientation(b, a, at), -sign);
@@ -39,9 +39,9 @@ TEST(Orientation, HasTheExactSignWhereCoordinatesAreNeighbours) {
             }
         }
     }
-    EXPECT_GT(zero, 100);
+    EXPECT_GT(zero, 50);
     Random random(3);
-    for (int i = 0; i < 20000; ++i) {
+    for (int i = 0; i < 5000; ++i) {
         const auto point = [&] {
             const double x = random.sign() * random.logarithmic(1e-100, 1e100);
             return vec2(x, random.sign() * random.logarithmic(1e-100, 1e100));

@@ -20,6 +20,7 @@
 #include <cstdlib>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -50,7 +51,9 @@ TEST(RayCast, like_the_raster) {
     run.set("rows", side).set("threads", 4).set("pixel-x", 0).set("pixel-y", 0);
     for (const char* objects : {"all", "plane", "sphere", "box", "triangle", "polygon", "transformed", "surface",
                                 "cylinder", "cone", "disk", "torus"}) {
-        if (sanitized && objects != std::string_view("all")) break;  // each of them is in that one
+        if (sanitized && objects != std::string_view("all")) break;
+        static const std::set<std::string_view> inAll{"plane", "sphere", "box", "triangle", "polygon"};
+        if (!isLong() && inAll.contains(objects)) continue;
         run.set("objects", objects);
         const Picture raster = run.set("picture-by", "gl").picture();
         const Picture rays = run.set("picture-by", "rays").picture();
