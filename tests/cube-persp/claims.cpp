@@ -197,8 +197,8 @@ TEST(CubePersp, near_below_far) {
 TEST(CubePersp, volume_beside) {
     DemoRun whole("cube-persp", 500, 500);
     const Picture both = whole.preset("turned").picture();
-    const FrameInfo frame(1, 500, 500);
-    const Pane pane = picturePane(frame);
+    const mv::FrameInfo frame(1, 500, 500);
+    const mv::Pane pane = mv::picturePane(frame);
     DemoRun alone("cube-persp", pane.width, pane.height);
     const Picture picture = alone.preset("turned").set("volume", "off").picture();
     for (int y = 0; y < pane.height; ++y) {
@@ -206,15 +206,15 @@ TEST(CubePersp, volume_beside) {
     }
     // The discs are drawn where the far plane's middle is, from outside
     DemoRun run("cube-persp", 500, 500);
-    const auto discAt = [&](const cube_persp::Settings& s) {
-        const ViewFigure figure = cube_persp::figureOf(s);
-        const Pane of = volumePane(frame);
+    const auto discAt = [&](const mv::cube_persp::Settings& s) {
+        const mv::ViewFigure figure = mv::cube_persp::figureOf(s);
+        const mv::Pane of = mv::volumePane(frame);
         const vec3 ndc =
-            ndcFromClip(outsideFromView(figure, of) * glm::inverse(figure.clipFromView) * vec4(0, 0, 1, 1));
+            mv::ndcFromClip(mv::outsideFromView(figure, of) * glm::inverse(figure.clipFromView) * vec4(0, 0, 1, 1));
         return run.picture().at(int((ndc.x + 1) / 2 * of.width), 499 - int((ndc.y + 1) / 2 * of.height));
     };
     const Pixel far{217, 64, 13};
-    cube_persp::Settings s;
+    mv::cube_persp::Settings s;
     EXPECT_TRUE(sameColor(discAt(s), far));
     run.set("far", 5);
     EXPECT_FALSE(sameColor(discAt(s), far)) << "it has moved";
