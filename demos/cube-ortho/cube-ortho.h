@@ -2,8 +2,10 @@
 #include "mv/demo/frame.h"
 #include "mv/demo/numbers.h"
 #include "mv/geometry/shapes.h"
+#include "mv/gl/drawing.h"
 #include "mv/gl/mesh.h"
 #include "mv/gl/program.h"
+#include "shared/view_figure.h"
 
 namespace mv::cube_ortho {
 
@@ -12,11 +14,13 @@ struct Settings {
     double distance = 0;                      // from the eye to the middle of the cube and the box
     bool mirrorDepth = false;
     double spinX = 30, spinY = 40;  // degrees
+    bool volume = true;             // show the box of view, from outside
 };
 
 struct Gpu {
     Program program{"cube-ortho"};
     Mesh cube{colorCube(), "cube"};
+    Drawing drawing;
 };
 
 void draw(Gpu& gpu, const Settings& s, const Frame& frame);
@@ -24,6 +28,8 @@ mat4 viewFromModel(const Settings& s);
 mat4 clipFromView(const Settings& s);
 double nearDistance(const Settings& s);
 double farDistance(const Settings& s);
+ViewFigure figureOf(const Settings& s);
+void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame);
 void check(const Settings& s);
 void readOut(Gpu& gpu, const Settings& s, const Frame& frame, Numbers& numbers);
 

@@ -1,6 +1,8 @@
 // What can be set in cube-ortho, and what is said of it.
 #include <algorithm>
 #include <cmath>
+#include <glm/matrix.hpp>
+#include <optional>
 
 #include "cube-ortho.h"
 #include "mv/demo/lesson.h"
@@ -45,6 +47,14 @@ constexpr Declaration about{
     .needs = {.depth = true},
 };
 
+// Where a place of the cube from -1 to 1 is in the figure: the handle.
+std::optional<vec2> placeOf(const Settings& s, const FrameInfo& frame, const vec3& at) {
+    if (!s.volume) return {};
+    const ViewFigure figure = figureOf(s);
+    const Pane pane = volumePane(frame);
+    return pictureFromPane(pane, outsideFromView(figure, pane) * glm::inverse(figure.clipFromView), at);
+}
+
 const Lesson<Settings, Gpu> lesson{
     .rows =
         {
@@ -56,6 +66,7 @@ const Lesson<Settings, Gpu> lesson{
             toggle("mirror-depth", &Settings::mirrorDepth, "exchange near and far"),
             angle("spin-x", &Settings::spinX, "turn about the x axis"),
             angle("spin-y", &Settings::spinY, "turn about the y axis"),
+            toggle("volume", &Settings::volume, "show the box of view from outside, and the cube that it becomes"),
         },
     .presets =
         {
@@ -64,7 +75,7 @@ const Lesson<Settings, Gpu> lesson{
              "away."},
             {"original",
              "The page's first picture: straight on one sees the red face alone.",
-             {.spinX = 0, .spinY = 0}},
+             {.spinX = 0, .spinY = 0, .volume = false}},
             {"hexagon",
              "A thin box cuts the cube open along its diagonal: a regular hexagon, one side from each face.",
              {.depth = 0.05, .spinX = 35.264, .spinY = 45}},
@@ -74,10 +85,22 @@ const Lesson<Settings, Gpu> lesson{
              {.mirrorDepth = true}},
         },
     .controls = {drag("spin-y", 1, "spin-x", 1)},
+    .handles = {{"far plane",
+                 {"depth"},
+                 [](const Settings& s, const FrameInfo& frame) {
+                     return placeOf(s, frame, vec3(0, 0, s.mirrorDepth ? -1 : 1));
+                 }},
+                {"right side",
+                 {"width"},
+                 [](const Settings& s, const FrameInfo& frame) { return placeOf(s, frame, vec3(1, 0, 0)); }},
+                {"upper side",
+                 {"height"},
+                 [](const Settings& s, const FrameInfo& frame) { return placeOf(s, frame, vec3(0, 1, 0)); }}},
     .readouts = {{"near", "near, as ortho is told; negative is behind the eye"},
                  {"far", "far, as ortho is told"},
                  {"pixels-per-unit", "how many pixels a length of 1 across gets"}},
     .draw = draw,
+    .figure = drawFigure,
     .readOut = readOut,
     .check = check,
 };

@@ -1,6 +1,8 @@
 // What can be set in cube-persp, and what is said of it.
 #include <algorithm>
 #include <cmath>
+#include <glm/matrix.hpp>
+#include <optional>
 
 #include "cube-persp.h"
 #include "mv/demo/lesson.h"
@@ -41,6 +43,14 @@ constexpr Declaration about{
     .needs = {.depth = true},
 };
 
+// Where the middle of the near or far plane is in the figure: the handle.
+std::optional<vec2> placeOf(const Settings& s, const FrameInfo& frame, double z) {
+    if (!s.volume) return {};
+    const ViewFigure figure = figureOf(s);
+    const Pane pane = volumePane(frame);
+    return pictureFromPane(pane, outsideFromView(figure, pane) * glm::inverse(figure.clipFromView), vec3(0, 0, z));
+}
+
 const Lesson<Settings, Gpu> lesson{
     .rows =
         {
@@ -53,13 +63,14 @@ const Lesson<Settings, Gpu> lesson{
             angle("spin-y", &Settings::spinY, "turn about the y axis"),
             number("shift", &Settings::shift, {-1, 1},
                    "how far the window on the near plane is moved to the right, in its half widths"),
+            toggle("volume", &Settings::volume, "show the pyramid of view from outside, and the cube that it becomes"),
         },
     .presets =
         {
             {"turned", "Far edges are shorter than near ones, and the upright ones draw together."},
             {"original",
              "The page's first picture: straight on one sees the red face alone.",
-             {.spinX = 0, .spinY = 0}},
+             {.spinX = 0, .spinY = 0, .volume = false}},
             {"cut-open",
              "The near plane cuts off a corner of the cube; through the hole one sees its far faces from within.",
              {.near = 1.5}},
@@ -77,6 +88,10 @@ const Lesson<Settings, Gpu> lesson{
              {{"fovx", 103.65, 103.75}}},
         },
     .controls = {drag("spin-y", 1, "spin-x", 1)},
+    .handles = {{"near plane",
+                 {"near"},
+                 [](const Settings& s, const FrameInfo& frame) { return placeOf(s, frame, -1); }},
+                {"far plane", {"far"}, [](const Settings& s, const FrameInfo& frame) { return placeOf(s, frame, 1); }}},
     .readouts = {{"left", "the window on the near plane, as frustum is told"},
                  {"right", "the window on the near plane"},
                  {"bottom", "the window on the near plane"},
@@ -85,6 +100,7 @@ const Lesson<Settings, Gpu> lesson{
                  {"difference", "largest difference between perspective's matrix and frustum's"},
                  {"depth-step", "the smallest step in depth at the cube's middle that 24 bits tell apart"}},
     .draw = draw,
+    .figure = drawFigure,
     .readOut = readOut,
     .check = check,
 };

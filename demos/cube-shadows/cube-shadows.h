@@ -23,7 +23,7 @@ inline constexpr double floorBelow = 1.0125;  // of the floor below the middle o
 
 struct Settings {
     Which scene = Which::room;
-    double lightTheta = 50, lightPhi = 64, lightDistance = 9;  // degrees about the upright axis and from it; length
+    double lightTheta = 50, lightPhi = 64, lightDistance = 6;  // degrees about the upright axis and from it; length
     bool atInfinity = false;
     double lift = 0;        // of all casters
     double tilt = 0;        // degrees
@@ -34,8 +34,8 @@ struct Settings {
     double planeDistance = floorBelow;  // of the floor from the world's origin
     Space space = Space::planeLocal;
     double theta = 15, phi = 70, distance = 13;  // of the eye, like those of the light
-    double fov = 40;                             // degrees
-    bool rays = false;
+    double fov = 55;                             // degrees
+    bool rays = true;
 };
 
 // A plane that receives shadows, given by its unit normal and a point on it. `local` is relative to that point.

@@ -76,7 +76,7 @@ std::vector<Row<Settings>> rows() {
 
 std::vector<SettingsPreset<Settings>> presets() {
     return {
-        {"room", "The shadow runs over the floor and bends up the wall, by a matrix for each."},
+        {"room", "Drag the light: the shadow runs over the floor and bends up the wall, by a matrix for each."},
         {"original",
          "The page's first picture: the eye stands where the light is, and sees no shadow.",
          {.scene = Which::plane,
@@ -86,7 +86,9 @@ std::vector<SettingsPreset<Settings>> presets() {
           .darkness = 0.25,
           .theta = 20,
           .phi = 80,
-          .distance = 8.5}},
+          .distance = 8.5,
+          .fov = 40,
+          .rays = false}},
         {"sun",
          "A light at infinity and a wall that leans back: the shadow's edges stay parallel.",
          {.lightPhi = 70, .atInfinity = true, .tilt = 40}},
@@ -97,7 +99,9 @@ std::vector<SettingsPreset<Settings>> presets() {
           .lightPhi = 66,
           .lightDistance = 14,
           .once = false,
-          .theta = 12}},
+          .theta = 12,
+          .fov = 40,
+          .rays = false}},
         {"uncut",
          "A cube half under the floor: what is below it casts a false shadow, towards the light.",
          {.lift = -1, .cut = Cut::none}},

@@ -80,6 +80,7 @@ const bool added = addLesson(
                .readouts = {{"pixel", "how far apart neighbouring pixels' points are, in the middle", "units"},
                             {"float-step", "how far apart floats are there, with the origin far", "units"}},
                .draw = draw,
+               .figure = drawFigure,
                .readOut = readOut,
                .scene = sceneOf,
            });

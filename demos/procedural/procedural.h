@@ -3,6 +3,7 @@
 #include "mv/demo/numbers.h"
 #include "mv/geometry/scene.h"
 #include "mv/geometry/shapes.h"
+#include "mv/gl/drawing.h"
 #include "mv/gl/mesh.h"
 #include "mv/gl/on_demand.h"
 #include "mv/gl/program.h"
@@ -38,6 +39,7 @@ struct Gpu {
     Program program{"procedural"};
     OnDemand<Mesh> flat{withoutTexCoords(square()), "square"};
     OnDemand<Mesh> ball{withoutTexCoords(sphere(sphereRadius, 128, 64)), "sphere"};
+    Drawing drawing;
 };
 
 // The technique: procedural.cpp.
@@ -50,6 +52,9 @@ mat4 clipFromBody(const Settings& s, const FrameInfo& frame);
 mat4 viewFromBody(const Settings& s);
 mat4 offsetFromBody(const Settings& s, const FrameInfo& frame);
 const Ramp& rampOf(Pattern pattern);
+
+// Name and formula of the pattern, in the picture: figure.cpp.
+void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame);
 
 // The scene for measurements: study.cpp.
 Scene sceneOf(const Settings& s, const FrameInfo& frame);

@@ -51,14 +51,14 @@ void drawCircle(Gpu& gpu, const Circle& circle, const Grid& grid, const Frame& f
     if (circle.method != CircleMethod::turned)
         showErrors(gpu, pixels, grid, frame);  // turned points have roundings instead
     showWords(gpu, frame, grid, std::string(nameOf(circle.method)) + ": " + countOf(grid, pixels.size()),
-              std::to_string(chords) +
-                  " chords by OpenGL: pixels set otherwise: " + std::to_string(countDifferent(mine, glPicture)));
+              std::to_string(chords) + " chords by OpenGL: pixels set otherwise: " +
+                  std::to_string(countDifferent(inked(grid.whole(), pixels), glPicture)));
 }
 
 void readCircle(const Gpu& gpu, const Circle& circle, const Grid& grid, Numbers& numbers) {
     const std::vector<PixelStep> pixels = pixelsOf(circle, grid);
     numbers.set("set", double(pixels.size()));
-    numbers.set("differs", double(countDifferent(inked(grid, pixels), gpu.glPicture)));
+    numbers.set("differs", double(countDifferent(inked(grid.whole(), pixels), gpu.glPicture)));
 }
 
 }  // namespace mv::rasterizer

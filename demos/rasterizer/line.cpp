@@ -1,6 +1,7 @@
 // A line: in each column, or row, the pixel nearest to it.
 #include "line.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <glm/common.hpp>
@@ -25,15 +26,48 @@ static std::vector<PixelStep> pixelsOf(const Line& line, const Grid& grid) {
 std::size_t countLine(const Line& line, const Grid& grid) { return pixelsOf(line, grid).size(); }
 
 static MeshData meshOf(const Line& line, const Grid& grid);
+static void showDecision(Gpu& gpu, const Line& line, const std::vector<PixelStep>& pixels, const Grid& grid,
+                         const Frame& frame);
 
 void drawLine(Gpu& gpu, const Line& line, const Grid& grid, const Frame& frame) {
     const std::vector<PixelStep> pixels = pixelsOf(line, grid);
     const Picture mine = inked(grid, pixels), glPicture = byOpenGl(gpu, meshOf(line, grid), grid, frame);
 
     showPictures(gpu, frame, grid, mine, glPicture, {{{line.ends[0] + 0.5, line.ends[1] + 0.5}}});
-    if (thicknessOf(line) == 1) showErrors(gpu, pixels, grid, frame);
+    if (thicknessOf(line) == 1) {
+        showErrors(gpu, pixels, grid, frame);
+        showDecision(gpu, line, pixels, grid, frame);
+    }
+    showDifferent(gpu, differing(grid.whole(), pixels, glPicture), grid, frame);
     showWords(gpu, frame, grid, std::string(nameOf(line.method)) + ": " + countOf(grid, pixels.size()),
-              rounded("OpenGL: pixels set otherwise: %.0f", double(countDifferent(mine, glPicture))));
+              rounded("OpenGL: pixels set otherwise, ringed: %.0f",
+                      double(countDifferent(inked(grid.whole(), pixels), glPicture))));
+}
+
+// Frame the pixel that was set last, and show the error that decides where the next one goes: as a bar to the right where it is 0 or
+// more, which is up, and else to the left.
+static void showDecision(Gpu& gpu, const Line& line, const std::vector<PixelStep>& pixels, const Grid& grid,
+                         const Frame& frame) {
+    const std::size_t made = grid.made(pixels.size());
+    const bool hasError = line.method != LineMethod::naive && line.method != LineMethod::smooth;
+    if (made == 0 || made >= pixels.size() || !hasError) return;
+    const PixelStep &last = pixels[made - 1], &next = pixels[made];
+    framePixel(gpu, last.x, last.y, red, grid, frame);
+
+    // What is compared: the error after the slope was added, and before a step up took something away
+    const auto [from, to] = line.ends;
+    const double run = std::abs(grid.whole(to.x) - grid.whole(from.x)),
+                 rise = std::abs(grid.whole(to.y) - grid.whole(from.y)), wide = std::max(run, rise),
+                 high = std::min(run, rise);
+    const double added = line.method == LineMethod::scaled    ? high
+                         : line.method <= LineMethod::shifted ? high / wide
+                                                              : 2 * high;
+    const double limit = line.method == LineMethod::error ? 0.5 : 0, sum = last.error + added;
+    const bool isUp = run >= rise ? next.y != last.y : next.x != last.x;
+    showBar(gpu, (sum - limit) / (2 * added), grid, frame,
+            "e = " + rounded("%.3g", last.error) + " + " + rounded("%.3g", added) + " = " + rounded("%.3g", sum) +
+                (isUp ? ", not below " : ", below ") + rounded("%.3g", limit) +
+                (isUp ? ": the next pixel is one higher" : ": the next pixel is in the same row"));
 }
 
 // The mesh for OpenGL: a line if thin, a strip of two triangles if thick.
@@ -57,7 +91,7 @@ static MeshData meshOf(const Line& line, const Grid& grid) {
 void readLine(const Gpu& gpu, const Line& line, const Grid& grid, Numbers& numbers) {
     const std::vector<PixelStep> pixels = pixelsOf(line, grid);
     numbers.set("set", double(pixels.size()));
-    numbers.set("differs", double(countDifferent(inked(grid, pixels), gpu.glPicture)));
+    numbers.set("differs", double(countDifferent(inked(grid.whole(), pixels), gpu.glPicture)));
     const vec2 from(grid.whole(line.ends[0].x), grid.whole(line.ends[0].y)),
         to(grid.whole(line.ends[1].x), grid.whole(line.ends[1].y));
     if (from != to) numbers.set("as-thick", double(pixels.size()) / glm::distance(from, to));

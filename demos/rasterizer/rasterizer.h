@@ -61,8 +61,8 @@ struct Settings {
     Star star = {};
     Circle circle = {};
     Corners corners{vec2(2.25, 3.5), vec2(20.5, 1.5), vec2(21.5, 14.25), vec2(6.5, 16.5)};
-    int cells = 24;       // pixels across
-    int step = allSteps;  // pixels that are set; allSteps: all
+    int cells = 24;  // pixels across
+    int step = 10;   // pixels that are set; allSteps: all
 };
 
 struct Gpu {

@@ -1,6 +1,7 @@
 #include "sheet.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 
@@ -11,6 +12,11 @@ namespace mv::rasterizer {
 
 Grid::Grid(const Settings& s) : columns(s.cells), rows(s.cells * 3 / 4), step(s.step), scale(s.cells / 24.0) {}
 int Grid::whole(double coordinate) const { return static_cast<int>(std::floor(coordinate * scale)); }
+Grid Grid::whole() const {
+    Grid all = *this;
+    all.step = allSteps;
+    return all;
+}
 std::size_t Grid::made(std::size_t all) const {
     return step == allSteps ? all : std::min(all, static_cast<std::size_t>(step));
 }
@@ -111,6 +117,54 @@ void showErrors(Gpu& gpu, const std::vector<PixelStep>& pixels, const Grid& grid
                                rounded(std::abs(pixel.error) < 10 ? "%.2g" : "%.0f", pixel.error),
                                {9, pixel.coverage > 0.6 ? vec4(1) : ink, vec4(0)});
     }
+}
+
+void framePixel(Gpu& gpu, int x, int y, const vec4& color, const Grid& grid, const Frame& frame) {
+    const Plot plot = plotOf(frame, grid);
+    const vec2 low = plot.pixel({x, y}), high = plot.pixel({x + 1, y + 1});
+    const std::array corners{low, vec2(high.x, low.y), high, vec2(low.x, high.y), low, vec2(high.x, low.y)};
+    gpu.drawing.line(corners, {color, 3});
+}
+
+void showDifferent(Gpu& gpu, const std::vector<std::pair<int, int>>& pixels, const Grid& grid, const Frame& frame) {
+    const Plot plot = plotOf(frame, grid);
+    const double radius = 0.75 * plot.box.size().x / grid.columns;
+    if (radius < 4) return;
+    for (const Pane& pane : {rightPane(frame), leftPane(frame)}) {
+        gpu.drawing.in(pane);
+        for (const auto& [x, y] : pixels) {
+            std::vector<vec2> ring;
+            for (int i = 0; i <= 24; ++i)
+                ring.push_back(plot.pixel({x + 0.5, y + 0.5}) +
+                               radius * vec2(std::cos(i * pi / 12), std::sin(i * pi / 12)));
+            gpu.drawing.line(ring, {red, 2});
+        }
+    }
+}
+
+std::vector<std::pair<int, int>> differing(const Grid& grid, const std::vector<PixelStep>& pixels,
+                                           const Picture& glPicture) {
+    const Picture mine = inked(grid, pixels);
+    std::vector<std::pair<int, int>> result;
+    for (int y = 0; y < grid.rows; ++y) {
+        for (int x = 0; x < grid.columns; ++x)
+            if (mine.at(x, grid.rows - 1 - y) != glPicture.at(x, grid.rows - 1 - y)) result.emplace_back(x, y);
+    }
+    return result;
+}
+
+void showBar(Gpu& gpu, double length, const Grid& grid, const Frame& frame, const std::string& words) {
+    const Plot plot = plotOf(frame, grid);
+    const int height = std::clamp(frame.height() / 30, 8, 18);
+    const double half = 0.25 * plot.box.size().x, y = plot.box.low.y - 6 - 2.1 * height;
+    const vec2 zero(plot.box.low.x + half, y);
+    if (y < 1.5 * height) return;
+    const double end = zero.x + half * std::clamp(length, -1.0, 1.0);
+    gpu.drawing.line({zero.x, y}, {end, y}, {length < 0 ? vec4(colorOf(first), 1) : red, 0.8 * height});
+    gpu.drawing.line(zero - vec2(0, 0.7 * height), zero + vec2(0, 0.7 * height), {ink, 1.5});
+    gpu.drawing.line(zero - vec2(half, 0), zero + vec2(half, 0), {ink, 1});
+    gpu.drawing.text(zero + vec2(half + 8, 0.6 * height), "the error against 0", {height, ink, vec4(0)});
+    gpu.drawing.text({8, y - 0.9 * height}, words, {height, ink, vec4(0)});
 }
 
 void showWords(Gpu& gpu, const Frame& frame, const Grid& grid, const std::string& left, const std::string& right,

@@ -21,6 +21,8 @@ struct Grid {
     explicit Grid(const Settings& s);
     // The pixel that a coordinate lies in.
     int whole(double coordinate) const;
+    // The same grid with all its pixels set.
+    Grid whole() const;
     // The number of pixels that are set, of all these.
     std::size_t made(std::size_t all) const;
 };
@@ -51,6 +53,14 @@ void showPictures(Gpu& gpu, const Frame& frame, const Grid& grid, const Picture&
                   Shape shape);
 // The error term of each pixel, in figures, where there is room for them.
 void showErrors(Gpu& gpu, const std::vector<PixelStep>& pixels, const Grid& grid, const Frame& frame);
+// A frame round a pixel, in the pane that gpu.drawing is in; and one round each of these, in both panes.
+void framePixel(Gpu& gpu, int x, int y, const vec4& color, const Grid& grid, const Frame& frame);
+void showDifferent(Gpu& gpu, const std::vector<std::pair<int, int>>& pixels, const Grid& grid, const Frame& frame);
+// The pixels in which what is set differs from OpenGL's picture.
+std::vector<std::pair<int, int>> differing(const Grid& grid, const std::vector<PixelStep>& pixels,
+                                           const Picture& glPicture);
+// Below the left picture, under its words: a bar from 0, of a length from -1 to 1, and words.
+void showBar(Gpu& gpu, double length, const Grid& grid, const Frame& frame, const std::string& words);
 // "19 pixels", or how many of them are set: "10 of 19 pixels".
 std::string countOf(const Grid& grid, std::size_t all);
 // Words below them, and a second line below the left one. Draws all of gpu.drawing.

@@ -113,7 +113,9 @@ void drawTriangles(Gpu& gpu, const Triangles& s, const Corners& corners, const G
                 found.doubles + found.holes > 0 ? red : ink};
     }
     showWords(gpu, frame, grid, std::string(nameOf(s.method)) + ", " + nameOf(s.rule) + ": " + countOf(grid, count),
-              rounded("OpenGL: pixels set otherwise: %.0f", double(countDifferent(mine, glPicture))), more);
+              rounded("OpenGL: pixels set otherwise: %.0f",
+                      double(countDifferent(pictureOf(all, s, corners, grid.whole()), glPicture))),
+              more);
 }
 
 void readTriangles(const Gpu& gpu, const Triangles& s, const Corners& corners, const Grid& grid, Numbers& numbers) {
@@ -125,7 +127,7 @@ void readTriangles(const Gpu& gpu, const Triangles& s, const Corners& corners, c
     }
     numbers.set("set", count);
     numbers.set("asked", asked);
-    numbers.set("differs", double(countDifferent(pictureOf(all, s, corners, grid), gpu.glPicture)));
+    numbers.set("differs", double(countDifferent(pictureOf(all, s, corners, grid.whole()), gpu.glPicture)));
     if (!s.neighbour) return;
     const Shared found = shared(all, corners, grid);
     numbers.set("doubles", found.doubles);

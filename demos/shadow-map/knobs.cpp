@@ -74,6 +74,11 @@ std::vector<Row<Settings>> rows() {
             .when(isSet, fitted),
         number("window-height", &Settings::windowHeight, {0.1, 30, Scale::logarithmic}, "of parallel light")
             .when(isSet, fitted),
+        word("slide", &Settings::slide,
+             {{"none"},
+              {"thrown", "a picture in the light's window, as a projector throws it"},
+              {"also-behind", "the same without asking whether w is above 0: a mistake"}},
+             "whether the light is a slide projector"),
         toggle("show-map", &Settings::showMap, "show the map in a corner, near is dark"),
         toggle("rays", &Settings::showRays, "show the light's rays through the corners of cube or box"),
         toggle("show-frustum", &Settings::showFrustum, "show the edges of what the map holds"),
@@ -87,6 +92,18 @@ const Settings closeUp{.scene = Which::cubeOnPlane,
                        .target{0, 0, 0},
                        .fov = 90,
                        .orbit = {.spinY = 300}};
+
+const Settings projector{.scene = Which::stillLife,
+                         .resolution = 1024,
+                         .bias = 0,
+                         .slopeBias = 2,
+                         .light{-1.6, 2.2, 4.4},
+                         .target{0.5, 0.9, -1.6},
+                         .fov = 30,
+                         .windowWidth = 3,
+                         .windowHeight = 2.4,
+                         .slide = Slide::thrown,
+                         .showMap = false};
 
 std::vector<SettingsPreset<Settings>> presets() {
     return {
@@ -116,6 +133,24 @@ std::vector<SettingsPreset<Settings>> presets() {
           .rays = Rays::orthographic,
           .windowWidth = 9,
           .windowHeight = 9}},
+        {"slide-projector",
+         "The matrix of the map looks points up in a picture instead: it lies over wall, floor and things, and the "
+         "things cut it out of what is behind them.",
+         projector},
+        {"slide-behind",
+         "Without the question whether w is above 0 the picture is behind the projector, too, upside down.",
+         {.scene = Which::cubeOnPlane,
+          .resolution = 1024,
+          .bias = 0,
+          .slopeBias = 2,
+          .light{1.2, 1.1, 1.0},
+          .target{3, 1, 0.6},
+          .fov = 80,
+          .windowWidth = 3,
+          .windowHeight = 2.4,
+          .slide = Slide::alsoBehind,
+          .showMap = false,
+          .orbit = {.distance = 4}}},
     };
 }
 

@@ -26,7 +26,8 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
         drawMap(gpu, s, scene, light);
         frame.bindTarget();
     }
-    drawPicture(gpu, s, scene, light);
+    const auto drawLit = s.slide == Slide::none ? drawPicture : drawSlide;
+    drawLit(gpu, s, scene, light);
     tell(s, scene, light, frame);
 }
 

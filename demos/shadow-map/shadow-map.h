@@ -5,8 +5,10 @@
 #include "mv/geometry/light_view.h"
 #include "mv/gl/depth_map.h"
 #include "mv/gl/drawing.h"
+#include "mv/gl/on_demand.h"
 #include "mv/gl/program.h"
 #include "mv/gl/scene_meshes.h"
+#include "mv/gl/texture.h"
 #include "shared/orbit.h"
 
 namespace mv::shadow_map {
@@ -16,6 +18,7 @@ enum class Filter { none, hardware, pcf3, pcf5, pcf7 };
 enum class Faces { front, back, both };
 enum class Rays { spot, orthographic };
 enum class Fit { set, fitted };
+enum class Slide { none, thrown, alsoBehind };
 
 struct Settings {
     Which scene = Which::sphereAndCube;
@@ -31,6 +34,7 @@ struct Settings {
     vec3 light{2.5, 4.8, 4.3}, target{2.5, 1, 3.5};
     double fov = 120;  // degrees
     double windowWidth = 3, windowHeight = 2.4;
+    Slide slide = Slide::none;  // a picture in the light's window
     bool showMap = true, showRays = false, showFrustum = true;
     Orbit orbit = {};
 };
@@ -38,6 +42,9 @@ struct Settings {
 struct Gpu {
     Program program{"shadow-map"}, depthProgram{"shadow-map", "depth"};
     SceneMeshes meshes{SceneMeshes::Surface::textured};  // the floor has squares
+    OnDemand<Program> slideProgram{"shadow-map", "slide"};
+    Texture slide;
+    MadeFor<bool> slideFor;
     DepthMap map;
     MadeFor<mat4, Which, int, Faces, bool, double> mapFor;
     LightOverlay overlay;
@@ -49,6 +56,8 @@ struct Gpu {
 void draw(Gpu& gpu, const Settings& s, const Frame& frame);
 void drawMap(Gpu& gpu, const Settings& s, const Scene& scene, const LightView& light);
 void drawPicture(Gpu& gpu, const Settings& s, const Scene& scene, const LightView& light);
+void drawSlide(Gpu& gpu, const Settings& s, const Scene& scene, const LightView& light);
+Picture slidePicture();
 LightView lightView(const Settings& s, const Scene& scene);
 LightView spotView(const Settings& s);
 vec4 lightOf(const Settings& s);

@@ -59,7 +59,8 @@ std::vector<Row<Settings>> rows() {
         angle("lamp-turn", &Settings::lampTurn, "turn of the lamp about the vertical, from along the caster's sides"),
         number("caster-height", &Settings::casterHeight, {0, 1}, "how far what casts is lifted from the floor"),
         angle("spin-x", &Settings::spinX, "turn about the x axis"),
-        angle("spin-y", &Settings::spinY, "turn about the y axis"));
+        angle("spin-y", &Settings::spinY, "turn about the y axis"),
+        toggle("section", &Settings::section, "a section through lamp and caster, and the method's name"));
 }
 
 std::vector<SettingsPreset<Settings>> presets() {
@@ -90,6 +91,7 @@ const bool added = addLesson(about, Lesson<Settings, Gpu>{
                                         .controls = {drag("spin-y", 1, "spin-x", 1), wheel("caster-height", 0.05),
                                                      keys(Key::left, Key::right, "lamp-size", 0.05)},
                                         .draw = draw,
+                                        .figure = drawFigure,
                                         .check = check,
                                         .scene = sceneOf,
                                     });

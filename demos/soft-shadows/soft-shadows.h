@@ -5,6 +5,7 @@
 #include "mv/demo/made_for.h"
 #include "mv/geometry/light_view.h"
 #include "mv/gl/depth_map.h"
+#include "mv/gl/drawing.h"
 #include "mv/gl/mesh.h"
 #include "mv/gl/on_demand.h"
 #include "mv/gl/program.h"
@@ -28,6 +29,7 @@ struct Settings {
     double lampTurn = 0;    // degrees
     double casterHeight = 0.2;
     double spinX = 0, spinY = 0;  // degrees
+    bool section = true;          // through lamp and caster, in a corner
 };
 
 struct Gpu {
@@ -39,6 +41,7 @@ struct Gpu {
     DepthMap map;
     LightView lightOfMap;
     MadeFor<Which, int, mat4, std::vector<mat4>> mapFor;
+    Drawing drawing;
 };
 
 // The technique: soft-shadows.cpp.
@@ -55,6 +58,9 @@ void drawMap(Gpu& gpu, const Settings& s, const Scene& scene);
 LightView viewFrom(const Scene& scene, const vec3& point);
 bool isByPoints(const Settings& s);
 bool addsInFloats(const Settings& s);
+
+// The method's name, and a section through the lamp: figure.cpp.
+void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame);
 
 // The lamp's points, or its middle: scene.cpp.
 std::vector<vec3> pointsOf(const Settings& s, const SceneLight& lamp);

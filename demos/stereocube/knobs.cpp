@@ -21,6 +21,8 @@ namespace {
 
 bool isHypercube(const Settings& s) { return s.shape == Shape::hypercube; }
 bool hasOnePicture(const Settings& s) { return !isBeside(s); }
+bool isWire(const Settings& s) { return !isShaded(s); }
+bool mixes(const Settings& s) { return isShaded(s) && !isBeside(s); }
 
 constexpr Declaration about{
     .name = "stereocube",
@@ -43,7 +45,7 @@ std::vector<Row<Hypercube>> hypercubeRows() {
 }
 
 std::vector<Row<Settings>> rows() {
-    const Literal apart = "each eye has a picture of its own";
+    const Literal apart = "each eye has a picture of its own", solid = "the still life has surfaces, and no lines";
     return together(
         number("eye-sep", &Settings::eyeSep, {0, 1}, "distance between the eyes"),
         number("z-dist", &Settings::zDist, {-10, 2}, "z of the eyes, which look along +z"),
@@ -55,8 +57,10 @@ std::vector<Row<Settings>> rows() {
              "how the two eyes are aimed"),
         word("colors", &Settings::colors,
              {{"lines", "lines in red and in cyan"}, {"masks", "the red channel, then green and blue"}},
-             "how the two pictures become one")
-            .when(hasOnePicture, apart),
+             "how the two pictures of lines become one")
+            .when(hasOnePicture, apart)
+            .when(isWire, solid),
+        oneOf("line-width", &Settings::lineWidth, {1, 3, 5}, "how many pixels wide the lines are").when(isWire, solid),
         word("background", &Settings::background, {{"white"}, {"black"}}, "what the lines are drawn on"),
         word("eyes", &Settings::eyes,
              {{"both"},
@@ -64,13 +68,26 @@ std::vector<Row<Settings>> rows() {
               {"right"},
               {"side-by-side", "two pictures, as a headset shows them"},
               {"crossed", "the same exchanged, for crossed eyes"}},
-             "whose picture is drawn"),
+             "whose picture is drawn; of a still life with one eye closed, what the other sees through its glass"),
         number("screen-width", &Settings::screenWidth, {100, 20000, Scale::logarithmic, true},
                "how wide the picture is where it is shown, for a ruler over it; 0: not known", "mm")
             .when(hasOnePicture, apart),
-        word("shape", &Settings::shape, {{"cube"}, {"4d-cube", "of four dimensions, projected to three"}},
+        toggle("plan", &Settings::plan, "eyes, screen and one corner, seen from above")
+            .when(hasOnePicture, apart)
+            .when(isWire, solid),
+        word("shape", &Settings::shape,
+             {{"cube"},
+              {"4d-cube", "of four dimensions, projected to three"},
+              {"still-life", "coloured, shaded things"}},
              "what is seen"),
-        part(&Settings::four, hypercubeRows(), isHypercube, "a cube of three dimensions has no w"));
+        part(&Settings::four, hypercubeRows(), isHypercube, "what has three dimensions has no w"),
+        word("mix", &Settings::mix,
+             {{"full", "red of the left picture, green and blue of the right"},
+              {"half", "the left picture in grey, the right one's green and blue"},
+              {"grey", "both pictures in grey"},
+              {"least-squares", "what both eyes see through these glasses is as near as can be to what they ought to"}},
+             "how two coloured pictures become one")
+            .when(mixes, "only two pictures of coloured things are mixed"));
 }
 
 const Lesson<Settings, Gpu> lesson{
@@ -82,7 +99,7 @@ const Lesson<Settings, Gpu> lesson{
              "level."},
             {"original",
              "The page's first picture: the cube straight on, a small square in a large one, each twice.",
-             {.spinX = 0, .spinY = 0}},
+             {.spinX = 0, .spinY = 0, .lineWidth = 1, .plan = false}},
             {"off-axis",
              "Both eyes look straight ahead, so that no corner moves up or down: vertical-parallax is 0. Each channel "
              "is one picture.",
@@ -107,6 +124,18 @@ const Lesson<Settings, Gpu> lesson{
               .background = Paper::black,
               .shape = Shape::hypercube,
               .four = {.xw = 20, .yw = 10, .inner = 0.45}}},
+            {"still-life",
+             "Coloured things: the red ball is bright behind red glass and nearly black behind cyan, so the eyes "
+             "disagree.",
+             {.convergence = 3, .stereo = Stereo::offAxis, .shape = Shape::stillLife}},
+            {"behind-the-red-glass",
+             "What the left eye sees through real red glass, of the mixture with the least error: a ghost of the other "
+             "picture stays.",
+             {.convergence = 3,
+              .stereo = Stereo::offAxis,
+              .eyes = Eyes::left,
+              .shape = Shape::stillLife,
+              .mix = Mix::leastSquares}},
         },
     .controls = {drag("spin-y", 1, "spin-x", -1), keys(Key::down, Key::up, "z-dist", 0.1), wheel("z-dist", 0.1),
                  keys(Key::left, Key::right, "turn-xw", 5)},
@@ -114,7 +143,9 @@ const Lesson<Settings, Gpu> lesson{
                  {"parallax-min", "the right eye's picture of a corner is this much to the right, least", "px"},
                  {"parallax-max", "the same, most; positive is behind the screen, negative before it", "px"},
                  {"parallax-mm", "parallax-max on a screen of that width; eyes are 63.5 mm apart", "mm"},
-                 {"infinity-mm", "off-axis: the parallax there of what is infinitely far away", "mm"}},
+                 {"infinity-mm", "off-axis: the parallax there of what is infinitely far away", "mm"},
+                 {"crosstalk-left", "how bright the other eye's channels are through the red glass, by its own", "%"},
+                 {"crosstalk-right", "the same through the cyan glass", "%"}},
     .draw = draw,
     .figure = figure,
     .readOut = readOut,

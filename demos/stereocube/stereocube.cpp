@@ -26,30 +26,32 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glEnable(GL_DEPTH_TEST);
 
+    if (isShaded(s) && !isBeside(s)) return drawAnaglyph(gpu, s, left, right, frame);
+
     // Draw both pictures. The left eye looks through the red filter and sees the red channel, so the left picture is the
     // one that changes red
-    if (gpu.wireFor.changed(s.shape, s.four)) gpu.wire = Mesh(wireOf(s), "cube");
-    gpu.program.use();
+    if (!isShaded(s) && gpu.wireFor.changed(s.shape, s.four)) gpu.wire = Mesh(wireOf(s), "cube");
+    if (!isShaded(s)) gpu.program.use();
     const auto drawColored = s.colors == Colors::lines ? drawLines : drawMasked;
     const auto drawPictures = isBeside(s) ? drawBeside : drawColored;
     drawPictures(gpu, s, left, right, frame);
 }
 
 // Draw the lines in two colours. On black, red lines change red. On white, cyan lines do, since they take red away.
-void drawLines(Gpu& gpu, const Settings& s, const Eye& left, const Eye& right, const FrameInfo&) {
+void drawLines(Gpu& gpu, const Settings& s, const Eye& left, const Eye& right, const FrameInfo& frame) {
     const bool isWhite = s.background == Paper::white;
-    drawWire(gpu, s, isWhite ? right : left, vec4(1, 0, 0, 1));
-    drawWire(gpu, s, isWhite ? left : right, vec4(0, 1, 1, 1));
+    drawWire(gpu, s, isWhite ? right : left, vec4(1, 0, 0, 1), frame);
+    drawWire(gpu, s, isWhite ? left : right, vec4(0, 1, 1, 1), frame);
 }
 
 // Draw each picture into channels of its own, in black on white or white on black.
-void drawMasked(Gpu& gpu, const Settings& s, const Eye& left, const Eye& right, const FrameInfo&) {
+void drawMasked(Gpu& gpu, const Settings& s, const Eye& left, const Eye& right, const FrameInfo& frame) {
     const vec4 ink(vec3(s.background == Paper::black), 1);
     glColorMask(GL_TRUE, GL_FALSE, GL_FALSE, GL_TRUE);
-    drawWire(gpu, s, left, ink);
+    drawWire(gpu, s, left, ink, frame);
     glClear(GL_DEPTH_BUFFER_BIT);  // the eyes do not hide things from each other
     glColorMask(GL_FALSE, GL_TRUE, GL_TRUE, GL_TRUE);
-    drawWire(gpu, s, right, ink);
+    drawWire(gpu, s, right, ink, frame);
 }
 
 // Draw each picture into a half of its own: the left eye's on the left for a headset, on the right for crossed eyes.
@@ -59,18 +61,36 @@ void drawBeside(Gpu& gpu, const Settings& s, const Eye& left, const Eye& right, 
     for (const auto& [eye, column] : {std::pair(&left, leftColumn), std::pair(&right, 1 - leftColumn)}) {
         const auto [x, y, width, height] = paneOf(s, frame, column);
         glViewport(x, y, width, height);
-        drawWire(gpu, s, *eye, ink);
+        if (isShaded(s))
+            drawSurfaces(gpu, s, *eye);
+        else
+            drawWire(gpu, s, *eye, ink, frame);
     }
     glViewport(0, 0, frame.width(), frame.height());
 }
 
 // Draw the picture of an eye, unless the eye is closed.
-void drawWire(Gpu& gpu, const Settings& s, const Eye& eye, const vec4& color) {
+void drawWire(Gpu& gpu, const Settings& s, const Eye& eye, const vec4& color, const FrameInfo& frame) {
     const bool isOneOpen = s.eyes == Eyes::left || s.eyes == Eyes::right;
     if (isOneOpen && s.eyes != eye.which) return;
-    gpu.program.set("clipFromModel", eye.clipFromEye * eye.eyeFromWorld * worldFromModelOf(s));
     gpu.program.set("color", color);
-    gpu.wire.draw();
+    // OpenGL's lines are one pixel wide: draw a wider one as several, side by side
+    const Pane pane = paneOf(s, frame, 0);
+    for (const vec2& pixels : penOf(s.lineWidth)) {
+        const mat4 moved = translate(2 * pixels.x / pane.width, 2 * pixels.y / pane.height, 0);
+        gpu.program.set("clipFromModel", moved * eye.clipFromEye * eye.eyeFromWorld * worldFromModelOf(s));
+        gpu.wire.draw();
+    }
+}
+
+// The pixels of a pen that is so many pixels wide across and upwards.
+std::vector<vec2> penOf(int width) {
+    const int half = width / 2;
+    std::vector<vec2> pixels;
+    for (int x = -half; x <= half; ++x) {
+        for (int y = std::abs(x) - half; y <= half - std::abs(x); ++y) pixels.emplace_back(x, y);
+    }
+    return pixels;
 }
 
 // The eyes look along +z with y upwards, so their right is -x: the left eye is the one at positive x.
@@ -97,6 +117,7 @@ Lens lensOf(const Settings& s, const FrameInfo& frame) {
 }
 
 bool isBeside(const Settings& s) { return s.eyes == Eyes::sideBySide || s.eyes == Eyes::crossed; }
+bool isShaded(const Settings& s) { return s.shape == Shape::stillLife; }
 // The whole picture, or the left (0) or right (1) half of it.
 Pane paneOf(const Settings& s, const FrameInfo& frame, int column) {
     if (!isBeside(s)) return {0, 0, frame.width(), frame.height()};
@@ -104,7 +125,12 @@ Pane paneOf(const Settings& s, const FrameInfo& frame, int column) {
     return {column * (frame.width() - width), 0, width, frame.height()};
 }
 
-MeshData wireOf(const Settings& s) { return s.shape == Shape::cube ? wireCube() : wireHypercube(s.four); }
-mat4 worldFromModelOf(const Settings& s) { return rotateX(s.spinX) * rotateY(s.spinY); }
+MeshData wireOf(const Settings& s) { return s.shape == Shape::hypercube ? wireHypercube(s.four) : wireCube(); }
+
+// The initial angles show the cube from a corner, and the still life from the front and a little above.
+mat4 worldFromModelOf(const Settings& s) {
+    const bool isTurnedBack = isShaded(s);
+    return rotateX(s.spinX - (isTurnedBack ? 38 : 0)) * rotateY(s.spinY - (isTurnedBack ? 30 : 0));
+}
 
 }  // namespace mv::stereocube

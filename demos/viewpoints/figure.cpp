@@ -1,4 +1,5 @@
-// The camera of viewpoints, seen from outside: its axes at the eye, and lookAt's matrix with a row in the colour of each.
+// The cameras of viewpoints, seen from outside: all nine, numbered; or the axes of one at its eye, and lookAt's matrix with a row in
+// the colour of each.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -72,19 +73,56 @@ static void drawAxes(Drawing& drawing, const mat4& clipFromWorld, const mat4& vi
 }
 
 Pane lowerPane(const Settings& s, const FrameInfo& frame) {
-    return {0, 0, frame.width(), s.camera ? std::max(1, frame.height() / 2) : frame.height()};
+    return {0, 0, frame.width(), s.camera != Outside::off ? std::max(1, frame.height() / 2) : frame.height()};
 }
 static Pane upperPane(const FrameInfo& frame) {
     const int height = std::max(1, frame.height() / 2);
     return {0, frame.height() - height, frame.width(), height};
 }
 
+// Draw nine numbered cameras, and of the chosen one the gaze and what is up. Those of the car stand round it in a circle.
+static void drawCameras(Drawing& drawing, const Settings& s, const Car& car, const mat4& clipFromWorld,
+                        const Pane& pane) {
+    const vec4 chosenColor(0.80, 0.30, 0, 1), upColor(0, 0.35, 0.65, 1);
+    const int size = std::clamp(pane.height / 24, 8, 22);
+    const auto pixel = [&](const vec3& place) {
+        return pixelFromNdc(ndcFromClip(clipFromWorld * vec4(place, 1)), pane.width, pane.height);
+    };
+    for (int view = 0; view < 9; ++view) {
+        Settings other = s;
+        other.view = View(view);
+        const bool isChosen = other.view == s.view, isOfCar = view >= 3 && view <= 7;
+        const mat4 viewFromWorld = lookFrom(other, car).viewFromWorld;
+        const vec3 eye = eyeOf(viewFromWorld), back(transpose(viewFromWorld)[2]), up(transpose(viewFromWorld)[1]);
+        const vec4& color = isChosen ? chosenColor : ink;
+        const vec2 from = pixel(eye);
+        const double turned = radians(90 - 72.0 * (view - 3));
+        const vec2 label = isOfCar ? pixel(car.place) + 3.6 * size * vec2(std::cos(turned), std::sin(turned)) : from;
+        if (isOfCar) drawing.line(label, from, {color, 1});
+        if (isChosen) {
+            const double reach = view < 3 || view == 8 ? 90 : 45;
+            drawing.arrow(from, pixel(eye - reach * back), {color, 3});
+            drawing.arrow(from, pixel(eye + 0.55 * reach * up), {upColor, 3});
+            drawing.textAround(pixel(eye + 0.75 * reach * up), "up", {size, upColor, vec4(0)});
+        } else if (!isOfCar) {
+            drawing.arrow(from, pixel(eye - 45.0 * back), {color, 1.2});
+        }
+        drawing.point(label, 1.5 * size + 2, ink);
+        drawing.point(label, 1.5 * size, isChosen ? chosenColor : vec4(1));
+        drawing.textAround(label, std::to_string(view + 1), {size, isChosen ? vec4(1) : ink, vec4(0)});
+    }
+    drawing.text({6, pane.height - 4.0},
+                 "nine cameras; below, what number " + std::to_string(int(s.view) + 1) + " sees", {size, ink, vec4(0)});
+}
+
 void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
-    if (!s.camera) return;
+    if (s.camera == Outside::off) return;
     // Draw the scene once more, from outside, into the upper half
+    const bool isAll = s.camera == Outside::all;
     const Pane pane = upperPane(frame);
-    const mat4 clipFromOutside = translate(0, -0.5, 0) * perspective(34, pane.aspect(), 1, 2000);
-    const mat4 outsideFromWorld = lookAt(vec3(420, -560, 400), vec3(70, 10, 40), vec3(0, 0, 1));
+    const mat4 clipFromOutside = translate(0, isAll ? 0 : -0.5, 0) * perspective(34, pane.aspect(), 1, 2000);
+    const mat4 outsideFromWorld = isAll ? lookAt(vec3(50, -380, 460), vec3(50, 45, 0), vec3(0, 0, 1))
+                                        : lookAt(vec3(420, -560, 400), vec3(70, 10, 40), vec3(0, 0, 1));
     const Car car = carAt(frame.index());
     glViewport(pane.x, pane.y, pane.width, pane.height);
     glScissor(pane.x, pane.y, pane.width, pane.height);
@@ -92,18 +130,23 @@ void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
     glClearColor(0.82F, 0.95F, 0.82F, 1);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     gpu.program.use();
+    setSun(gpu, s, outsideFromWorld);
     gpu.program.set("clipFromView", clipFromOutside);
     drawScenery(gpu, clipFromOutside, outsideFromWorld);
     drawCar(gpu, outsideFromWorld * car.worldFromCar);
 
-    // Draw its axes, and write the product that lookAt is
+    // Draw all cameras, or the axes of one and the product that its lookAt is
     glDisable(GL_SCISSOR_TEST);
     glViewport(0, 0, frame.width(), frame.height());
     gpu.drawing.begin(frame);
     gpu.drawing.in(pane);
-    drawAxes(gpu.drawing, clipFromOutside * outsideFromWorld, lookFrom(s, car).viewFromWorld, pane);
+    const mat4 clipFromWorld = clipFromOutside * outsideFromWorld;
+    if (isAll)
+        drawCameras(gpu.drawing, s, car, clipFromWorld, pane);
+    else
+        drawAxes(gpu.drawing, clipFromWorld, lookFrom(s, car).viewFromWorld, pane);
     gpu.drawing.draw(frame);
-    writeProduct(s, frame, gazeOf(s, car));
+    if (!isAll) writeProduct(s, frame, gazeOf(s, car));
 }
 
 }  // namespace mv::viewpoints

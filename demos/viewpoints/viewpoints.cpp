@@ -14,10 +14,10 @@
 namespace mv::viewpoints {
 
 void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
-    // Let near things hide far ones, and draw into the lower half if the camera is shown above it
+    // Let near things hide far ones, and draw into the lower half if cameras are shown above it
     glEnable(GL_DEPTH_TEST);
     const Pane pane = lowerPane(s, frame);
-    if (s.camera) glViewport(pane.x, pane.y, pane.width, pane.height);
+    if (s.camera != Outside::off) glViewport(pane.x, pane.y, pane.width, pane.height);
 
     // Place the car, and look from the chosen view
     const Car car = carAt(frame.index());
@@ -30,6 +30,8 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     // Draw car or scenery first, whichever is in the space of lookAt, as its matrix comes first. With the depth test any order is
     // right
     gpu.program.use();
+    setSun(gpu, s, viewFromWorld);
+    if (s.lit) drawSkyAndGround(gpu, viewFromWorld, infinitePerspective(50, pane.aspect(), 1));
     gpu.program.set("clipFromView", clipFromView);
     const bool carFirst = gazeOf(s, car).space == Space::car;
     if (carFirst) drawCar(gpu, viewFromCar);
@@ -82,14 +84,34 @@ struct House {
 constexpr House houses[] = {{-20, 50, 5},  {0, 70, 10},   {20, -10, 8}, {40, 120, 10},
                             {-30, -50, 7}, {10, -60, 10}, {-20, 75, 8}, {-40, 140, 10}};
 
+// Draw sky and ground first, without depths: all else lies over them. No far plane may cut off the ground before the horizon.
+void drawSkyAndGround(Gpu& gpu, const mat4& viewFromWorld, const mat4& clipFromView) {
+    glClearColor(0.62F, 0.80F, 0.95F, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    glDisable(GL_DEPTH_TEST);
+    gpu.program.set("paint", vec4(0.66, 0.84, 0.62, 1));
+    gpu.program.set("isBox", false);
+    gpu.program.set("clipFromView", clipFromView);
+    gpu.program.set("viewFromModel", viewFromWorld * rotateX(90) * scale(1e5, 1, 1e5));
+    gpu.ground.draw();
+    glEnable(GL_DEPTH_TEST);
+}
+
+// Light boxes from the side, each face by its own normal: without it they are silhouettes.
+void setSun(const Gpu& gpu, const Settings& s, const mat4& viewFromWorld) {
+    gpu.program.set("sun", s.lit ? vec3(viewFromWorld * vec4(0.45, -0.3, 0.84, 0)) : vec3(0));
+}
+
 void drawScenery(Gpu& gpu, const mat4& clipFromView, const mat4& viewFromWorld) {
     // Draw the track in grey
     gpu.program.set("paint", vec4(0.4, 0.4, 0.4, 1));
+    gpu.program.set("isBox", false);
     gpu.program.set("viewFromModel", viewFromWorld);
     gpu.track.draw();
 
     // Draw the houses that are in view in red
     gpu.program.set("paint", vec4(1, 0, 0, 1));
+    gpu.program.set("isBox", true);
     for (const auto& [x, y, size] : houses) {
         const mat4 viewFromHouse = viewFromWorld * translate(x, y, size / 2) * scale(size);
         if (!isInView(gpu.plainCube, clipFromView * viewFromHouse)) continue;
@@ -100,6 +122,7 @@ void drawScenery(Gpu& gpu, const mat4& clipFromView, const mat4& viewFromWorld) 
 
 void drawCar(Gpu& gpu, const mat4& viewFromCar) {
     gpu.program.set("paint", vec4(0, 0, 1, 1));
+    gpu.program.set("isBox", true);
     for (const mat4& carFromCube : carFromCubes()) {
         gpu.program.set("viewFromModel", viewFromCar * carFromCube);
         gpu.cube.draw();

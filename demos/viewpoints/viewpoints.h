@@ -10,18 +10,20 @@ namespace mv::viewpoints {
 
 enum class View { distant, inside, outside, driver, house, behind, front, beside, above };
 enum class Space { world, car };
+enum class Outside { off, all, one };
 
 struct Settings {
     View view = View::distant;
-    double height = 0;    // added to that of the eye
-    bool exact = false;   // of view 5
-    double aim = 0;       // of view 5: how high on the house
-    bool camera = false;  // show the camera from outside, above the picture
+    double height = 0;              // added to that of the eye
+    bool exact = false;             // of view 5
+    double aim = 0;                 // of view 5: how high on the house
+    Outside camera = Outside::all;  // what is shown from outside, above the picture
+    bool lit = true;                // shaded boxes under a sky
 };
 
 struct Gpu {
     Program program{"viewpoints"};
-    Mesh track{ringStrip(90, 110, 100), "track"};
+    Mesh track{ringStrip(90, 110, 100), "track"}, ground{positionsOnly(square()), "ground"};
     MeshData plainCube = colorCube();
     Mesh cube;
     Drawing drawing;
@@ -53,6 +55,7 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame);
 Car carAt(int frame);
 Gaze gazeOf(const Settings& s, const Car& car);
 Look lookFrom(const Settings& s, const Car& car);
+void drawSkyAndGround(Gpu& gpu, const mat4& viewFromWorld, const mat4& clipFromView);
 void drawScenery(Gpu& gpu, const mat4& clipFromView, const mat4& viewFromWorld);
 void drawCar(Gpu& gpu, const mat4& viewFromCar);
 vec3 watchedPlace(const Settings& s);
@@ -68,6 +71,7 @@ vec3 eyeOf(const mat4& view);
 
 // knobs.cpp, study.cpp, figure.cpp.
 void check(const Settings& s);
+void setSun(const Gpu& gpu, const Settings& s, const mat4& viewFromWorld);
 Pane lowerPane(const Settings& s, const FrameInfo& frame);
 void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame);
 void readOut(Gpu& gpu, const Settings& s, const Frame& frame, Numbers& numbers);

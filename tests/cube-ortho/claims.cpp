@@ -7,12 +7,16 @@
 // - [slab-is-a-hexagon] A thin slab across a diagonal leaves a ring of six sides, one of each face.
 // - [minus-in-row-three] With near 1 and far 3 the matrix has -2 at the end of row 3; the slide's +2 misses the cube.
 // - [nothing-is-refused] A box of no size, and one that misses every face of the cube, are refused.
+// - [volume-beside] With the box of view shown, the picture is the same in a smaller pane; the planes of near and far are where their
+//   handles are, and follow them.
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
+#include <glm/matrix.hpp>
 #include <random>
 
+#include "cube-ortho/cube-ortho.h"
 #include "mv/math/projection.h"
 #include "support/demo_run.h"
 
@@ -170,4 +174,32 @@ TEST(CubeOrtho, nothing_is_refused) {
     EXPECT_GT(drawn, 100);
     EXPECT_LT(drawn, 200);
     EXPECT_LE(empty, 2);  // an edge may just come into the box, by less than a pixel
+}
+
+TEST(CubeOrtho, volume_beside) {
+    DemoRun whole("cube-ortho", 500, 500);
+    const Picture both = whole.preset("turned").picture();
+    const FrameInfo frame(1, 500, 500);
+    const Pane pane = picturePane(frame);
+    DemoRun alone("cube-ortho", pane.width, pane.height);
+    const Picture picture = alone.preset("turned").set("volume", "off").picture();
+    for (int y = 0; y < pane.height; ++y) {
+        for (int x = 0; x < pane.width; ++x) ASSERT_EQ(both.at(x, y), picture.at(x, y)) << x << " " << y;
+    }
+    // The discs are drawn where the far plane's middle is, from outside
+    DemoRun run("cube-ortho", 500, 500);
+    const auto discAt = [&](const cube_ortho::Settings& s) {
+        const ViewFigure figure = cube_ortho::figureOf(s);
+        const Pane of = volumePane(frame);
+        const vec3 ndc =
+            ndcFromClip(outsideFromView(figure, of) * glm::inverse(figure.clipFromView) * vec4(0, 0, 1, 1));
+        return run.picture().at(int((ndc.x + 1) / 2 * of.width), 499 - int((ndc.y + 1) / 2 * of.height));
+    };
+    const Pixel far{217, 64, 13};
+    cube_ortho::Settings s;
+    EXPECT_TRUE(sameColor(discAt(s), far));
+    run.set("depth", 1);
+    EXPECT_FALSE(sameColor(discAt(s), far)) << "it has moved";
+    s.depth = 1;
+    EXPECT_TRUE(sameColor(discAt(s), far));
 }

@@ -7,13 +7,17 @@
 // - [near-opens-the-cube] Near beyond the front face opens the cube: the inside of the others is seen.
 // - [near-costs-depth] The nearer near is, the coarser is depth at the cube; far hardly matters.
 // - [near-below-far] Near not below far is refused with both, and so is a pyramid that shows no face.
+// - [volume-beside] With the pyramid of view shown, the picture is the same in a smaller pane; the planes of near and far are where their
+//   handles are, and follow them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <glm/matrix.hpp>
 
+#include "cube-persp/cube-persp.h"
 #include "mv/gl/gl.h"
 #include "mv/math/projection.h"
 #include "support/demo_run.h"
@@ -188,4 +192,32 @@ TEST(CubePersp, near_below_far) {
     // The same between faces, with a pyramid wide enough to reach them.
     EXPECT_EQ(run.set("fov", 65).refusal(), "");
     EXPECT_GT(countColors(run.picture()), 3);
+}
+
+TEST(CubePersp, volume_beside) {
+    DemoRun whole("cube-persp", 500, 500);
+    const Picture both = whole.preset("turned").picture();
+    const mv::FrameInfo frame(1, 500, 500);
+    const mv::Pane pane = mv::picturePane(frame);
+    DemoRun alone("cube-persp", pane.width, pane.height);
+    const Picture picture = alone.preset("turned").set("volume", "off").picture();
+    for (int y = 0; y < pane.height; ++y) {
+        for (int x = 0; x < pane.width; ++x) ASSERT_EQ(both.at(x, y), picture.at(x, y)) << x << " " << y;
+    }
+    // The discs are drawn where the far plane's middle is, from outside
+    DemoRun run("cube-persp", 500, 500);
+    const auto discAt = [&](const mv::cube_persp::Settings& s) {
+        const mv::ViewFigure figure = mv::cube_persp::figureOf(s);
+        const mv::Pane of = mv::volumePane(frame);
+        const vec3 ndc =
+            mv::ndcFromClip(mv::outsideFromView(figure, of) * glm::inverse(figure.clipFromView) * vec4(0, 0, 1, 1));
+        return run.picture().at(int((ndc.x + 1) / 2 * of.width), 499 - int((ndc.y + 1) / 2 * of.height));
+    };
+    const Pixel far{217, 64, 13};
+    mv::cube_persp::Settings s;
+    EXPECT_TRUE(sameColor(discAt(s), far));
+    run.set("far", 5);
+    EXPECT_FALSE(sameColor(discAt(s), far)) << "it has moved";
+    s.far = 5;
+    EXPECT_TRUE(sameColor(discAt(s), far));
 }

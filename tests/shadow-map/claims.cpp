@@ -9,6 +9,9 @@
 // - [back-faces-need-no-bias] With back faces in the map, no surface that faces the light shades itself.
 // - [map-is-kept] The map is not drawn again while light and casters rest, and the picture is the same.
 // - [frustum-holds-the-map] The white lines are the edges of the map's view; a fitted view is tight round the casters.
+// - [slide-projector] The slide's colour at a point is the one where the map would look that point up, and what is in shadow gets none.
+// - [reverse-projection] Behind the projector nothing is thrown; without the question for w the line through the projector has one colour
+//   before it and behind it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +22,9 @@
 #include <vector>
 
 #include "mv/geometry/light_view.h"
+#include "mv/geometry/ray_caster.h"
 #include "mv/study/study.h"
+#include "shadow-map/shadow-map.h"
 #include "shared/lit_reference.h"
 #include "shared/scenes.h"
 #include "support/demo_run.h"
@@ -330,4 +335,97 @@ TEST(ShadowMap, frustum_holds_the_map) {
         EXPECT_EQ(run.set("light-x", std::string(beside)).refusal(), "");
         EXPECT_EQ(run.picture(), above) << beside;
     }
+}
+
+namespace {
+
+// The floor's points that a picture shows, away from all else: its pixels, and their places in the world.
+std::vector<std::pair<Pixel, vec3>> floorOf(const Picture& picture, const Scene& scene) {
+    const RayCaster rays(scene);
+    const mat4 worldFromClip = glm::inverse(scene.clipFromWorld());
+    const vec3 eye(glm::inverse(scene.viewFromWorld)[3]);
+    std::vector<std::pair<Pixel, vec3>> result;
+    for (int y = 2; y < picture.height; y += 7) {
+        for (int x = 2; x < picture.width; x += 7) {
+            const vec4 far =
+                worldFromClip * vec4(2 * (x + 0.5) / picture.width - 1, 1 - 2 * (y + 0.5) / picture.height, 1, 1);
+            const auto hit = rays.nearest({eye, vec3(far) / far.w - eye});
+            if (hit && hit->object == 0 && !rays.inShadow(*hit, scene.lights[0].position))
+                result.emplace_back(picture.at(x, y), hit->point);
+        }
+    }
+    return result;
+}
+
+// The slide's colour where this matrix takes the point, whatever its w; none beyond the slide, and beside a stripe's edge.
+std::optional<Pixel> slideAt(const mat4& mapFromWorld, const vec3& point) {
+    const vec4 on = mapFromWorld * vec4(point, 1);
+    const double u = on.x / on.w, v = on.y / on.w;
+    if (!(u > 0.02 && u < 0.98 && v > 0.02 && v < 0.98)) return {};
+    const Picture slide = shadow_map::slidePicture();
+    const auto at = [&](double right, double up) {
+        return slide.at(int((u + right) * slide.width), slide.height - 1 - int((v + up) * slide.height));
+    };
+    for (const double off : {-0.02, 0.02})
+        if (at(off, 0) != at(0, 0) || at(0, off) != at(0, 0)) return {};
+    return at(0, 0);
+}
+
+struct Thrown {
+    long right = 0, wrong = 0;
+};
+// Whether each channel is above ambient light where the slide lets it through, and is ambient light where not.
+Thrown judgeSlide(DemoRun& run, bool behind) {
+    const Picture picture = run.picture();
+    const mat4 mapFromWorld = run.matrix("mapFromWorld");
+    Scene scene = run.demo().scene(FrameInfo(1, picture.width, picture.height));
+    const vec3 ambient = 0.3 * 255.0 * scene.objects[0].color;
+    Thrown result;
+    for (const auto& [pixel, point] : floorOf(picture, scene)) {
+        if (((mapFromWorld * vec4(point, 1)).w < 0) != behind) continue;
+        const auto slide = slideAt(mapFromWorld, point);
+        if (!slide) continue;
+        const auto isThrown = [](int seen, double least) { return seen > least + 2; };
+        const bool agrees = isThrown(pixel.red, ambient.r) == (slide->red > 0) &&
+                            isThrown(pixel.green, ambient.g) == (slide->green > 0) &&
+                            isThrown(pixel.blue, ambient.b) == (slide->blue > 0);
+        ++(agrees ? result.right : result.wrong);
+    }
+    return result;
+}
+
+}  // namespace
+
+TEST(ShadowMap, slide_projector) {
+    DemoRun run("shadow-map");
+    run.preset("slide-behind").set("slide", "thrown").set("show-frustum", "off");
+    const Thrown thrown = judgeSlide(run, false);
+    EXPECT_GT(thrown.right, 150);
+    // Beside the edges of shadows and stripes a point may fall to either side
+    EXPECT_LE(thrown.wrong, thrown.right / 50);
+    // In shadow there is ambient light alone: the still life with the slide is nowhere brighter than without
+    run.preset("slide-projector").set("show-frustum", "off").set("filter", "none");
+    const Picture slide = run.picture(), plain = run.set("slide", "none").picture();
+    long brighter = 0, changed = 0;
+    for (int y = 0; y < slide.height; ++y) {
+        for (int x = 0; x < slide.width; ++x) {
+            const Pixel a = slide.at(x, y), b = plain.at(x, y);
+            changed += a != b;
+            brighter += a.red > b.red + 1 || a.green > b.green + 1 || a.blue > b.blue + 1;
+        }
+    }
+    EXPECT_GT(changed, 50000);
+    // The plain light's cone leaves out the corners of the window, which the slide fills
+    EXPECT_LT(brighter, slide.width * slide.height / 8);
+}
+
+TEST(ShadowMap, reverse_projection) {
+    DemoRun run("shadow-map");
+    run.preset("slide-behind").set("show-frustum", "off");
+    const Thrown reversed = judgeSlide(run, true);
+    EXPECT_GT(reversed.right, 300);
+    EXPECT_LE(reversed.wrong, reversed.right / 50);
+    const Thrown asked = (run.set("slide", "thrown"), judgeSlide(run, true));
+    EXPECT_EQ(asked.right, 0);
+    EXPECT_GT(asked.wrong, 300);
 }

@@ -12,6 +12,13 @@
 // - [side-by-side] Each half is one eye's picture; for crossed eyes they are exchanged.
 // - [four-dimensions] The unturned cube of four dimensions is the original's: 32 edges, a cube of side 0.3 in a cube of side 1.
 //   Turns keep all its lengths, and a corner at the eye in the fourth dimension is refused.
+// - [wide-lines] A line of 3 pixels is that of 1 pixel, drawn at five places.
+// - [channels-of-one-eye] In full and half colour and in grey, red is the left eye's alone and green and blue are the right eye's;
+//   least squares takes from both.
+// - [as-published] The matrices of least squares are Dubois's, to the last digit that he printed.
+// - [glasses-leak] Real red glass lets 19 % of the other picture through, cyan glass 6 %.
+// - [eyes-disagree] The red ball of full colour is bright behind red glass and dark behind cyan. Grey has no rivalry and loses all
+//   colour; least squares has less rivalry than half colour, and half colour than full colour.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -366,4 +373,115 @@ TEST(Stereocube, four_dimensions) {
     run.set("turn-xw", 45).set("turn-yw", 45).set("turn-zw", 45).set("inner", 0.3);
     EXPECT_EQ(run.refusal().rfind("--inner: must be more", 0), 0U);
     EXPECT_EQ(run.set("inner", 0.6).refusal(), "");
+}
+
+TEST(Stereocube, wide_lines) {
+    DemoRun run("stereocube");
+    run.preset("original");
+    const Ink thin = anyInk(run.set("eyes", "left").picture(), 255);
+    const Ink wide = anyInk(run.set("line-width", "3").picture(), 255);
+    Ink shifted(thin.size(), false);
+    for (std::size_t i = 600; i + 600 < thin.size(); ++i)
+        shifted[i] = thin[i] || thin[i - 1] || thin[i + 1] || thin[i - 600] || thin[i + 600];
+    EXPECT_GT(count(wide), 2 * count(thin));
+    // A driver may draw a line that is moved by a pixel one pixel off, as it rounds its ends anew
+    EXPECT_LE(lost(wide, shifted) + lost(shifted, wide), count(wide) / 50);
+}
+
+TEST(Stereocube, channels_of_one_eye) {
+    DemoRun run("stereocube");
+    run.preset("still-life");
+    const auto mixedBy = [&](const std::string& mix) { return run.set("mix", mix).picture(); };
+    const Picture full = mixedBy("full"), half = mixedBy("half"), grey = mixedBy("grey"),
+                  least = mixedBy("least-squares");
+    long apart = 0, more = 0;
+    for (int y = 0; y < 600; ++y) {
+        for (int x = 0; x < 600; ++x) {
+            const Pixel f = full.at(x, y), h = half.at(x, y), g = grey.at(x, y);
+            ASSERT_EQ(h.red, g.red);
+            ASSERT_EQ(h.green, f.green);
+            ASSERT_EQ(h.blue, f.blue);
+            ASSERT_EQ(g.green, g.blue);
+            apart += g.red != g.green;
+            more += least.at(x, y).green != f.green;
+        }
+    }
+    EXPECT_GT(apart, 10000) << "the eyes see it from two places";
+    EXPECT_GT(more, 100000);
+    // From one place grey is grey, and full colour is the picture itself: red, green and blue things
+    const Picture one = run.set("mix", "grey").set("eye-sep", 0).picture();
+    for (int y = 0; y < 600; ++y) {
+        for (int x = 0; x < 600; ++x) ASSERT_EQ(one.at(x, y).red, one.at(x, y).green);
+    }
+    // Through no glass, a picture for each eye has no other colours than the things
+    EXPECT_EQ(run.set("eyes", "side-by-side").refusal(), "");
+    EXPECT_EQ(run.picture(), run.set("mix", "full").picture()) << "beside each other nothing is mixed";
+}
+
+TEST(Stereocube, as_published) {
+    using namespace stereocube;
+    // Dubois (2001), as three.js has them: rows red, green, blue
+    const double left[3][3] = {
+        {0.456100, 0.500484, 0.176381}, {-0.0400822, -0.0378246, -0.0157589}, {-0.0152161, -0.0205971, -0.00546856}};
+    const double right[3][3] = {
+        {-0.0434706, -0.0879388, -0.00155529}, {0.378476, 0.73364, -0.0184503}, {-0.0721527, -0.112961, 1.2264}};
+    const Mixing mixing = leastSquares();
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 3; ++column) {
+            // Printed with six digits, the largest with five
+            EXPECT_NEAR(mixing.fromLeft[column][row], left[row][column], 5.1e-7);
+            EXPECT_NEAR(mixing.fromRight[column][row], right[row][column], row == 2 && column == 2 ? 5e-6 : 5.1e-7);
+        }
+    }
+    for (const Mix mix : {Mix::full, Mix::half, Mix::grey, Mix::leastSquares}) {
+        for (int channel = 0; channel < 3; ++channel)
+            EXPECT_NEAR(mixed(mixingOf(mix), vec3(1), vec3(1))[channel], 1, 1e-14) << "white stays white";
+        EXPECT_EQ(mixed(mixingOf(mix), vec3(0), vec3(0)), vec3(0));
+    }
+}
+
+TEST(Stereocube, glasses_leak) {
+    using namespace stereocube;
+    // By the rule: a picture for the other eye alone, by one for this eye alone
+    const Mixing full = mixingOf(Mix::full);
+    const auto seen = [&](Eyes eye, double left, double right) {
+        return glm::dot(brightnessThrough(eye), mixed(full, vec3(left), vec3(right)));
+    };
+    EXPECT_NEAR(crosstalk(Eyes::left), 100 * seen(Eyes::left, 0, 1) / seen(Eyes::left, 1, 0), 1e-12);
+    EXPECT_NEAR(crosstalk(Eyes::right), 100 * seen(Eyes::right, 1, 0) / seen(Eyes::right, 0, 1), 1e-12);
+    EXPECT_NEAR(crosstalk(Eyes::left), 19, 0.5);
+    EXPECT_NEAR(crosstalk(Eyes::right), 6, 0.5);
+    DemoRun run("stereocube");
+    run.preset("still-life").picture();
+    EXPECT_EQ(run.readout("crosstalk-left"), crosstalk(Eyes::left));
+    EXPECT_EQ(run.readout("crosstalk-right"), crosstalk(Eyes::right));
+}
+
+TEST(Stereocube, eyes_disagree) {
+    DemoRun run("stereocube");
+    run.preset("still-life");
+    // The ball's lit side, by its colour without glasses
+    const Picture bare = run.picture();
+    int x = 0, y = 0, most = 0;
+    for (int row = 0; row < 600; ++row) {
+        for (int column = 0; column < 600; ++column) {
+            const Pixel p = bare.at(column, row);
+            if (p.red - p.green - p.blue > most) most = p.red - p.green - p.blue, x = column, y = row;
+        }
+    }
+    ASSERT_GT(most, 100);
+    const auto brightest = [](const Pixel& p) { return std::max({p.red, p.green, p.blue}); };
+    EXPECT_GT(brightest(run.set("eyes", "left").picture().at(x, y)), 190);
+    EXPECT_LT(brightest(run.set("eyes", "right").picture().at(x, y)), 110);
+
+    run.set("eyes", "both");
+    const auto told = [&](const std::string& mix, const std::string& name) {
+        run.set("mix", mix).picture();
+        return run.readout(name);
+    };
+    EXPECT_LT(told("grey", "rivalry"), 1e-9);
+    EXPECT_LT(told("least-squares", "rivalry"), told("half", "rivalry"));
+    EXPECT_LT(told("half", "rivalry"), told("full", "rivalry"));
+    for (const std::string mix : {"full", "half", "least-squares"})
+        EXPECT_LT(told(mix, "color-loss"), told("grey", "color-loss")) << mix;
 }

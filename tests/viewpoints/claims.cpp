@@ -9,12 +9,16 @@
 // - [down-needs-another-up] Straight down, up = z is refused; up = y puts +y at the top and +x to the right.
 // - [lookat-by-axes] lookAt is R T(-eye), and R's rows are u, v, w; -R^T t is the eye. A system with its origin at -eye is another.
 // - [camera-from-outside] With the camera shown, the axes are drawn above the picture, which is the same in the lower half.
+// - [nine-cameras] As it opens, the figure shows nine cameras, one for each view, and marks the chosen one.
+// - [lit-and-sky] Lit, a box has another colour on each side that is seen, and level views have a sky above the ground; unlit, a house
+//   is one red and the sky is the ground's green.
 // - [eye-under-the-roof] In views 4 and 5 a height that puts the eye under the car's roof is refused.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <set>
 
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
@@ -274,17 +278,68 @@ TEST(Viewpoints, lookat_by_axes) {
 TEST(Viewpoints, camera_from_outside) {
     for (int view = 1; view <= 9; ++view) {
         DemoRun whole("viewpoints", 400, 400);
-        whole.set("view", std::to_string(view)).set("camera", "on");
+        whole.set("view", std::to_string(view)).set("camera", "one");
         const mv::Picture both = whole.picture(15);
         const long red = countPixels(both, {204, 26, 26}), green = countPixels(both, {0, 115, 26}),
                    blue = countPixels(both, {26, 64, 230});
         EXPECT_GT(std::min({red, green, blue}), 20) << view;
         DemoRun half("viewpoints", 400, 200);
-        const mv::Picture below = half.set("view", std::to_string(view)).picture(15);
+        const mv::Picture below = half.set("view", std::to_string(view)).set("camera", "off").picture(15);
         for (int y = 0; y < 200; ++y) {
             for (int x = 0; x < 400; ++x) ASSERT_EQ(both.at(x, 200 + y), below.at(x, y)) << view;
         }
     }
+}
+
+TEST(Viewpoints, nine_cameras) {
+    constexpr mv::Pixel chosen{204, 77, 0};
+    for (int view = 1; view <= 9; ++view) {
+        DemoRun run("viewpoints");
+        const mv::Picture all = run.set("view", std::to_string(view)).picture(15);
+        // The disc of the chosen one is so coloured, and where that is it is white when another one is chosen
+        long marked = 0, white = 0;
+        DemoRun another("viewpoints");
+        const mv::Picture others = another.set("view", view == 9 ? "1" : "9").picture(15);
+        for (int y = 0; y < 350; ++y) {
+            for (int x = 0; x < 700; ++x) {
+                if (!sameColor(all.at(x, y), chosen)) continue;
+                ++marked;
+                white += sameColor(others.at(x, y), {255, 255, 255});
+            }
+        }
+        EXPECT_GT(marked, 200) << view;
+        EXPECT_GT(white, 100) << view;
+    }
+}
+
+TEST(Viewpoints, lit_and_sky) {
+    DemoRun run("viewpoints");
+    run.preset("original");
+    const auto reds = [&] {
+        const mv::Picture picture = run.picture();
+        std::set<int> colors;
+        for (int y = 0; y < picture.height; ++y) {
+            for (int x = 0; x < picture.width; ++x) {
+                const mv::Pixel p = picture.at(x, y);
+                if (p.red > 60 && p.green == 0 && p.blue == 0) colors.insert(p.red);
+            }
+        }
+        return colors.size();
+    };
+    EXPECT_EQ(reds(), 1U);
+    run.set("view", "3");
+    EXPECT_EQ(run.picture().at(350, 5), run.picture().at(350, 690)) << "the sky and the ground";
+    run.set("lit", "on");
+    EXPECT_NE(run.picture().at(350, 5), run.picture().at(350, 690));
+    // Level, the horizon is in the middle of the picture, to two rows
+    run.set("view", "2");
+    const mv::Picture seen = run.picture();
+    int horizon = 0;
+    while (horizon < 699 && seen.at(20, horizon) == seen.at(20, 0)) ++horizon;
+    const double pitch = std::asin(glm::inverse(run.matrix("viewFromWorld"))[2].z);
+    EXPECT_NEAR(horizon, 350 - 350 * 2.1445069205 * std::tan(pitch), 2);
+    run.set("view", "1");
+    EXPECT_GE(reds(), 3U) << "the shades of three sides";
 }
 
 TEST(Viewpoints, eye_under_the_roof) {

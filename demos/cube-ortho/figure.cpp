@@ -1,0 +1,14 @@
+// Beside the picture of cube-ortho: its box of view from outside, and the cube that the matrix makes of it.
+#include "cube-ortho.h"
+
+namespace mv::cube_ortho {
+
+ViewFigure figureOf(const Settings& s) {
+    return {viewFromModel(s), clipFromView(s), nearDistance(s), farDistance(s), false};
+}
+
+void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
+    if (s.volume) drawViewFigure(gpu.drawing, gpu.program, gpu.cube, figureOf(s), frame);
+}
+
+}  // namespace mv::cube_ortho

@@ -1,0 +1,12 @@
+// Beside the picture of cube-persp: its pyramid of view from outside, and the cube that the matrix makes of it.
+#include "cube-persp.h"
+
+namespace mv::cube_persp {
+
+ViewFigure figureOf(const Settings& s) { return {viewFromModel(s), clipFromView(s), s.near, s.far, true}; }
+
+void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
+    if (s.volume) drawViewFigure(gpu.drawing, gpu.program, gpu.cube, figureOf(s), frame);
+}
+
+}  // namespace mv::cube_persp
