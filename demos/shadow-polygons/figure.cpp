@@ -144,13 +144,16 @@ static void drawPairs(const Gpu& gpu, const FrameInfo& frame, const Pane& pane, 
     showImage(frame, pane.x + int(box.low.x), frame.height() - int(box.high.y), picture);
 }
 
-static std::vector<std::pair<std::string, vec4>> wordsOf(const Gpu& gpu) {
+static std::vector<std::pair<std::string, vec4>> wordsOf(const Gpu& gpu, Show show) {
     const auto ofAll = [](long part, std::size_t all) { return std::to_string(part) + " of " + std::to_string(all); };
     const std::size_t count = gpu.polygons.size();
     const Pairs& pairs = gpu.shadows.pairs;
     return {{std::to_string(count) + " polygons; pairs compared: " + ofAll(pairs.tested, count * (count - 1) / 2), ink},
             {"projected: " + ofAll(long(pairs.kept.size()), count * (count - 1)), inVain},
-            {"of these with a shadow: " + std::to_string(gpu.shadows.dark.size()), dark}};
+            {"of these with a shadow: " + std::to_string(gpu.shadows.dark.size()), dark},
+            {show == Show::pairs ? "a row for each receiver, a column for each caster"
+                                 : "middle: straight down from the light; rim: straight up",
+             vec4(0.4, 0.4, 0.4, 1)}};
 }
 
 void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
@@ -168,7 +171,7 @@ void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
         gpu.drawing.fill({vec2(0), vec2(pane.width, pane.height)}, vec4(1));
         if (s.show == Show::sphere) drawSphere(gpu, s, box);
         vec2 at(box.low.x, pane.height - 6);
-        for (const auto& [line, color] : wordsOf(gpu)) {
+        for (const auto& [line, color] : wordsOf(gpu, s.show)) {
             gpu.drawing.text(at, line, {height, color, vec4(0)});
             at.y -= height + 5;
         }

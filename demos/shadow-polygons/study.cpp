@@ -118,6 +118,28 @@ Study study() {
                                .knob = "polygons",
                                .values = {"4", "10", "30", "100", "250"}});
     }
+    const auto none = rows("no shadow"), all = rows("all pairs"), sphere = rows("sphere");
+    study.says = {
+        claim("both-exact",
+              "By both methods each point is lit or dark as its ray to the light shows; without shadows more than 1 % "
+              "are not.",
+              {zero(of::wrong, rows("all pairs", "sphere")), atLeast(of::wrong, none, 1)}),
+        claim("n-squared", "All pairs are n (n - 1) projections: they grow with the exponent 2.",
+              {slope(of::count("projections"), all, 1.95, 2.1)}),
+        claim("nearly-n",
+              "Those that the sphere leaves grow with the exponent 1, as long as all papers together have one area.",
+              {slope(of::count("projections"), sphere, 0.9, 1.1)}),
+        claim("comparing",
+              "The pairs of caps that are compared grow with an exponent between 1 and 2, since only caps that overlap "
+              "in x are.",
+              {slope(of::count("pairs compared"), sphere, 1.4, 1.9)}),
+        claim("in-time",
+              "Of 250 polygons the sphere finds the shadows in less than a tenth of the time that all pairs take.",
+              {ratio(of::time, sphere.at(250), all.at(250), 0, 0.1)}),
+        note("Timed are the making of the polygons, the choice of pairs, the projections, and the question at some "
+             "4000 points, which is all that "
+             "no shadow does."),
+    };
     return study;
 }
 
