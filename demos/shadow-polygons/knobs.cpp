@@ -16,6 +16,8 @@ constexpr Declaration about{
     .height = 540,
     .background = vec4(0.70, 0.77, 0.85, 1),
     .needs = {.depth = true, .stencil = true},
+    .waste = {{"no-sample", "draw of 'dark parts'", "which dark parts the eye sees is known when they are drawn"},
+              {"no-sample", "draw of 'polygons'", "which polygons hide others is known when they are drawn"}},
 };
 
 bool arePapers(const Settings& s) { return s.scene == Which::papers; }

@@ -74,7 +74,7 @@ Scene sceneOf(const Settings& s, const FrameInfo& frame) {
     scene.lights = {{.position = vec4(s.light, 1)}};
     scene.viewFromWorld = seenFrom(s.orbit, lookAt({1.4, 6.8, 10.8}, {0, 0.8, 0}, {0, 1, 0}));
     const double aspect = frame.aspect(), fovy = 42;
-    const double across = std::max(1.0, 1.15 / aspect);
+    const double across = std::max(1.0, 1.3 / aspect);
     scene.clipFromView = perspective(2 * degrees(std::atan(across * std::tan(radians(fovy / 2)))), aspect, 1, 60);
     return scene;
 }
