@@ -1,5 +1,6 @@
 #pragma once
 #include "mv/demo/frame.h"
+#include "mv/demo/made_for.h"
 #include "mv/demo/numbers.h"
 #include "mv/geometry/shapes.h"
 #include "mv/gl/mesh.h"
@@ -9,8 +10,11 @@ namespace mv::cube_cull {
 
 enum class Cull { none, back, front, both };
 enum class Winding { ccw, cw };
+enum class Body { cube, teapot, openTeapot };
 
 struct Settings {
+    Body body = Body::cube;
+    int divisions = 12;  // along a side of each of the teapot's patches
     Cull cull = Cull::back;
     Winding winding = Winding::ccw;
     bool depth = true;
@@ -20,11 +24,13 @@ struct Settings {
 
 struct Gpu {
     Program program{"cube-cull"};
-    Mesh cube{colorCube(), "cube"};
+    Mesh body;
+    MadeFor<Body, int> bodyFor;
     Mesh axes{mv::axes(1.5), "axes"};
 };
 
 void draw(Gpu& gpu, const Settings& s, const Frame& frame);
+MeshData bodyOf(const Settings& s);
 mat4 viewFromModel(const Settings& s);
 void check(const Settings& s);
 void readOut(Gpu& gpu, const Settings& s, const Frame& frame, Numbers& numbers);

@@ -21,14 +21,20 @@ constexpr Declaration about{
     .background = vec4(0.9, 1.0, 1.0, 1.0),
     .needs = {.depth = true},
     .waste = {{"unused-buffer", "depth of 'cube-cull'", "the buffer stays when --depth-test switches the test off"},
-              {"no-sample", "draw of 'cube'", "that faces are left out, or all of them, is the lesson"}},
+              {"no-sample", "draw of 'body'", "that faces are left out, or all of them, is the lesson"}},
 };
 
+bool isTeapot(const Settings& s) { return s.body != Body::cube; }
 bool oneSideIsCulled(const Settings& s) { return s.cull == Cull::back || s.cull == Cull::front; }
 
 const Lesson<Settings, Gpu> lesson{
     .rows =
         {
+            word("body", &Settings::body, {{"cube"}, {"teapot", "with its lid on"}, {"open-teapot", "without its lid"}},
+                 "what is drawn"),
+            oneOf("divisions", &Settings::divisions, {1, 2, 4, 8, 12, 16, 32, 64},
+                  "cells along a side of each of the teapot's patches, two triangles a cell")
+                .when(isTeapot, "only the teapot is made of patches"),
             word("cull", &Settings::cull, {{"none"}, {"back"}, {"front"}, {"both"}}, "which faces to discard"),
             word("winding", &Settings::winding, {{"ccw", "counter-clockwise on the screen"}, {"cw", "clockwise"}},
                  "which way round the corners of a front face run")
@@ -45,10 +51,13 @@ const Lesson<Settings, Gpu> lesson{
              "The page's first picture: straight on one sees the blue face alone.",
              {.spinX = 0, .spinY = 0}},
             {"front-culled", "Without front faces one looks into the far half of the box.", {.cull = Cull::front}},
-            {"no-depth-test",
-             "Nothing culled and no depth test: the order in which the faces were written decides, and here hides the "
-             "near ones.",
-             {.cull = Cull::none, .depth = false, .spinY = 210}},
+            {"hidden-front",
+             "No depth test: front faces hide front faces, and the spout, which comes last, is painted over the pot "
+             "before it.",
+             {.body = Body::teapot, .depth = false, .spinX = 15, .spinY = 60}},
+            {"open",
+             "An open mesh: without its back faces the pot has no inside, and one looks through its far wall.",
+             {.body = Body::openTeapot, .spinX = 35, .spinY = 200}},
             {"eye-inside",
              "From inside no face shows its front: of twelve triangles 2 are culled, 10 are outside of the view, and 0 "
              "survive.",
@@ -57,7 +66,7 @@ const Lesson<Settings, Gpu> lesson{
         },
     .controls = {drag("spin-y", -1, "spin-x", 1), keys(Key::down, Key::up, "z-dist", 0.2), wheel("z-dist", -0.2)},
     .readouts = {{"facing", "faces of the cube turned towards the eye, of 6"},
-                 {"culled", "triangles discarded by culling, of 12"},
+                 {"culled", "triangles discarded by culling"},
                  {"outside", "triangles wholly outside the view"},
                  {"surviving", "triangles that go on to the rasterizer"}},
     .draw = draw,

@@ -8,7 +8,7 @@
 namespace mv::keyframes {
 
 void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
-    static constexpr std::array scenes{drawBall, drawRunge, drawCamera};
+    static constexpr std::array scenes{drawBall, drawRunge, drawCamera, drawFlight};
     gpu.drawing.begin(frame);
     scenes.at(static_cast<std::size_t>(s.which))(gpu, s, frame);
     gpu.drawing.draw(frame);

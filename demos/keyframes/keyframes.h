@@ -17,8 +17,9 @@
 
 namespace mv::keyframes {
 
-enum class Which { ball, runge, camera };
+enum class Which { ball, runge, camera, flight };
 enum class Zoom { separate, computed };
+enum class Moves { all, eye, center, up, aspect, fovy };
 
 // The keys of a camera: near, far and near again.
 struct DollyZoom {
@@ -32,6 +33,7 @@ struct Settings {
     std::vector<vec2> keys{{0.5, 2}, {1.5, 7.5}, {4, 9}, {5, 4.5}, {8, 1}, {9.5, 7}};  // m, of the ball, one a second
     FunctionNodes nodes = {};
     DollyZoom camera = {};
+    Moves flight = Moves::all;  // which properties of the camera have keys
 };
 
 // Values at samples between -1 and 1.
@@ -81,6 +83,16 @@ void drawCamera(Gpu& gpu, const Settings& s, const Frame& frame);
 View viewAt(const DollyZoom& camera, const KeyCurve& curve, double time, Zoom zoomedBy);
 double fovyFor(const DollyZoom& camera, double distance);
 
+// A camera all of whose properties have keys: flight.cpp.
+struct CameraAt {
+    vec3 eye, center, up;
+    double aspect, fovy;  // width by height, degrees
+};
+void drawFlight(Gpu& gpu, const Settings& s, const Frame& frame);
+const std::vector<CameraAt>& cameraKeys();
+CameraAt cameraAt(const Settings& s, double time);
+Pane shapedPane(const Pane& pane, double aspect);
+
 // Paths, graphs and words: figure.cpp.
 void showWay(Drawing& drawing, const Settings& s, const Motion<vec3>& motion, double now, const Pane& pane);
 void showBall(Drawing& drawing, const vec2& place, const std::optional<vec2>& velocity, const Pane& pane);
@@ -88,6 +100,7 @@ void showGraphs(Drawing& drawing, const Settings& s, const Motion<vec3>& motion,
 void showValues(Drawing& drawing, const Settings& s, const Sampled& shown, const FrameInfo& frame);
 void tell(const Settings& s, const Frame& frame);
 void showZoom(Drawing& drawing, const Settings& s, double now, const FrameInfo& frame);
+void showFlight(Drawing& drawing, const Settings& s, double now, const Pane& seen, const FrameInfo& frame);
 Pane leftPane(const FrameInfo& frame);
 Plot easePlot(const FrameInfo& frame);
 vec2 pixelOf(const Pane& pane, const vec2& place);

@@ -1,4 +1,6 @@
 // What can be set in keyframes, and what is said of it.
+#include <glm/geometric.hpp>
+
 #include "keyframes.h"
 #include "mv/demo/lesson.h"
 
@@ -30,13 +32,37 @@ constexpr WordList spreadWords{{"even", "equally far apart"}, {"chebyshev", "den
 bool isBall(const Settings& s) { return s.which == Which::ball; }
 bool isRunge(const Settings& s) { return s.which == Which::runge; }
 bool isCamera(const Settings& s) { return s.which == Which::camera; }
+bool isFlight(const Settings& s) { return s.which == Which::flight; }
 
 std::string textOf(const std::array<vec2, 2>& handles) {
     const auto text = [](const vec2& at) { return numberText(at.x) + "," + numberText(at.y); };
     return text(handles[0]) + "/" + text(handles[1]);
 }
 
+// What gives the curve its shape, by name and value.
+std::pair<std::string, std::string> shapeOf(const KeyCurve& curve) {
+    if (curve.isBezierEase()) return {"--handles", textOf(curve.handles)};
+    return {"--ease", nameOf(curve.ease)};
+}
+
+void checkFlight(const Settings& s) {
+    for (int i = 0; i <= 60 * int(lap); ++i) {
+        const CameraAt camera = cameraAt(s, i / 60.0);
+        const vec3 gaze = camera.center - camera.eye;
+        const bool hasUp = glm::length(glm::cross(gaze, camera.up)) > 0.02 * glm::length(gaze) * glm::length(camera.up);
+        if (glm::length(gaze) >= 0.5 && hasUp && camera.aspect >= 0.1 && camera.fovy >= 1 && camera.fovy <= 170)
+            continue;
+        const auto [name, value] = shapeOf(s.curve);
+        throw Error(
+            name,
+            "must keep the camera off what it looks at, up off its gaze, its aspect 0.1 or more, and its angle of "
+            "view in 1 .. 170",
+            value);
+    }
+}
+
 void check(const Settings& s) {
+    if (isFlight(s)) return checkFlight(s);
     const KeyCurve& curve = s.curve;
     if (isRunge(s) && curve.kind == KeyCurve::Kind::periodic && s.nodes.function == FunctionNodes::Function::sine)
         throw Error("--curve periodic", "must have the same value at both ends, which sin 3x has not");
@@ -44,9 +70,8 @@ void check(const Settings& s) {
     for (int i = 0; i <= 60 * int(lap); ++i) {
         const View view = viewAt(s.camera, curve, i / 60.0, s.camera.zoom);
         if (view.distance >= 1 && view.fovy >= 1 && view.fovy <= 170) continue;
-        throw Error(curve.isBezierEase() ? "--handles" : "--ease",
-                    "must keep the camera 1 m before its subject, and its angle of view in 1 .. 170",
-                    curve.isBezierEase() ? textOf(curve.handles) : nameOf(curve.ease));
+        const auto [name, value] = shapeOf(curve);
+        throw Error(name, "must keep the camera 1 m before its subject, and its angle of view in 1 .. 170", value);
     }
 }
 
@@ -92,7 +117,8 @@ std::vector<Row<Settings>> rows() {
     return together(word("scene", &Settings::which,
                          {{"ball", "through keys that are dragged, a second from each to the next"},
                           {"runge", "one polynomial through nodes of a function, and the curve through them"},
-                          {"camera", "that goes away from what it looks at and zooms in"}},
+                          {"camera", "that goes away from what it looks at and zooms in"},
+                          {"flight", "a camera: its eye, center, up, aspect and fovy each have keys"}},
                          "what has keys"),
                     part(&Settings::curve, curveRows()),
                     points("points", &Settings::keys,
@@ -100,7 +126,10 @@ std::vector<Row<Settings>> rows() {
                            "x,y of each key of the ball, dragged in the picture", "m")
                         .when(isBall, "only the ball has keys in a plane"),
                     part(&Settings::nodes, nodesRows(), isRunge, "only scene runge has nodes"),
-                    part(&Settings::camera, cameraRows(), isCamera, "only scene camera has one"));
+                    part(&Settings::camera, cameraRows(), isCamera, "only scene camera has one"),
+                    word("moves", &Settings::flight, {{"all"}, {"eye"}, {"center"}, {"up"}, {"aspect"}, {"fovy"}},
+                         "what moves from key to key; the rest stays at its first")
+                        .when(isFlight, "only the flight's camera has keys for all"));
 }
 
 constexpr Declaration about{
@@ -113,6 +142,8 @@ constexpr Declaration about{
     .height = 560,
     .animated = true,
     .background = vec4(1, 1, 1, 1),
+    .needs = {.depth = true},
+    .waste = {{"unused-buffer", "depth of 'keyframes'", "the flight alone sees the street from all sides"}},
 };
 
 std::vector<SettingsPreset<Settings>> presets() {
@@ -137,6 +168,9 @@ std::vector<SettingsPreset<Settings>> presets() {
         {"dolly-zoom",
          "The camera goes away and zooms in: its subject stays as large, and the house behind it swells.",
          {.which = Which::camera, .curve = {.kind = Kind::clamped}, .camera = {.zoom = Zoom::computed}}},
+        {"flight",
+         "Eye, center, up, aspect and angle of view move, each along a spline of its own: turn them off but for one.",
+         {.which = Which::flight, .curve = {.kind = Kind::periodic}}},
     };
 }
 

@@ -63,6 +63,7 @@ void tellCamera(const Settings& s, double time, Numbers& numbers) {
 void readOut(Gpu& gpu, const Settings& s, const Frame& frame, Numbers& numbers) {
     if (s.which == Which::ball) return tellBall(s, numbers);
     if (s.which == Which::camera) return tellCamera(s, frame.time(), numbers);
+    if (s.which != Which::runge) return;
     numbers.set("polynomial-error", gpu.sampled.polynomialError());
     numbers.set("curve-error", gpu.sampled.curveError());
 }

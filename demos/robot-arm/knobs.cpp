@@ -20,6 +20,8 @@ void check(const Settings& s) {
 bool hasStart(const Settings& s) { return s.method != Method::closed; }
 bool moves(const Settings& s) { return isLinks(s) && isForward(s); }
 bool hasOthers(const Settings& s) { return isArm(s) && !isForward(s); }
+bool isInSpace(const Settings& s) { return isArm(s) || isPerson(s); }
+bool hasMethod(const Settings& s) { return !isPerson(s); }
 bool hasTarget(const Settings& s) { return !isWalker(s) && !isForward(s); }
 
 std::optional<vec2> placeOfTarget(const Settings& s, const FrameInfo& frame) {
@@ -56,9 +58,11 @@ std::vector<Row<Arm>> armRows() {
 std::vector<Row<Settings>> rows() {
     const Literal aimless = "forward there is no target, and the walker's feet have theirs";
     return together(
-        word("scene", &Settings::which, {{"two-links"}, {"arm"}, {"walker"}}, "what is moved"),
-        word("method", &Settings::method, methodWords, "how the angles are found"), linksRows(),
-        part(&Settings::arm, armRows(), isArm, "the arm has these joints"),
+        word("scene", &Settings::which, {{"two-links"}, {"arm"}, {"walker"}, {"person", "trunk, head, arms and legs"}},
+             "what is moved"),
+        word("method", &Settings::method, methodWords, "how the angles are found")
+            .when(hasMethod, "the person's angles are those of its poses"),
+        linksRows(), part(&Settings::arm, armRows(), isArm, "the arm has these joints"),
         number("target-x", x(&Settings::target), {-3, 3}, "where the end is to be, from the shoulder", "m")
             .when(hasTarget, aimless),
         number("target-y", y(&Settings::target), {-3, 3}, "the same, upwards", "m").when(hasTarget, aimless),
@@ -77,12 +81,21 @@ std::vector<Row<Settings>> rows() {
         oneOf("poses", &Settings::poses, {4, 8, 16, 32, 64}, "right ones in a cycle, between which angles go evenly")
             .when(isWalker, "only the walker goes from pose to pose"),
         toggle("matrices", &Settings::matrices, "show the product of matrices"),
-        part(&Settings::arm, part(&Arm::orbit, orbitRows({-3, 6})), isArm, "the others lie in a plane"));
+        part(&Settings::person,
+             {word("routine", &Person::routine,
+                   {{"walk", "four poses, on the spot"},
+                    {"hand-through", "the hand goes from before the belly to behind the back: two poses"},
+                    {"hand-around", "the same with poses between them, in which the elbow is straight"}},
+                   "what the person does"),
+              word("between", &Person::between, {{"straight"}, {"spline", "closed, for each joint's angle"}},
+                   "how its angles go from pose to pose")},
+             isPerson, "only the person has poses of all of its joints"),
+        part(&Settings::arm, part(&Arm::orbit, orbitRows({-3, 6})), isInSpace, "the others lie in a plane"));
 }
 
 constexpr Declaration about{
     .name = "robot-arm",
-    .sentence = "From the angles of joints to the hand and back: two links, an arm, and a walker's feet.",
+    .sentence = "From the angles of joints to the hand and back: two links, an arm, a walker's feet, a whole figure.",
     .lookFor = "The first angle stands in one matrix, and both links turn by it: the second one's is a product.",
     .chapter = "Motion",
     .number = 36,
@@ -113,38 +126,51 @@ std::vector<SettingsPreset<Settings>> presets() {
         {"feet",
          "Above, by angles between right poses, the foot slides; below, by inverse kinematics, it stands.",
          {.which = Which::walker, .method = Method::closed, .matrices = false}},
+        {"person",
+         "A whole figure: each of its twelve joints has a spline of its own through the angles of four poses.",
+         {.which = Which::person, .matrices = false},
+         {{"through-most", 0, 0}}},
+        {"through",
+         "Two right poses, and a way between them that is not: the forearm passes through the trunk.",
+         {.which = Which::person, .person = {.routine = Routine::handThrough}, .matrices = false},
+         {{"through", 1, 1}}},
     };
 }
 
 const bool added = addLesson(
-    about, Lesson<Settings, Gpu>{
-               .rows = rows(),
-               .presets = presets(),
-               .controls = {orbitDrag, orbitWheel},
-               .handles = {{"target", {"target-x", "target-y", "target-z"}, placeOfTarget}},
-               .readouts = {{"end-x", "where the end is", "m"},
-                            {"end-y", "the same, upwards", "m"},
-                            {"end-z", "the same, to the front", "m"},
-                            {"to-target", "from the end to the target", "m"},
-                            {"residual", "from the end to the goal: the target, or what stands for it in reach", "m"},
-                            {"iterations-used", "until it was there, or came no nearer"},
-                            {"solutions", "of two links; none is told where they are infinitely many"},
-                            {"at-limit", "joints at one of their limits"},
-                            {"slide", "how far the foot that stands is off, at most, forward", "m"},
-                            {"slip", "the same by inverse kinematics", "m"}},
-               .draw = draw,
-               .readOut = readOut,
-               .check = check,
-               .values = values,
-           });
+    about,
+    Lesson<Settings, Gpu>{
+        .rows = rows(),
+        .presets = presets(),
+        .controls = {orbitDrag, orbitWheel},
+        .handles = {{"target", {"target-x", "target-y", "target-z"}, placeOfTarget}},
+        .readouts = {{"end-x", "where the end is", "m"},
+                     {"end-y", "the same, upwards", "m"},
+                     {"end-z", "the same, to the front", "m"},
+                     {"to-target", "from the end to the target", "m"},
+                     {"residual", "from the end to the goal: the target, or what stands for it in reach", "m"},
+                     {"iterations-used", "until it was there, or came no nearer"},
+                     {"solutions", "of two links; none is told where they are infinitely many"},
+                     {"at-limit", "joints at one of their limits"},
+                     {"slide", "how far the foot that stands is off, at most, forward", "m"},
+                     {"slip", "the same by inverse kinematics", "m"},
+                     {"turn-jump", "by how much a joint of the person changes its speed at a pose, at most", "deg/s"},
+                     {"through", "pairs of the person's parts that are in each other"},
+                     {"through-most", "the same, at most in a cycle"}},
+        .draw = draw,
+        .readOut = readOut,
+        .check = check,
+        .values = values,
+    });
 
 }  // namespace
 
 bool isLinks(const Settings& s) { return s.which == Which::links; }
 bool isArm(const Settings& s) { return s.which == Which::arm; }
 bool isWalker(const Settings& s) { return s.which == Which::walker; }
-bool isForward(const Settings& s) { return s.method == Method::forward; }
-bool iterates(const Settings& s) { return s.method >= Method::ccd; }
+bool isPerson(const Settings& s) { return s.which == Which::person; }
+bool isForward(const Settings& s) { return isPerson(s) || s.method == Method::forward; }
+bool iterates(const Settings& s) { return !isPerson(s) && s.method >= Method::ccd; }
 double legOf(const Settings& s) { return s.upper + s.lower; }
 std::string nameOf(Method method) { return wordOf(methodWords, method); }
 

@@ -14,7 +14,7 @@ namespace mv::robot_arm {
 
 void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     gpu.overlay.begin(frame);
-    const auto drawScene = isWalker(s) ? drawWalkers : drawLinks;
+    const auto drawScene = isWalker(s) ? drawWalkers : isPerson(s) ? drawPerson : drawLinks;
     drawScene(gpu, s, frame);
     gpu.overlay.above.draw(frame);
 }

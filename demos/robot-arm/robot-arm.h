@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "body.h"
 #include "jointed.h"
 #include "jointed_overlay.h"
 #include "mv/demo/frame.h"
@@ -9,14 +10,16 @@
 #include "mv/geometry/shapes.h"
 #include "mv/gl/mesh.h"
 #include "mv/gl/program.h"
+#include "mv/motion/curve.h"
 #include "mv/motion/gait.h"
 #include "mv/motion/inverse_kinematics.h"
 #include "shared/orbit.h"
 
 namespace mv::robot_arm {
 
-enum class Which { links, arm, walker };
+enum class Which { links, arm, walker, person };
 enum class Method { forward, closed, ccd, transpose, dls };
+enum class Between { straight, spline };
 
 // Two links. Angles are degrees, rates degrees a frame.
 struct Links {
@@ -28,11 +31,16 @@ struct Arm {
     bool limits = true, others = false;
     Orbit orbit = {};
 };
+struct Person {
+    Routine routine = Routine::walk;
+    Between between = Between::spline;
+};
 struct Settings {
     Which which = Which::links;
     Method method = Method::forward;
     Links links = {};
     Arm arm = {};
+    Person person = {};
     vec3 target{1.1, 0.7, 0.6};       // m; z is the arm's alone
     double beyond = 0;                // m, 0: the target stays
     double upper = 1.2, lower = 0.8;  // m
@@ -81,6 +89,12 @@ Angles walking(const Settings& s, double cycles, Method by);
 std::vector<Step> trackOf(const Settings& s, double cycles, Method by);
 double offOf(const std::vector<Step>& track);
 
+// The whole figure: person.cpp.
+void drawPerson(Gpu& gpu, const Settings& s, const Frame& frame);
+Angles personAngles(const Settings& s, double cycles);
+std::vector<Curve<double>> curvesOf(const Settings& s);
+double cyclesAt(int index);
+
 // Ghosts, curves and words over two links or the arm: figure.cpp.
 void showLinks(JointedOverlay& overlay, const Settings& s, const Jointed& thing, const IkResult& found,
                const std::vector<mat4>& worldFromPart, const Frame& frame);
@@ -89,6 +103,7 @@ void showLinks(JointedOverlay& overlay, const Settings& s, const Jointed& thing,
 bool isLinks(const Settings& s);
 bool isArm(const Settings& s);
 bool isWalker(const Settings& s);
+bool isPerson(const Settings& s);
 bool isForward(const Settings& s);
 bool iterates(const Settings& s);
 double legOf(const Settings& s);  // m, both links

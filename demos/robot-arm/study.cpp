@@ -19,6 +19,28 @@ void tellWalker(const Settings& s, int index, Numbers& numbers) {
     if (!isForward(s)) numbers.set("slip", offOf(trackOf(s, now, s.method)));
 }
 
+std::size_t pairsAt(const Settings& s, double cycles) {
+    const Jointed thing = person(s.upper, s.lower);
+    return inEachOther(thing, worldFromParts(thing.tree, personAngles(s, cycles))).size();
+}
+
+void tellPerson(const Settings& s, int index, Numbers& numbers) {
+    constexpr double cycleSeconds = cycleFrames / 60.0, before = 1e-9;
+    const auto count = posesOf(s.person.routine).size();
+    double jump = 0;
+    for (const Curve<double>& curve : curvesOf(s)) {
+        for (std::size_t i = 0; i < count; ++i) {
+            const double pose = double(i) / double(count);
+            jump = std::max(jump, std::abs(curve.at(pose).velocity - curve.at(pose - before).velocity));
+        }
+    }
+    std::size_t most = 0;
+    for (int i = 0; i < cycleFrames; ++i) most = std::max(most, pairsAt(s, cyclesAt(i)));
+    numbers.set("turn-jump", jump / cycleSeconds);
+    numbers.set("through", double(pairsAt(s, cyclesAt(index))));
+    numbers.set("through-most", double(most));
+}
+
 void tellIteration(const IkResult& found, Numbers& numbers) {
     numbers.set("residual", found.history.back().residual);
     numbers.set("iterations-used", double(found.history.size()) - 1);
@@ -35,6 +57,7 @@ void tellSolutions(const Settings& s, Numbers& numbers) {
 
 void readOut(Gpu&, const Settings& s, const Frame& frame, Numbers& numbers) {
     if (isWalker(s)) return tellWalker(s, frame.index(), numbers);
+    if (isPerson(s)) return tellPerson(s, frame.index(), numbers);
     const Jointed thing = thingOf(s);
     const IkResult found = find(s, thing, frame.index());
     const vec3 end = stickOf(thing, worldFromParts(thing.tree, found.degrees)).back();

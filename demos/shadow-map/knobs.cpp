@@ -25,10 +25,14 @@ constexpr Declaration about{
     .needs = {.depth = true,
               .beyondEs = {{"float targets", "falsely-dark, falsely-lit and pixels-asked are not measured"}}},
     .waste = {{"outside-view", "draw of 'light'", "the light's ball is drawn sooner than asked for"},
+              {"outside-view", "draw of 'ball'", "it hangs above the picture, and only its shadow is seen"},
+              {"outside-view", "draw of 'cord #'", "it hangs above the picture, and only its shadow is seen"},
               {"no-sample", "draw of 'floor'",
                "the map's pass draws the whole scene, and culling leaves the floor out"}},
 };
 
+bool isOverhead(const Settings& s) { return s.scene == Which::overhead; }
+bool hasBall(const Settings& s) { return s.scene == Which::sphereAndCube || s.scene == Which::overhead; }
 bool isCone(const Settings& s) { return s.rays == Rays::spot && s.frustum == Fit::set; }
 bool isSet(const Settings& s) { return s.frustum == Fit::set; }
 bool hasTarget(const Settings& s) { return s.rays != Rays::spot || s.frustum == Fit::set; }
@@ -36,7 +40,17 @@ bool hasTarget(const Settings& s) { return s.rays != Rays::spot || s.frustum == 
 std::vector<Row<Settings>> rows() {
     const Literal fitted = "a fitted frustum has its own window", casts = "a fitted frustum looks at what casts";
     return together(
-        word("scene", &Settings::scene, {{"sphere-and-cube"}, {"cube-on-plane"}, {"still-life"}}, "what is shown"),
+        word("scene", &Settings::scene,
+             {{"sphere-and-cube"},
+              {"cube-on-plane"},
+              {"still-life"},
+              {"overhead", "the shadows of a ball and three cords, which hang above the picture"}},
+             "what is shown"),
+        oneOf("sides", &Settings::sides, {4, 6, 8, 12, 16, 24, 32, 48, 64},
+              "of the ball, round it; from pole to pole three quarters as many")
+            .when(hasBall, "only sphere-and-cube and overhead have a ball"),
+        number("cord", &Settings::cord, {0.001, 0.2, Scale::logarithmic}, "thickness of the cords")
+            .when(isOverhead, "only overhead has cords"),
         oneOf("resolution", &Settings::resolution, {64, 128, 256, 512, 1024, 2048, 4096},
               "texels along a side of the map"),
         word("filter", &Settings::filter,
@@ -151,6 +165,9 @@ std::vector<SettingsPreset<Settings>> presets() {
           .slide = Slide::alsoBehind,
           .showMap = false,
           .orbit = {.distance = 4}}},
+        {"overhead",
+         "A ball of six sides throws a polygon; cords thinner than a texel throw rows of dashes.",
+         {.scene = Which::overhead, .sides = 6, .cord = 0.006, .showFrustum = false}},
     };
 }
 

@@ -20,8 +20,8 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     glEnable(GL_CULL_FACE);
 
     // Redraw the map when the light, the scene or a setting of the map has changed
-    const bool isStale =
-        gpu.mapFor.changed(light.clipFromWorld(), s.scene, s.resolution, s.mapFaces, s.receiver, s.slopeBias);
+    const bool isStale = gpu.mapFor.changed(light.clipFromWorld(), s.scene, s.sides, s.cord, s.resolution, s.mapFaces,
+                                            s.receiver, s.slopeBias);
     if (isStale || !s.keep) {
         drawMap(gpu, s, scene, light);
         frame.bindTarget();

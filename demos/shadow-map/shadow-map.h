@@ -13,7 +13,7 @@
 
 namespace mv::shadow_map {
 
-enum class Which { sphereAndCube, cubeOnPlane, stillLife };
+enum class Which { sphereAndCube, cubeOnPlane, stillLife, overhead };
 enum class Filter { none, hardware, pcf3, pcf5, pcf7 };
 enum class Faces { front, back, both };
 enum class Rays { spot, orthographic };
@@ -22,6 +22,8 @@ enum class Slide { none, thrown, alsoBehind };
 
 struct Settings {
     Which scene = Which::sphereAndCube;
+    int sides = 32;        // of the ball, round it
+    double cord = 0.01;    // thickness
     int resolution = 512;  // texels along a side
     Filter filter = Filter::none;
     double bias = 0.006;   // a depth, 0..1
@@ -46,7 +48,7 @@ struct Gpu {
     Texture slide;
     MadeFor<bool> slideFor;
     DepthMap map;
-    MadeFor<mat4, Which, int, Faces, bool, double> mapFor;
+    MadeFor<mat4, Which, int, double, int, Faces, bool, double> mapFor;
     LightOverlay overlay;
     Drawing drawing;
     Gpu() { overlay.init(); }
@@ -65,6 +67,7 @@ int looksAlong(Filter filter);
 
 // The scene, and the drawing over the picture: scene.cpp, figure.cpp.
 Scene sceneOf(const Settings& s, const FrameInfo& frame);
+Scene overhead(int sides, double cord, double aspect);
 void check(const Settings& s);
 void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame);
 void tell(const Settings& s, const Scene& scene, const LightView& light, const Frame& frame);

@@ -3,7 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "mv/demo/demo.h"
+#include "mv/demo/lesson.h"
+#include "shadow-map.h"
 #include "shared/false_shadows.h"
 #include "shared/lit_reference.h"
 
@@ -31,8 +32,18 @@ StudyLine line(const std::string& method, const std::string& filter, const std::
     return line;
 }
 
+// What rays are cast into: overhead, where the ball itself is not in the picture, a round one casts instead of the one with sides.
+Scene exactScene(const Demo& demo, const FrameInfo& frame) {
+    Scene scene = demo.scene(frame);
+    const auto s = settingsOf<shadow_map::Settings>(demo);
+    if (s.scene != shadow_map::Which::overhead) return scene;
+    constexpr int round = 256;  // is off the sphere by 0.00008 of its radius
+    scene.objects = shadow_map::overhead(round, s.cord, frame.aspect()).objects;
+    return scene;
+}
+
 std::vector<double> falsePixels(Probing& probing) {
-    const auto wrong = falseShadows(probing);
+    const auto wrong = falseShadows(probing, exactScene(probing.demo(), probing.frame()));
     if (!wrong) return {};
     return {wrong->dark, wrong->lit, double(wrong->pixels)};
 }
@@ -42,7 +53,7 @@ Study study() {
     study.quantity = "lit fraction of the pixels whose surface faces the light";
     study.reference = "a ray in double precision from each pixel to the light; 64 for the root mean square";
     study.makeReference = [](const Demo& demo, const ReferenceFrame& frame, const auto& progress) {
-        return litReference(demo.scene(frame), frame, {.pixelSide = 8}, progress);
+        return litReference(exactScene(demo, frame), frame, {.pixelSide = 8}, progress);
     };
     study.scenes = {{"cube on plane", lit("cube-on-plane", {"-2.2", "3.6", "1.4"}, {"0", "0", "0"})},
                     {"still life", lit("still-life", {"-3.4", "4.2", "2.6"}, {"0.4", "0.5", "-0.8"})}};
@@ -55,8 +66,8 @@ Study study() {
                    line("1 tap, back faces, receiver left out, no bias", "none", "0",
                         {{"receiver", "off"}, {"map-faces", "back"}}),
                    line("1 tap, frustum fitted", "none", "2", {{"frustum", "fitted"}})};
-    study.reads = {"scene",    "projection", "light-x", "light-y", "light-z", "target-x",
-                   "target-y", "target-z",   "spin-x",  "spin-y",  "distance"};
+    study.reads = {"scene",    "projection", "light-x", "light-y",  "light-z", "target-x", "target-y",
+                   "target-z", "spin-x",     "spin-y",  "distance", "sides",   "cord"};
     study.axis = ErrorAxis::fraction;
     const auto anew = rows("1 tap"), kept = rows("1 tap, map kept"), fitted = rows("1 tap, frustum fitted");
     const char* const still = "still life";

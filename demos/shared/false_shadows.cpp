@@ -9,13 +9,16 @@
 namespace mv {
 
 std::optional<FalseShadows> falseShadows(Probing& probing) {
+    return falseShadows(probing, probing.demo().scene(probing.frame()));
+}
+
+std::optional<FalseShadows> falseShadows(Probing& probing, const Scene& scene) {
     constexpr double mostSide = 96;
     const FrameInfo& picture = probing.frame();
     const double scale = std::min(1.0, mostSide / std::max(picture.width(), picture.height()));
     const int width = std::max(1, int(std::lround(scale * picture.width())));
     const int height = std::max(1, int(std::lround(scale * picture.height())));
     // Through the picture's own camera: the grid has its shape but for rounding
-    const Scene scene = probing.demo().scene(picture);
     const std::vector<float> drawn = probing.measured(width, height, Camera{scene.viewFromWorld, scene.clipFromView});
     if (drawn.empty()) return {};
 

@@ -15,6 +15,8 @@ struct FalseShadows {
 // and casts a ray through the middle of each into Demo::scene(), and one to its first light. More than half lit is lit.
 // A study measures all pixels. Nothing where the context has no targets of floats.
 std::optional<FalseShadows> falseShadows(Probing& probing);
+// The same against another scene with the demo's camera: the true shape of what casts, say.
+std::optional<FalseShadows> falseShadows(Probing& probing, const Scene& scene);
 
 // The readout of a demo of shadows: the part that is wrong.
 Probe wrongShadows(Literal help = "part of the pixels of a coarse grid whose shadow is not what rays show");

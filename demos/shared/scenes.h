@@ -23,6 +23,7 @@ Scene nestedShells(double aspect, int shells);
 // The scene of WebGLFundamentals' lessons on shadows: a pink sphere of radius 1 that hangs over a floor, and a green cube
 // on the floor, under a point light just above the sphere. Composed for 1:1, with sky. Objects: floor, sphere, cube.
 Scene sphereAndCube(double aspect);
+inline constexpr ObjectId sphereOfSphereAndCube{1};
 
 // A pawn, a sphere, a box and a ring that leans on the wall, under a point light: shadows on a floor, on a wall, over an
 // edge, through a hole, of a body on itself. Objects: floor, wall, pawn, ring, sphere, box.

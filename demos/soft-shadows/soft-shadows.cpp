@@ -154,6 +154,7 @@ void addByPcss(Gpu& gpu, const Settings& s, const Scene& scene) {
     program.set("near", gpu.lightOfMap.bounds.near);
     program.set("far", gpu.lightOfMap.bounds.far);
     program.set("side", s.taps);
+    program.set("isDisc", s.lampShape == Shape::disc);
     for (const auto& [object, mesh] : gpu.meshes.of(scene)) drawOnMap(gpu, program, scene, object, mesh);
     glDepthFunc(GL_LESS);
 }

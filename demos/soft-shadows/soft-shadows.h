@@ -17,6 +17,7 @@ namespace mv::soft_shadows {
 enum class Which { cube, table };
 enum class Method { matrix, maps, pcf, pcss, blur };
 enum class Sum { floats, bytes };
+enum class Shape { square, disc, tube };
 
 struct Settings {
     Which scene = Which::cube;
@@ -25,8 +26,9 @@ struct Settings {
     Sum accumulate = Sum::floats;
     int taps = 9;           // along a side
     int resolution = 1024;  // texels along a side
-    double lampSize = 1;    // its side
-    double lampTurn = 0;    // degrees
+    Shape lampShape = Shape::square;
+    double lampSize = 1;  // its side, diameter or length
+    double lampTurn = 0;  // degrees
     double casterHeight = 0.2;
     double spinX = 0, spinY = 0;  // degrees
     bool section = true;          // through lamp and caster, in a corner
@@ -64,6 +66,7 @@ void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame);
 
 // The lamp's points, or its middle: scene.cpp.
 std::vector<vec3> pointsOf(const Settings& s, const SceneLight& lamp);
+vec2 onDisc(const vec2& onSquare);
 Scene sceneOf(const Settings& s, const FrameInfo& frame);
 
 }  // namespace mv::soft_shadows

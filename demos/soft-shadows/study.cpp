@@ -24,7 +24,13 @@ Penumbra farEdge(const Probing& probing) {
     const bool isCube = s.scene == Which::cube;
     const mat4& worldFromCaster = scene[isCube ? cubeOnThePlane : topOfTheTable].worldFromObject;
     const vec3 edge = isCube ? vec3(0.5, 1, 0) : vec3(0.75, 0.72, 0);
-    return penumbraOf(scene.lights.front(), worldFromCaster * vec4(edge, 1), worldFromCaster * vec4(1, 0, 0, 0));
+    const vec3 outwards = worldFromCaster * vec4(1, 0, 0, 0);
+    SceneLight lamp = scene.lights.front();
+    if (s.lampShape == Shape::disc) {  // as wide from every side
+        lamp.halfU = s.lampSize / 2 * outwards;
+        lamp.halfV = vec3(0);
+    }
+    return penumbraOf(lamp, worldFromCaster * vec4(edge, 1), outwards);
 }
 
 // As it is drawn along a line across it, seen from straight above: from where it is wholly dark to where it is hardly.
@@ -50,7 +56,20 @@ Study study() {
     study.quantity = "part of the lamp that is seen from each pixel's surface, 0..1";
     study.reference = "1024 rays a pixel, in double precision";
     study.makeReference = [](const Demo& demo, const ReferenceFrame& frame, const auto& progress) {
-        return litReference(demo.scene(frame), frame, {.lightSide = 32, .doubled = true}, progress);
+        Scene scene = demo.scene(frame);
+        if (settingsOf<Settings>(demo).lampShape != Shape::disc)
+            return litReference(scene, frame, {.lightSide = 32, .doubled = true}, progress);
+        // A lamp that is no parallelogram, by points of its own
+        const SceneLight lamp = scene.lights.front();
+        constexpr int side = 32;
+        scene.lights.clear();
+        LitReferenceOptions options{.lights = {}};
+        for (int i = 0; i < side * side; ++i) {
+            const vec2 p = onDisc((2.0 * vec2(i % side, i / side) + 1.0) / double(side) - 1.0);
+            scene.lights.push_back({.position = lamp.position + vec4(p.x * lamp.halfU + p.y * lamp.halfV, 0)});
+            options.lights.push_back(i);
+        }
+        return litReference(scene, frame, options, progress);
     };
     // Turned, so that no row of the reference's points runs along an edge of the caster.
     study.scenes = {{"cube", {{"lamp-turn", "30"}, {"caster-height", "0"}}},
@@ -62,7 +81,7 @@ Study study() {
                    {"maps", {{"method", "maps"}}, "lights", upTo256},
                    {"pcf", {{"method", "pcf"}}, "taps", {"1", "3", "5", "7", "9", "15", "31"}},
                    {"pcss", {{"method", "pcss"}}, "taps", {"3", "5", "9", "15", "31"}}};
-    study.reads = {"scene", "lamp-size", "lamp-turn", "caster-height", "spin-x", "spin-y"};
+    study.reads = {"scene", "lamp-shape", "lamp-size", "lamp-turn", "caster-height", "spin-x", "spin-y"};
     study.wrongBeyond = 0.05;  // a step that is seen, of shadow beside light
     study.width = 320;
     study.height = 240;

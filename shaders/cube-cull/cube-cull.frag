@@ -1,4 +1,5 @@
+#include "measure.glsl"
 in vec4 vertexColor;
-out vec4 fragColor;
 
-void main() { fragColor = vertexColor; }
+// A study asks for the distance along the gaze, which is w in clip space.
+void main() { show(vertexColor.rgb, 1.0 / gl_FragCoord.w, true); }

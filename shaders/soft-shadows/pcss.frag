@@ -3,6 +3,7 @@
 uniform sampler2D map;
 uniform vec4 mapLamp, mapHalfU, mapHalfV;  // mapFromWorld times the lamp's middle and its two half sides
 uniform float near, far;                   // of the map
+uniform bool isDisc;                       // not the whole parallelogram, but the ellipse in it
 uniform int side;                          // looks at side x side places of the map, twice
 in vec4 onMap;
 out vec4 fragColor;
@@ -14,10 +15,13 @@ vec2 slopeOf(vec3 at) {
     return vec2(up.y * right.z - right.y * up.z, right.x * up.z - up.x * right.z) / (right.x * up.y - right.y * up.x);
 }
 
+vec2 placeOf(int i, int j) { return (2.0 * vec2(i, j) + 1.0) / float(side) - 1.0; }
+bool isOnLamp(int i, int j) { return !isDisc || dot(placeOf(i, j), placeOf(i, j)) <= 1.0; }
+
 // The map's depth at the part `way` of the way from here to the place (i, j) of the lamp, or 1 where that is no caster:
 // it is not in front of this surface, whose own depth there tells (what lies beyond the map's end is at its end).
 float casterSeen(int i, int j, float way, vec2 slope) {
-    vec2 place = (2.0 * vec2(i, j) + 1.0) / float(side) - 1.0;
+    vec2 place = placeOf(i, j);
     vec4 at = mix(onMap, mapLamp + place.x * mapHalfU + place.y * mapHalfV, way);
     float depth = textureLod(map, at.xy / at.w, 0.0).r;
     float own = onMap.z / onMap.w + dot(slope, at.xy / at.w - onMap.xy / onMap.w);
@@ -35,6 +39,7 @@ void main() {
     float sum = 0.0, found = 0.0;
     for (int j = 0; j < side; ++j) {
         for (int i = 0; i < side; ++i) {
+            if (!isOnLamp(i, j)) continue;
             float depth = casterSeen(i, j, 1.0 - near / here, slope);
             if (depth == 1.0) continue;
             sum += distanceOf(depth);
@@ -47,9 +52,13 @@ void main() {
     }
 
     // 2. Estimate: all of them stand at that distance. 3. Filter: look again where the pyramid is cut there.
-    float dark = 0.0, way = 1.0 - sum / found / here;
+    float dark = 0.0, asked = 0.0, way = 1.0 - sum / found / here;
     for (int j = 0; j < side; ++j) {
-        for (int i = 0; i < side; ++i) dark += casterSeen(i, j, way, slope) < 1.0 ? 1.0 : 0.0;
+        for (int i = 0; i < side; ++i) {
+            if (!isOnLamp(i, j)) continue;
+            asked += 1.0;
+            dark += casterSeen(i, j, way, slope) < 1.0 ? 1.0 : 0.0;
+        }
     }
-    fragColor = vec4(dark / float(side * side));
+    fragColor = vec4(dark / asked);
 }

@@ -4,6 +4,8 @@
 // - [front-is-inside] Culling front faces shows the inside, and so does culling back faces of the other winding.
 // - [half-to-five-sixths] From outside 1, 2 or 3 faces are seen, so culling discards 1/2 to 5/6 of all triangles.
 // - [eye-inside] Inside the cube no face turns to the eye: culling back faces leaves the axes alone.
+// - [open-shows-its-inside] Of the open pot culling leaves out faces that are seen; of the closed cube it leaves out none.
+// - [fronts-hide-fronts] The teapot is not convex: front faces hide front faces, so that culling alone does not order them.
 // - [lines-stay] Lines have no faces: culling both leaves the axes.
 #include <gtest/gtest.h>
 
@@ -94,6 +96,39 @@ TEST(CubeCull, eye_inside) {
     const Picture onlyAxes = run.set("cull", "both").picture();
     EXPECT_EQ(run.set("cull", "back").picture(), onlyAxes);
     EXPECT_GT(differentPixels(run.set("cull", "front").picture(), onlyAxes), 100000);
+}
+
+TEST(CubeCull, open_shows_its_inside) {
+    DemoRun run("cube-cull", 200, 200);
+    const auto wrong = [&](const char* cull) {
+        run.set("cull", cull).picture();
+        return run.readout("wrong-pixels");
+    };
+    run.preset("open");
+    EXPECT_EQ(wrong("none"), 0);
+    const double withoutInside = wrong("back");
+    EXPECT_GT(withoutInside, 10);  // the mouth of the pot alone
+    // From below, no edge lets the eye in.
+    run.set("spin-x", -35);
+    EXPECT_LT(wrong("back"), 0.1);
+    // Front faces culled, most of what is seen is an inside that should be hidden.
+    run.preset("open");
+    EXPECT_GT(wrong("front"), 2 * withoutInside);
+    run.preset("turned");
+    EXPECT_EQ(wrong("none"), 0);
+    EXPECT_EQ(wrong("back"), 0);
+}
+
+TEST(CubeCull, fronts_hide_fronts) {
+    DemoRun run("cube-cull", 200, 200);
+    run.preset("hidden-front");
+    run.picture();
+    EXPECT_GT(run.readout("wrong-pixels"), 3);
+    run.set("depth", "on").picture();
+    // The gap under the lid's edge lets in a few lines of sight.
+    EXPECT_LT(run.readout("wrong-pixels"), 0.5);
+    run.set("body", "cube").set("depth", "off").picture();
+    EXPECT_EQ(run.readout("wrong-pixels"), 0);
 }
 
 TEST(CubeCull, lines_stay) {

@@ -13,15 +13,20 @@
 //   in float.
 // - [dolly-zoom] The angle of view computed from the distance keeps the subject's size; an angle with keys of its own has it
 //   at the keys, and less between them. What is behind the subject swells.
+// - [camera-keys] Each of a camera's five properties has keys of its own: at a key's time its matrices are those of the key, and where
+//   one property alone moves the others stay.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <string>
 #include <vector>
 
 #include "mv/demo/demo.h"
+#include "mv/math/projection.h"
+#include "mv/math/transform.h"
 #include "support/demo_run.h"
 
 using namespace mv;
@@ -53,6 +58,11 @@ int subjectLines(const Picture& picture) {
         lines += pixel.red > 130 && pixel.red > pixel.blue + 45 && pixel.red > pixel.green + 25;
     }
     return lines;
+}
+
+// To some roundings of numbers below 10.
+void expectClose(const mat4& a, const mat4& b) {
+    for (int column = 0; column < 4; ++column) EXPECT_LT(glm::length(a[column] - b[column]), 1e-12) << column;
 }
 
 double errorOf(DemoRun& run, int nodes, const char* readout) {
@@ -240,4 +250,39 @@ TEST(Keyframes, dolly_zoom) {
     }
     const int lines = subjectLines(run.picture(0));
     EXPECT_LT(subjectLines(run.set("zoom", "keys").picture(90)), 0.6 * lines);
+}
+
+TEST(Keyframes, camera_keys) {
+    DemoRun run("keyframes", 240, 140);
+    run.preset("flight");
+    // The first key and the second, which is at 2 s
+    const vec3 eye(0, 1, 6), center(0, 1, 0), up(0, 1, 0), eyeThen(3.5, 2.5, 5), centerThen(0, 1.6, 0),
+        upThen(0.4, 1, 0);
+    struct Case {
+        const char* moves;
+        mat4 view, clip;
+    };
+    const mat4 view = lookAt(eye, center, up), clip = perspective(50, 1, 0.1, 300);
+    for (const Case& c : {Case{"all", lookAt(eyeThen, centerThen, upThen), perspective(35, 2.35, 0.1, 300)},
+                          {"eye", lookAt(eyeThen, center, up), clip},
+                          {"center", lookAt(eye, centerThen, up), clip},
+                          {"up", lookAt(eye, center, upThen), clip},
+                          {"aspect", view, perspective(50, 2.35, 0.1, 300)},
+                          {"fovy", view, perspective(35, 1, 0.1, 300)}}) {
+        SCOPED_TRACE(c.moves);
+        (void)run.set("moves", c.moves).picture(0);
+        expectClose(run.matrix("viewFromWorld"), view);
+        expectClose(run.matrix("clipFromView"), clip);
+        const Picture at = run.picture(120);
+        expectClose(run.matrix("viewFromWorld"), c.view);
+        expectClose(run.matrix("clipFromView"), c.clip);
+        // Half a second later, between keys, it is another picture.
+        EXPECT_GT(differentPixels(run.picture(150), at), 100);
+    }
+    // What would turn the picture inside out is refused: an ease that swings beyond the keys makes an aspect below 0.1.
+    run.preset("flight");
+    EXPECT_EQ(run.refusal(), "");
+    run.set("curve", "ease").set("ease", "elastic");
+    EXPECT_NE(run.refusal().find("--ease: must keep the camera off what it looks at"), std::string::npos)
+        << run.refusal();
 }

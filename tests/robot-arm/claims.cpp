@@ -9,6 +9,10 @@
 // - [straight-stalls] A straight arm with its target on its lower link does not move, by any method. Bent by a degree it
 //   arrives, but for coordinate descent, which makes it straight again and stays.
 // - [limits-hold] No joint of the arm leaves its limits; without them it reaches targets that it does not reach with them.
+// - [person-by-splines] Each joint of the person goes through its angle in each pose at the pose's time, by a spline without a jump
+//   of its speed, straight with one.
+// - [through-each-other] Between two poses in which no parts are in each other the forearm passes through the trunk, which is found
+//   and said; with poses between them it goes around. Walking, no part is in another.
 // - [foot-slides] With angles between right poses the standing foot slides: less with more poses, but always some.
 // - [foot-stands] With inverse kinematics the foot stands: in closed form to rounding, by iteration to its tolerance.
 #include <gtest/gtest.h>
@@ -226,6 +230,50 @@ TEST(RobotArm, limits_hold) {
     // The checks can fail: limits are met, and they cost targets.
     EXPECT_GT(atLimit, 10);
     EXPECT_GT(farther, 5);
+}
+
+TEST(RobotArm, person_by_splines) {
+    DemoRun run("robot-arm", 240, 140);
+    run.preset("person");
+    run.set("matrices", "on");
+    EXPECT_LT(read(run, "turn-jump"), 1e-3);  // the accelerations times the nanocycle before a pose
+    for (const char* between : {"straight", "spline"}) {
+        run.set("between", between);
+        // The poses of a cycle of 84 frames, of which frame 0 is the second; elbow, twist and shoulder as body.cpp has them
+        const std::array<double, 4> shoulders{-94, -66, -90, -118}, elbows{18, 38, 26, 20};
+        for (std::size_t i = 0; i < 4; ++i) {
+            (void)run.picture(static_cast<int>(21 * i));
+            EXPECT_NEAR(angleAboutZ(run.matrix("trunkFromShoulder")), shoulders.at(i), 1e-9) << between << " " << i;
+            EXPECT_NEAR(angleAboutZ(run.matrix("armFromForearm")), elbows.at(i), 1e-9) << between << " " << i;
+        }
+    }
+    run.set("between", "straight");
+    EXPECT_GT(read(run, "turn-jump"), 100);
+}
+
+TEST(RobotArm, through_each_other) {
+    DemoRun run("robot-arm", 240, 140);
+    for (const char* between : {"straight", "spline"}) {
+        SCOPED_TRACE(between);
+        run.preset("through");
+        run.set("between", between);
+        for (const int pose : {21, 63}) {
+            EXPECT_EQ(read(run, "through", pose), 0) << pose;
+            EXPECT_TRUE(run.messages().empty());
+        }
+        EXPECT_EQ(read(run, "through", 42), 1);
+        ASSERT_EQ(run.messages().size(), 1U);
+        EXPECT_EQ(run.messages().front(), "The near forearm passes through the trunk.");
+        run.set("routine", "hand-around");
+        EXPECT_EQ(read(run, "through-most"), 0);
+        run.set("routine", "walk");
+        EXPECT_EQ(read(run, "through-most"), 0);
+    }
+    // Its sizes go with the legs', and so nothing changes.
+    run.preset("through");
+    run.set("upper", 0.3).set("lower", 0.2);
+    EXPECT_EQ(read(run, "through", 42), 1);
+    EXPECT_EQ(read(run, "through", 21), 0);
 }
 
 TEST(RobotArm, foot_slides) {

@@ -7,6 +7,9 @@
 // - [light-leaks-with-bias] With back faces in the map, a bias lets light in at the foot of a caster.
 // - [floor-left-out-needs-no-bias] A floor that is not in the map cannot be shaded falsely, and needs no bias.
 // - [back-faces-need-no-bias] With back faces in the map, no surface that faces the light shades itself.
+// - [thin-casters-are-missed] Where a caster is thinner than a texel, parts of its shadow are missing: of a cord's, most in a
+//   coarse map and few in a fine one.
+// - [coarse-casters-throw-polygons] A ball of n sides throws a polygon, whose missing area falls as 1/n^2.
 // - [map-is-kept] The map is not drawn again while light and casters rest, and the picture is the same.
 // - [frustum-holds-the-map] The white lines are the edges of the map's view; a fitted view is tight round the casters.
 // - [slide-projector] The slide's colour at a point is the one where the map would look that point up, and what is in shadow gets none.
@@ -246,6 +249,44 @@ TEST(ShadowMap, back_faces_need_no_bias) {
     }
 }
 
+TEST(ShadowMap, thin_casters_are_missed) {
+    DemoRun run("shadow-map", 600, 600);
+    run.preset("overhead");
+    const FrameInfo frame(1, 600, 600);
+    const Reference right = litReference(stage().demo().scene(frame), frame, {}, {});
+    // In the right half of the picture, where the ball's shadow is not: of the cords' shadows, the part that is drawn lit
+    const auto missed = [&](const char* resolution) {
+        run.set("resolution", resolution).picture();
+        const std::vector<float> drawn = stage().measure(1);
+        double shadow = 0, lit = 0;
+        for (std::size_t i = 0; i < drawn.size(); ++i) {
+            if (i % 600 < 300 || right.regions[i] < 0 || right.values[i] > 0.5) continue;
+            ++shadow;
+            lit += drawn[i] > 0.5F ? 1 : 0;
+        }
+        EXPECT_GT(shadow, 500);
+        return lit / shadow;
+    };
+    EXPECT_GT(missed("128"), 0.6);
+    EXPECT_GT(missed("512"), 0.3);
+    EXPECT_LT(missed("4096"), 0.15);
+}
+
+TEST(ShadowMap, coarse_casters_throw_polygons) {
+    DemoRun run("shadow-map", 600, 600);
+    run.preset("overhead");
+    run.set("resolution", "4096").set("cord", 0.001);
+    const auto missing = [&](const char* sides) {
+        run.set("sides", sides).picture();
+        EXPECT_LT(run.readout("falsely-dark"), 0.1) << sides << ": its corners lie on the ball";
+        return run.readout("falsely-lit");
+    };
+    // Of the grid's 9000 points some 300 are in the ball's shadow.
+    const double coarse = missing("6"), finer = missing("12"), fine = missing("48");
+    EXPECT_NEAR(coarse / finer, 4, 2);
+    EXPECT_GT(coarse, 20 * std::max(fine, 0.001));
+}
+
 TEST(ShadowMap, map_is_kept) {
     DemoRun run("shadow-map", width, height);
     const auto passes = [&] {
@@ -263,6 +304,9 @@ TEST(ShadowMap, map_is_kept) {
                                       {"slope-bias", "2"},
                                       {"map-faces", "back"},
                                       {"receiver", "off"},
+                                      {"scene", "overhead"},
+                                      {"sides", "8"},
+                                      {"cord", "0.02"},
                                       {"scene", "still-life"},
                                       {"frustum", "fitted"},
                                       {"projection", "orthographic"}}) {
