@@ -295,7 +295,7 @@ export async function live(box) {
     tag('button', { type: 'button', onclick: () => settle({ settings: {}, frame: what.animated ? 1 : undefined }) }, word('reset')),
     document.fullscreenEnabled ? tag('button', { type: 'button', onclick: () => (document.fullscreenElement ? document.exitFullscreen() : box.requestFullscreen()) }, word('fullScreen')) : '',
     ...shareButtons({
-      name, canvas, demo, compare, isWide, isEmbedded, frame: () => state.frame,
+      name, canvas, demo, compare, isWide, isEmbedded, frame: () => state.frame, redraw: () => after(void demo.does('Touch')),
       address: (search) => location.origin + location.pathname + search + addressNow(shaders.changed()),
     }));
 

@@ -27,12 +27,22 @@ const sumOf = async (page, which = 'first') => {
     return pixels.reduce((sum, byte) => Math.imul(sum ^ byte, 16777619), 2166136261) >>> 0;
   }, which);
 };
-// How many pictures are drawn while the browser shows thirty.
-const drawnMeanwhile = (page) => page.evaluate(async () => {
-  const { demo } = document.querySelector('.live').live, before = demo.tells('State').pictures;
-  for (let i = 0; i < 30; ++i) await new Promise(requestAnimationFrame);
-  return demo.tells('State').pictures - before;
-});
+// How many pictures a demo that has come to rest draws while the browser shows thirty.
+const drawnMeanwhile = async (page) => {
+  await settled(page);
+  return page.evaluate(async () => {
+    const { demo } = document.querySelector('.live').live, before = demo.tells('State').pictures;
+    for (let i = 0; i < 30; ++i) await new Promise(requestAnimationFrame);
+    return demo.tells('State').pictures - before;
+  });
+};
+// Unfolds what is folded, or folds it, and returns once the page has heard of it.
+const unfold = (page, selector, open = true) => page.$eval(selector, (details, open) => new Promise((heard) => {
+  details.addEventListener('toggle', () => heard(), { once: true });
+  details.open = open;
+}), open);
+// Presses a button wherever it stands: what is around it may move meanwhile.
+const press = (page, selector) => page.$eval(selector, (button) => button.click());
 const text = (page, selector) => page.$eval(selector, (element) => element.textContent);
 async function type(page, selector, words) {
   await page.$eval(selector, (field) => (field.value = ''));
@@ -168,7 +178,7 @@ await page.keyboard.press('ArrowUp');
 await settled(page);
 await page.waitForFunction(() => location.hash.includes('z-dist='));
 const before = await page.evaluate(() => location.hash);
-await page.$eval('.shaders', (details) => (details.open = true));
+await unfold(page, '.shaders');
 await page.select('.shaders select', 'cube-cull/cube-cull.frag');
 const unedited = await sumOf(page);
 const edit = (from, to) => page.$eval('.shaders textarea', (area, a, b) => {
@@ -213,7 +223,7 @@ const typed = await opened(`cube-cull.html${before}&shader.cube-cull%2Fcube-cull
 equal(await sumOf(typed), flat, 'a link to a shader');
 await typed.close();
 const lit = await opened('shading.html');
-await lit.$eval('.shaders', (details) => (details.open = true));
+await unfold(lit, '.shaders');
 await lit.waitForFunction(() => document.querySelector('.shaders select').value.endsWith('.frag') && !document.querySelector('.shaders .notes').textContent);
 const idle = await lit.evaluate(() => {
   const used = document.querySelector('.live').live.demo.tells('ShadersInUse');
@@ -228,13 +238,13 @@ await lit.$eval('.shaders textarea', (area) => {
 await lit.waitForSelector('.mistakes li');
 expect((await lit.$$eval('.shaders option', (options) => options.map((one) => one.value))).includes('include/reflection.glsl'), 'what shaders include can be edited');
 await lit.close();
-// A context that is lost comes back
+// A context that is lost comes back; the sentence stays until it does
 await page.evaluate(() => {
-  const lose = document.querySelector('#canvas').getContext('webgl2').getExtension('WEBGL_lose_context');
-  lose.loseContext();
-  setTimeout(() => lose.restoreContext(), 500);
+  globalThis.memory = document.querySelector('#canvas').getContext('webgl2').getExtension('WEBGL_lose_context');
+  globalThis.memory.loseContext();
 });
 await page.waitForFunction(() => document.querySelector('.refused').textContent.includes('asked for again'));
+await page.evaluate(() => setTimeout(() => globalThis.memory.restoreContext())); // after this answer: the page is loaded anew
 await page.waitForFunction(() => document.querySelector('.live.is-live')?.live && !document.querySelector('.refused').textContent, { timeout: 60_000 });
 equal(await sumOf(page), unedited, 'the picture after the context was lost');
 await page.close();
@@ -270,7 +280,7 @@ await page.close();
 // A frame draw by draw: the first draw of shadow-map makes the map, the last makes the picture whole
 page = await opened('shadow-map.html');
 const complete = await sumOf(page);
-await page.$eval('.steps', (details) => (details.open = true));
+await unfold(page, '.steps');
 await page.waitForFunction(() => document.querySelector('.steps p').textContent.startsWith('Draw 1 of '));
 expect((await sumOf(page)) !== complete, 'after one draw there is another picture');
 equal(await text(page, '.command code'), './run shadow-map --until 1', 'the line of a stopped frame');
@@ -278,12 +288,12 @@ expect((await text(page, '.steps p')).includes('shadow-map.depth'), `the program
 expect((await text(page, '.steps figcaption')).startsWith('depth of '), `what it has drawn into: ${await text(page, '.steps figcaption')}`);
 const draws = Number(await page.$eval('.steps input', (slider) => slider.max));
 for (let draw = 1; draw < draws; ++draw) {
-  await page.click('.steps [aria-label="one draw more"]');
+  await press(page, '.steps [aria-label="one draw more"]');
   await page.waitForFunction((draw) => document.querySelector('.steps p').textContent.startsWith(`Draw ${draw} of `), {}, draw + 1);
 }
 equal(await sumOf(page), complete, 'after all draws the picture is whole');
 expect((await page.$$('.steps figure canvas')).length > 0, 'the buffers of the picture');
-await page.$eval('.steps', (details) => (details.open = false));
+await unfold(page, '.steps', false);
 await page.waitForFunction(() => document.querySelector('.command code').textContent === './run shadow-map');
 equal(await sumOf(page), complete, 'the picture when the steps are closed');
 await page.close();
@@ -329,9 +339,9 @@ await page.keyboard.up('Control');
 await page.waitForFunction(() => location.hash === '');
 equal(await sumOf(page), initial, 'the picture before');
 // A slider that plays moves its knob
-await page.click('[aria-label="spin-y there and back"]');
+await press(page, '[aria-label="spin-y there and back"]');
 await page.waitForFunction((before) => document.querySelector('#knob-spin-y').value !== before, {}, await page.$eval('#knob-spin-y', (field) => field.value));
-await page.click('[aria-label="spin-y there and back"]');
+await press(page, '[aria-label="spin-y there and back"]');
 await page.close();
 // What is copied is a link to all that is there, and a frame of it; a film has what the canvas shows
 page = await opened('cube-cull.html');
@@ -351,9 +361,16 @@ await page.evaluate(() => {
   const makeLink = URL.createObjectURL;
   URL.createObjectURL = (blob) => ((globalThis.film = blob), makeLink(blob));
   HTMLAnchorElement.prototype.click = () => {};
+  // What is recorded is handed over in small parts, so that the test sees it grow.
+  const start = MediaRecorder.prototype.start;
+  globalThis.filmed = 0;
+  MediaRecorder.prototype.start = function () {
+    this.addEventListener('dataavailable', ({ data }) => (globalThis.filmed += data.size));
+    start.call(this, 50);
+  };
 });
-await pressed('Record');
-await page.select('#knob-cull', 'none');
+await pressed('Record'); // of a picture that rests
+await page.waitForFunction(() => globalThis.filmed > 0);
 await pressed('End the film');
 await page.waitForFunction(() => globalThis.film?.size > 0 && /^video\//.test(globalThis.film.type));
 await page.close();
