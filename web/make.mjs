@@ -6,6 +6,7 @@ import fs from 'node:fs';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { folded } from './fold.mjs';
+import { formulasIn } from './formula.mjs';
 import { fold, imagesIn, linksIn, numbered, wide } from './lesson.mjs';
 import { demoPage, liveParts, page, startPage, wordsOf } from './pages.mjs';
 import { script, word } from './words.mjs';
@@ -157,7 +158,7 @@ function quoted(file, name) {
 // The lesson's HTML, with links and pictures as the site has them, and its title apart.
 function lesson(file) {
   const here = path.dirname(file);
-  let html = run('cmark-gfm', ['--extension', 'table', '--unsafe', path.join(root, file)])
+  let html = formulasIn(run('cmark-gfm', ['--extension', 'table', '--unsafe', path.join(root, file)]), text(file))
     .replace(/<!-- code (\w+) -->/g, (all, name) => quoted(file, name))
     .replace(/<!--.*?-->/gs, '');
   html = linksIn(html, (link) => {

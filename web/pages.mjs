@@ -34,7 +34,7 @@ ${foot}${side}</body>
 // ---- a lesson
 
 // What a live page loads beside live.js and the module.
-export const liveParts = ['compare.js', 'controls.js', 'edit.js', 'hand.js', 'pictures.js', 'settings.js', 'share.js', 'steps.js'];
+export const liveParts = ['compare.js', 'controls.js', 'edit.js', 'hand.js', 'matrix.js', 'pictures.js', 'settings.js', 'share.js', 'steps.js'];
 
 // The first picture large, and below it all of them: a click shows one with the line that makes it. Where demos are alive, the
 // picture stands until the demo draws its own in its place.

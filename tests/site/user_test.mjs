@@ -310,6 +310,33 @@ await page.mouse.up();
 expect((await sumOf(page)) !== untouched, 'a dragged point changes the picture');
 await page.close();
 
+// A colour is chosen by the browser's own field, and the field follows the knobs
+page = await opened('color-models.html');
+equal((await page.$$eval('input[type="color"]', (fields) => fields.map((field) => field.ariaLabel))).join('; '), 'red, green, blue: choose a colour; to-red, to-green, to-blue: choose a colour', 'colours that can be chosen');
+const uncolored = await sumOf(page);
+await page.$eval('input[type="color"]', (field) => {
+  field.value = '#3366cc';
+  field.dispatchEvent(new Event('input'));
+});
+expect((await sumOf(page)) !== uncolored, 'another colour is another picture');
+equal((await page.$$eval('#knob-red, #knob-green, #knob-blue', (fields) => fields.map((field) => field.value))).join(), '0.2,0.4,0.8', 'a colour sets its three knobs');
+await page.evaluate(() => document.querySelector('.live').live.settle({ settings: { green: '1' } }));
+await settled(page);
+equal(await page.$eval('input[type="color"]', (field) => field.value.slice(3, 5)), 'ff', 'the field follows its knobs');
+await page.close();
+
+// Matrices say what they are made of, with their present numbers
+const madeOf = async (demo) => {
+  page = await opened(`${demo}.html`);
+  await unfold(page, '.matrices');
+  await page.waitForSelector('.matrices table');
+  const says = await page.$$eval('.matrices table', (tables) => tables.map((table) => `${table.caption.textContent} | ${table.rows[0].cells[0].title}`).join('; '));
+  await page.close();
+  return says;
+};
+expect(/worldFromLower = worldFromUpper \* upperFromLower \| .*\nRow 1 of worldFromUpper times column 1 of upperFromLower: .* = /.test(await madeOf('robot-arm')), 'a product, and its entries as sums');
+expect(/\nAt distance 1 the view goes from x = \S+ to \S+: 50 degrees\./.test(await madeOf('cube-cull')), 'a projection by its angle');
+
 // A curve's point sets the knobs
 page = await opened('shadow-map.html');
 await page.$$eval('.curve figure:not([hidden]) [data-row]', (points) => points.at(-1).dispatchEvent(new MouseEvent('click')));
