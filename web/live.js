@@ -23,6 +23,18 @@ const lines = (settings) => Object.entries(settings).map(([knob, value]) => `${k
 // A page has no flags: what is said of --near is said of near.
 const withoutFlags = (words) => words.replace(/(^|[\s('])--(?=[a-z])/g, '$1');
 
+// What a demo says in English, in this page's language where it has the words.
+const says = JSON.parse(document.querySelector('.says')?.textContent ?? '{}');
+const said = (words) => says[words] ?? words;
+function translated(what) {
+  for (const knob of what.knobs) knob.help = said(knob.help);
+  for (const { options = [] } of Object.values(what.widgets)) for (const option of options) option.meaning = said(option.meaning);
+  for (const preset of what.presets) preset.lookFor = said(preset.lookFor);
+  for (const name of Object.keys(what.readouts)) what.readouts[name] = said(what.readouts[name]);
+  what.controls = what.controls.map((row) => row.map(said));
+  return what;
+}
+
 // The module's functions, by their names in web/page.cpp. Texts come as texts, JSON as what it says.
 async function open(canvas) {
   const opening = openModule({ canvas });
@@ -63,7 +75,7 @@ export async function live(box) {
     canvas.remove();
     throw new Error(opening);
   }
-  const what = { ...demo.tells('KnobsAndPresets'), ...demo.tells('Describe') };
+  const what = translated({ ...demo.tells('KnobsAndPresets'), ...demo.tells('Describe') });
   let values = {}, state = demo.tells('State'), size = { width: what.width, height: what.height };
   let beside = '', comparing = false; // what is said of the picture that is compared; whether it is to be drawn anew
   let shaders = { changed: () => [], apply() {} }, goal; // the editor of shaders, once there is one; a frame that is far
@@ -151,6 +163,7 @@ export async function live(box) {
   function tellAll(now = performance.now()) {
     told = now;
     const report = demo.tells('Report');
+    for (const name of Object.keys(report.idle)) report.idle[name] = said(report.idle[name]);
     values = report.knobs;
     knobs.update(values, report.idle);
     if (knobs.haveButtons) knobs.enable(demo.tells('Widgets'));
@@ -161,7 +174,7 @@ export async function live(box) {
     const { knob, other } = compare.compared();
     command.textContent = demo.says('Command', knob, other);
     say(refused, withoutFlags(state.error || setBy || beside));
-    say(notes, state.error ? '' : report.messages.join(' '));
+    say(notes, state.error ? '' : report.messages.map(said).join(' '));
     view.classList.toggle('is-refused', state.error !== '');
     progress.hidden = state.passes === 0 || state.passesDone === state.passes;
     progress.max = Math.max(1, state.passes);

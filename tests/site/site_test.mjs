@@ -6,7 +6,7 @@ import path from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { formula } from '../../web/formula.mjs';
 import { anchorOf, fold } from '../../web/lesson.mjs';
-import { keys, word } from '../../web/words.mjs';
+import { keysOf, languages, speak, word } from '../../web/words.mjs';
 import { all, chromium, counted, demosOf, equal, expect, made, scratch, served } from './support.mjs';
 
 const [source, program] = process.argv.slice(2);
@@ -26,7 +26,7 @@ for (const extension of new Set(asked)) expect(context.includes(`"${extension}"`
 
 const titles = new Set();
 for (const [file, html] of pages) {
-  expect(html.startsWith('<!doctype html>\n<html lang="en">'), `${file}: no language`);
+  expect(html.startsWith(`<!doctype html>\n<html lang="${file.match(/\.(\w\w)\.html$/)?.[1] ?? 'en'}">`), `${file}: no language`);
   equal(all(html, /<(h1)>/g).length, 1, `${file}: headings of the first level`);
   const [title] = all(html, /<title>(.*?)<\/title>/g);
   expect(title && !titles.has(title), `${file}: a title of its own, '${title}'`);
@@ -118,8 +118,49 @@ equal(madeOf('clipFromView', { clipFromView: box }).entry(2, 3).split('\n')[1], 
 
 // All that pages say beside the lessons has its words, and no words are left over.
 const scripts = fs.readdirSync(path.join(source, 'web')).filter((file) => /\.m?js$/.test(file)).map((file) => fs.readFileSync(path.join(source, 'web', file), 'utf8')).join('\n');
+const keys = keysOf('en');
 for (const key of all(scripts, /\bword\('(\w+)'/g)) expect(keys.includes(key), `web/words.json: no '${key}'`);
 for (const key of keys) expect(scripts.includes(`'${key}'`), `web/words.json: nobody says '${key}'`);
+
+// ---- other languages
+
+const values = (key) => all(word(key, new Proxy({}, { get: (none, name) => `{${String(name)}}` })), /\{(\w+)\}/g).sort().join();
+const blanks = Object.fromEntries(keys.map((key) => [key, values(key)]));
+expect(languages.includes('is'), `languages: ${languages}`);
+for (const which of languages.slice(1)) {
+  equal(keysOf(which).join(), keys.join(), `web/words.${which}.json: keys`);
+  speak(which);
+  for (const key of keys) equal(values(key), blanks[key], `web/words.${which}.json: what '${key}' names`);
+  speak('en');
+  equal(all(pages.get(`index.${which}.html`), /<a href="demos\/([^"]+)\.\w+\.html"/g).join(), demos.join(), `lessons of the start page in ${which}`);
+  for (const demo of demos) {
+    const html = pages.get(`demos/${demo}.${which}.html`), own = path.join(source, 'demos', demo, demo);
+    expect(html.includes(`<a class="language" hreflang="en" lang="en" href="${demo}.html">`), `${demo} in ${which} leads to English`);
+    expect(pages.get(`demos/${demo}.html`).includes(`<a class="language" hreflang="${which}" lang="${which}" href="${demo}.${which}.html">`), `${demo} leads to ${which}`);
+    equal(all(html, /<a rel="(?:next|prev)" href="[\w-]+\.(\w+)\.html">/g).every((one) => one === which), true, `${demo} in ${which} leads on in it`);
+    const isTranslated = fs.existsSync(`${own}.${which}.md`);
+    equal(html.includes('<article lang="en">'), !isTranslated, `${demo} in ${which}: an English lesson says so`);
+    speak(which);
+    equal(html.includes(word('untranslated')), !isTranslated, `${demo} in ${which}: a line says that it is not translated`);
+    speak('en');
+    if (!isTranslated) continue;
+    // A translation has the commands and measured numbers of the English lesson, and no words of the program that it does not say
+    const english = fs.readFileSync(`${own}.md`, 'utf8'), translation = fs.readFileSync(`${own}.${which}.md`, 'utf8');
+    const same = [/^\.\/run .*$/gm, /<!--= .*? -->.*?<!--\/-->/g, /^<!-- code \w+ -->$/gm, /\]\(([^)]*)\)/g];
+    for (const pattern of same) equal((translation.match(pattern) ?? []).join('\n'), (english.match(pattern) ?? []).join('\n'), `${demo}.${which}.md: ${pattern}`);
+    const code = fs.readdirSync(path.dirname(own)).filter((file) => file.endsWith('.cpp')).map((file) => fs.readFileSync(path.join(path.dirname(own), file), 'utf8')).join('').replace(/"\n *"/g, '') + english.replaceAll('`', '');
+    const says = JSON.parse(fs.readFileSync(`${own}.${which}.json`, 'utf8'));
+    const tables = html.slice(html.lastIndexOf('<h2', html.indexOf('--preset')));
+    for (const [words, theirs] of Object.entries(says)) {
+      expect(code.includes(words), `${demo}.${which}.json: the program says no '${words}'`);
+      expect(!tables.slice(0, tables.indexOf('</article>')).includes(`<td>${words}</td>`), `${demo} in ${which}: '${words}' is left in a table`);
+      expect(theirs !== words && theirs !== '', `${demo}.${which}.json: '${words}' is not translated`);
+    }
+  }
+}
+const translated = pages.get('demos/cube-cull.is.html');
+for (const words of ['<title>cube-cull: það sem snýr frá sést aldrei (Íslenska)</title>', '<td>hvaða hliðum á að eyða</td>', '<code>ccw</code>: rangsælis á skjánum', 'draga til hægri: <code>spin-y</code> -1 á pixil', '<p class="sentence">Bakhliðareyðing'])
+  expect(translated.includes(words), `cube-cull in Icelandic: ${words}`);
 
 // ---- refusals
 

@@ -285,7 +285,10 @@ await page.waitForFunction(() => document.querySelector('.steps p').textContent.
 expect((await sumOf(page)) !== complete, 'after one draw there is another picture');
 equal(await text(page, '.command code'), './run shadow-map --until 1', 'the line of a stopped frame');
 expect((await text(page, '.steps p')).includes('shadow-map.depth'), `the program of the first draw: ${await text(page, '.steps p')}`);
-expect((await text(page, '.steps figcaption')).startsWith('depth of '), `what it has drawn into: ${await text(page, '.steps figcaption')}`);
+const depths = await text(page, '.steps figcaption');
+expect(/^depth of .*: \S+ is black, \S+ white$/.test(depths), `what it has drawn into: ${depths}`);
+const shades = await page.$eval('.steps figure canvas', (canvas) => new Set(canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data).size);
+expect(shades > 10, `depths are read by a shader, and seen: ${shades} shades`);
 const draws = Number(await page.$eval('.steps input', (slider) => slider.max));
 for (let draw = 1; draw < draws; ++draw) {
   await press(page, '.steps [aria-label="one draw more"]');
@@ -400,6 +403,32 @@ await pressed('Record'); // of a picture that rests
 await page.waitForFunction(() => globalThis.filmed > 0);
 await pressed('End the film');
 await page.waitForFunction(() => globalThis.film?.size > 0 && /^video\//.test(globalThis.film.type));
+await page.close();
+
+// Another language: its words, and what the demo says in it; the way there and back keeps what is shown
+page = await opened('cube-cull.is.html#cull=none');
+equal(await page.$eval('html', (root) => root.lang), 'is', 'the language of a page');
+equal(await text(page, '#help-cull'), 'hvaða hliðum á að eyða', "a knob's help");
+equal(await page.$eval('#knob-winding option', (option) => option.title), 'rangsælis á skjánum', "a choice's meaning");
+equal(await text(page, '.knob.is-idle .idle'), 'farið er eins með fram- og bakhliðar', 'why a knob does nothing');
+equal(await page.$eval('.readouts tr', (one) => one.title), 'hliðar teningsins sem snúa að auganu, af 6', 'what a readout says');
+equal(await text(page, '.compare summary'), 'Bera saman', "the page's own words");
+equal(await text(page, '.panel td'), '3', 'and the number');
+const inIcelandic = await sumOf(page);
+const followed = async (selector) => {
+  await Promise.all([page.waitForNavigation(), press(page, selector)]);
+  await page.waitForFunction(() => document.querySelector('.live.is-live')?.live);
+};
+await followed('a.language[hreflang="en"]');
+equal(await page.evaluate(() => `${document.documentElement.lang} ${location.pathname.replace(/.*\//, '')}${location.hash}`), 'en cube-cull.html#cull=none', 'the same in English');
+equal(await text(page, '#help-cull'), 'which faces to discard', 'its help');
+equal(await sumOf(page), inIcelandic, 'the same picture');
+await followed('a.language[hreflang="is"]');
+equal(await page.evaluate(() => `${document.documentElement.lang} ${location.pathname.replace(/.*\//, '')}${location.hash}`), 'is cube-cull.is.html#cull=none', 'and back');
+await page.close();
+page = await opened('shadow.is.html');
+equal(await text(page, 'main > .notes'), 'Þessi kafli hefur ekki verið þýddur enn og stendur hér á ensku.', 'a lesson that is not translated says so');
+equal(await page.$eval('article', (lesson) => lesson.lang), 'en', 'and is English');
 await page.close();
 
 // In the frame of another page: the picture and the knobs that are asked for
