@@ -11,6 +11,7 @@ import { drawSteps } from './steps.js';
 
 const pause = 100; // milliseconds between two looks at the readouts of what moves
 const quiet = 250; // milliseconds after which the address is written
+const mostShader = 100_000; // letters of a shader: what the module is handed at once has room in its memory
 const near = 2000; // so many frames are computed at once
 
 // The demo may be asked for while the page is still being read; once it is read, all of it is there, its words too.
@@ -176,7 +177,8 @@ export async function live(box) {
     say(refused, withoutFlags(state.error || setBy || beside));
     say(notes, state.error ? '' : report.messages.map(said).join(' '));
     view.classList.toggle('is-refused', state.error !== '');
-    progress.hidden = state.passes === 0 || state.passesDone === state.passes;
+    progress.hidden = state.passes === 0;
+    progress.classList.toggle('is-done', state.passesDone === state.passes); // its room stays: nothing below it jumps
     progress.max = Math.max(1, state.passes);
     progress.value = state.passesDone;
     hand.show();
@@ -349,6 +351,13 @@ export async function live(box) {
       } }, word('showAbove')) : '',
     ]));
   }
+  // On paper stands what the canvas shows.
+  const asOpened = Object.fromEntries(['src', 'width', 'height'].map((one) => [one, shown.getAttribute(one)]));
+  addEventListener('beforeprint', () => {
+    const { width, height } = canvas;
+    Object.assign(shown, { src: asCanvas(width, height, demo.pixels(width * height)).toDataURL(), width, height });
+  });
+  addEventListener('afterprint', () => Object.assign(shown, asOpened));
   addEventListener('hashchange', async () => {
     const linked = await asked();
     if (linked) settle(linked);
@@ -379,6 +388,7 @@ export async function live(box) {
   shaders = shaderEditor(
     sources.filter((file) => file.name.startsWith('shaders/')).map(({ name: file, text }) => ({ name: file.slice('shaders/'.length), text })),
     (file, text) => {
+      if (text.length > mostShader) return word('shaderLong', { most: mostShader, value: text.length });
       const mistakes = demo.says('WriteShader', file, text);
       compare.writeShader(file, text);
       compare.touch();

@@ -7,7 +7,7 @@ import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { folded } from './fold.mjs';
 import { formulasIn } from './formula.mjs';
-import { fold, imagesIn, linksIn, numbered, wide } from './lesson.mjs';
+import { fold, imagesIn, linksIn, numbered, quotations, wide } from './lesson.mjs';
 import { demoPage, inLanguage, liveParts, page, startPage, wordsOf } from './pages.mjs';
 import { language, languages, scriptOf, speak, word } from './words.mjs';
 
@@ -207,7 +207,7 @@ function lesson(file) {
     return { ...(image.endsWith('.png') ? sizeOf(image) : {}), src: path.posix.relative(path.posix.dirname(placeOf(file)), image) };
   });
   const title = html.match(/<h1>(.*?)<\/h1>/)?.[1] ?? file;
-  return { title, html: wide(fold(numbered(html.replace(/<h1>.*?<\/h1>\s*/s, '')))) };
+  return { title, html: quotations(wide(fold(numbered(html.replace(/<h1>.*?<\/h1>\s*/s, ''))))) };
 }
 
 function pagesBelow(directory) {

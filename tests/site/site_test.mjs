@@ -158,6 +158,7 @@ for (const which of languages.slice(1)) {
     }
   }
 }
+expect(pages.get('demos/cube-cull.html').includes('&quot;<span lang="is">Losnum við um helming allra þríhyrninga</span>&quot;'), 'a quotation in Icelandic');
 const translated = pages.get('demos/cube-cull.is.html');
 for (const words of ['<title>cube-cull: það sem snýr frá sést aldrei (Íslenska)</title>', '<td>hvaða hliðum á að eyða</td>', '<code>ccw</code>: rangsælis á skjánum', 'draga til hægri: <code>spin-y</code> -1 á pixil', '<p class="sentence">Bakhliðareyðing'])
   expect(translated.includes(words), `cube-cull in Icelandic: ${words}`);

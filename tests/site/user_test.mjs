@@ -482,6 +482,48 @@ for (const demo of ['shadow-map', 'springs']) {
   equal(await page.$$eval('article details', (answers) => answers.filter((answer) => !answer.open).length), 0, `${demo} on paper: answers that are folded`);
   await page.close();
 }
+// And the picture is what the canvas shows
+page = await opened('cube-cull.html#cull=front');
+const onPaper = () => page.$eval('.shown', (picture) => picture.getAttribute('src'));
+const fromFile = await onPaper();
+await page.evaluate(() => dispatchEvent(new Event('beforeprint')));
+const printed = await page.$eval('.shown', async (picture) => {
+  await picture.decode();
+  const copy = Object.assign(document.createElement('canvas'), { width: picture.width, height: picture.height }), pen = copy.getContext('2d');
+  pen.drawImage(picture, 0, 0);
+  const { demo, what } = document.querySelector('.live').live, own = demo.pixels(what.width * what.height);
+  return pen.getImageData(0, 0, what.width, what.height).data.every((byte, i) => byte === own[i]);
+});
+expect(printed, 'on paper stands the picture of the canvas');
+await page.evaluate(() => dispatchEvent(new Event('afterprint')));
+equal(await onPaper(), fromFile, 'and the file again after it');
+// A button that copies stands beside no letter of the line
+const covered = await page.$eval('article pre > button', (button) => {
+  const one = button.getBoundingClientRect(), other = button.parentElement.querySelector('code').getBoundingClientRect();
+  return one.top < other.bottom && one.bottom > other.top;
+});
+expect(!covered, 'the button lies over the line that it copies');
+// A text that the module has no room for is refused in words
+await unfold(page, '.shaders');
+await page.$eval('.shaders textarea', (area) => {
+  area.value = 'x'.repeat(1_000_000);
+  area.dispatchEvent(new Event('input'));
+});
+await page.waitForSelector('.mistakes li');
+equal(await text(page, '.mistakes li'), 'A shader may have at most 100000 letters, not 1000000.', 'a shader that is too long');
+await page.close();
+// On a phone a drag goes by whole pixels of the picture, and a knob keeps its few digits
+page = await opened('cube-cull.html', { width: 391, height: 700 });
+const small = await (await page.$('#canvas')).boundingBox();
+await page.mouse.move(small.x + 100, small.y + 100);
+await page.mouse.down();
+await page.mouse.move(small.x + 151.3, small.y + 117.7, { steps: 3 });
+await page.mouse.up();
+await settled(page);
+const digits = await page.$eval('#knob-spin-y', (field) => field.value);
+expect(/^-?\d+$/.test(digits) && digits !== '30', `a knob that is dragged on a phone: ${digits}`);
+await page.close();
+
 // ---- what a page loads: docs/browser.md has it by files
 
 const loaded = loadedBy(site).reduce((sum, { brotli }) => sum + brotli, 0);
