@@ -1,4 +1,5 @@
 // Controls made of HTML, as the knobs of a demo describe them.
+import { madeOf, number } from './matrix.js';
 import { fromSlider, toSlider, typedNumber } from './settings.js';
 
 export function tag(name, attributes = {}, ...children) {
@@ -84,6 +85,19 @@ function widget(knob, kind, id, help, set, choose) {
   return { element: tag('span', { class: 'slider' }, slider, typed, knob.unit ? tag('span', { class: 'unit' }, knob.unit) : '', player(slider, knob)), show, typed };
 }
 
+// Three knobs of 0 .. 1 that make a colour, "to-red", "to-green" and "to-blue": the names of the two others, of the first one's.
+function othersOfColor(name, widgets) {
+  const all = ['red', 'green', 'blue'].map((one) => name.replace(/red$/, one));
+  const isPart = (one) => widgets[one]?.kind === 'number' && widgets[one].low === 0 && widgets[one].high === 1;
+  return /^(.*-)?red$/.test(name) && all.every(isPart) ? all : undefined;
+}
+// The browser's own choice of a colour, which sets all three.
+function colorField(names, set) {
+  const field = tag('input', { type: 'color', 'aria-label': word('chooseColor', { knobs: names.join(', ') }), title: word('chooseColor', { knobs: names.join(', ') }),
+    oninput: () => names.forEach((name, i) => set(name, String(Number((parseInt(field.value.slice(1 + 2 * i, 3 + 2 * i), 16) / 255).toFixed(4))))) });
+  return { field, show: (values) => (field.value = `#${names.map((name) => Math.round(255 * values[name]).toString(16).padStart(2, '0')).join('')}`) };
+}
+
 const foldedFrom = 3; // so many knobs that do nothing now are folded away
 
 // All knobs, or those of the names in `only`: rows of label, widget, unit and buttons. `update(knobs)` shows their values and why one does
@@ -103,9 +117,10 @@ export function knobRows(description, { set, press, choose, only }) {
     };
     const { element, show, typed } = widget(knob, kind, id, help.id, tried, (file) => choose(knob.name, file));
     const buttons = (kind.buttons ?? []).map(({ label }) => tag('button', { type: 'button', 'aria-label': `${knob.name} ${label}`, onclick: () => press(knob.name, label) }, label));
-    const row = tag('div', { class: 'knob', title: help.textContent }, tag('label', { for: id }, knob.name), element, ...buttons, idle, wrong, help);
+    const names = othersOfColor(knob.name, description.widgets), color = names && colorField(names, set);
+    const row = tag('div', { class: 'knob', title: help.textContent }, tag('label', { for: id }, knob.name), element, color?.field ?? '', ...buttons, idle, wrong, help);
     used.append(row);
-    return { name: knob.name, row, show, idle, buttons };
+    return { name: knob.name, row, show, color, idle, buttons };
   });
   // A row goes to where it belongs, in the order of all, but not while it is used.
   function put(index, box) {
@@ -121,8 +136,9 @@ export function knobRows(description, { set, press, choose, only }) {
     },
     update(values, idleReasons) {
       const folds = rows.filter(({ name }) => idleReasons[name]).length >= foldedFrom;
-      rows.forEach(({ name, row, show, idle }, i) => {
+      rows.forEach(({ name, row, show, color, idle }, i) => {
         show(values[name]);
+        color?.show(values);
         const reason = idleReasons[name] ?? '';
         row.classList.toggle('is-idle', reason !== '');
         if (idle.textContent !== reason) idle.textContent = reason;
@@ -149,8 +165,6 @@ export function presetButtons(description, apply) {
   };
 }
 
-const number = (value) => (value === null ? '-' : String(Number(value.toPrecision(6))));
-
 export function readoutTable(description) {
   const rows = Object.entries(description.readouts ?? {}).map(([name, help]) => {
     const value = tag('td', { class: 'value' });
@@ -176,8 +190,11 @@ export function matrixTables() {
     update(matrices) {
       element.hidden = !Object.keys(matrices).length;
       if (!element.open) return;
-      box.replaceChildren(...Object.entries(matrices).map(([name, rows]) =>
-        tag('table', {}, tag('caption', {}, name), ...rows.map((row) => tag('tr', {}, ...row.map((value) => tag('td', {}, number(value))))))));
+      box.replaceChildren(...Object.entries(matrices).map(([name, rows]) => {
+        const { product, takes, entry } = madeOf(name, matrices);
+        return tag('table', {}, tag('caption', { title: takes }, product || name),
+          ...rows.map((row, i) => tag('tr', {}, ...row.map((value, j) => tag('td', { title: entry(i, j) }, number(value))))));
+      }));
     },
   };
 }

@@ -1,7 +1,7 @@
 // The hand in a demo's picture: drags, what is dragged by its handle, the wheel, two fingers and keys.
 import { tag } from './controls.js';
 
-const reach = 12; // CSS pixels: so near to a handle the pointer takes it
+const reach = { touch: 24 }, fine = 12; // CSS pixels: so near to a handle a finger takes it, and a mouse
 const notch = 100; // CSS pixels of a wheel that turns by one
 const notches = 4; // of the wheel, for two fingers that move twice as far apart
 
@@ -10,10 +10,12 @@ export function handIn(view, canvas, demo, what, after) {
   const rings = tag('div', { class: 'rings', 'aria-hidden': 'true' });
   view.append(rings);
   const scale = () => canvas.width / canvas.clientWidth;
+  // Whole pixels of the picture: a knob that goes by so much a pixel keeps its few digits, however small the picture is shown.
   const at = (event) => {
     const place = canvas.getBoundingClientRect();
-    return [(event.clientX - place.left) * scale(), (event.clientY - place.top) * scale()];
+    return [event.clientX - place.left, event.clientY - place.top].map((length) => Math.round(length * scale()));
   };
+  const reachOf = (event) => (reach[event.pointerType] ?? fine) * scale();
   function show() {
     if (!what.handles) return;
     rings.replaceChildren(...demo.tells('Handles').map(({ name, x, y, active }) => {
@@ -33,12 +35,12 @@ export function handIn(view, canvas, demo, what, after) {
     if (event.button !== 0) return;
     fingers.set(event.pointerId, at(event));
     canvas.setPointerCapture(event.pointerId);
-    if (fingers.size === 1) demo.does('PointerDown', ...at(event), reach * scale());
+    if (fingers.size === 1) demo.does('PointerDown', ...at(event), reachOf(event));
     else demo.does('PointerUp'); // a second finger: a pinch
   });
   canvas.addEventListener('pointermove', (event) => {
     if (!fingers.has(event.pointerId)) {
-      demo.does('Hover', ...at(event), reach * scale());
+      demo.does('Hover', ...at(event), reachOf(event));
       return show();
     }
     const before = fingers.size === 2 ? spread() : 0;

@@ -46,6 +46,9 @@ export function fold(html) {
     .join('');
 }
 
+// A quotation with letters that only Icelandic has is spoken so.
+export const quotations = (html) => html.replace(/&quot;([^&<]*[þðæ][^&<]*)&quot;/gi, '&quot;<span lang="is">$1</span>&quot;');
+
 // A table moves sideways where the page is too narrow for it, by the keyboard, too.
 export function wide(html) {
   let count = 0;

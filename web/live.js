@@ -11,6 +11,7 @@ import { drawSteps } from './steps.js';
 
 const pause = 100; // milliseconds between two looks at the readouts of what moves
 const quiet = 250; // milliseconds after which the address is written
+const mostShader = 100_000; // letters of a shader: what the module is handed at once has room in its memory
 const near = 2000; // so many frames are computed at once
 
 // The demo may be asked for while the page is still being read; once it is read, all of it is there, its words too.
@@ -22,6 +23,18 @@ const lines = (settings) => Object.entries(settings).map(([knob, value]) => `${k
 
 // A page has no flags: what is said of --near is said of near.
 const withoutFlags = (words) => words.replace(/(^|[\s('])--(?=[a-z])/g, '$1');
+
+// What a demo says in English, in this page's language where it has the words.
+const says = JSON.parse(document.querySelector('.says')?.textContent ?? '{}');
+const said = (words) => says[words] ?? words;
+function translated(what) {
+  for (const knob of what.knobs) knob.help = said(knob.help);
+  for (const { options = [] } of Object.values(what.widgets)) for (const option of options) option.meaning = said(option.meaning);
+  for (const preset of what.presets) preset.lookFor = said(preset.lookFor);
+  for (const name of Object.keys(what.readouts)) what.readouts[name] = said(what.readouts[name]);
+  what.controls = what.controls.map((row) => row.map(said));
+  return what;
+}
 
 // The module's functions, by their names in web/page.cpp. Texts come as texts, JSON as what it says.
 async function open(canvas) {
@@ -63,7 +76,7 @@ export async function live(box) {
     canvas.remove();
     throw new Error(opening);
   }
-  const what = { ...demo.tells('KnobsAndPresets'), ...demo.tells('Describe') };
+  const what = translated({ ...demo.tells('KnobsAndPresets'), ...demo.tells('Describe') });
   let values = {}, state = demo.tells('State'), size = { width: what.width, height: what.height };
   let beside = '', comparing = false; // what is said of the picture that is compared; whether it is to be drawn anew
   let shaders = { changed: () => [], apply() {} }, goal; // the editor of shaders, once there is one; a frame that is far
@@ -151,6 +164,7 @@ export async function live(box) {
   function tellAll(now = performance.now()) {
     told = now;
     const report = demo.tells('Report');
+    for (const name of Object.keys(report.idle)) report.idle[name] = said(report.idle[name]);
     values = report.knobs;
     knobs.update(values, report.idle);
     if (knobs.haveButtons) knobs.enable(demo.tells('Widgets'));
@@ -161,9 +175,10 @@ export async function live(box) {
     const { knob, other } = compare.compared();
     command.textContent = demo.says('Command', knob, other);
     say(refused, withoutFlags(state.error || setBy || beside));
-    say(notes, state.error ? '' : report.messages.join(' '));
+    say(notes, state.error ? '' : report.messages.map(said).join(' '));
     view.classList.toggle('is-refused', state.error !== '');
-    progress.hidden = state.passes === 0 || state.passesDone === state.passes;
+    progress.hidden = state.passes === 0;
+    progress.classList.toggle('is-done', state.passesDone === state.passes); // its room stays: nothing below it jumps
     progress.max = Math.max(1, state.passes);
     progress.value = state.passesDone;
     hand.show();
@@ -295,7 +310,7 @@ export async function live(box) {
     tag('button', { type: 'button', onclick: () => settle({ settings: {}, frame: what.animated ? 1 : undefined }) }, word('reset')),
     document.fullscreenEnabled ? tag('button', { type: 'button', onclick: () => (document.fullscreenElement ? document.exitFullscreen() : box.requestFullscreen()) }, word('fullScreen')) : '',
     ...shareButtons({
-      name, canvas, demo, compare, isWide, isEmbedded, frame: () => state.frame,
+      name, canvas, demo, compare, isWide, isEmbedded, frame: () => state.frame, redraw: () => after(void demo.does('Touch')),
       address: (search) => location.origin + location.pathname + search + addressNow(shaders.changed()),
     }));
 
@@ -336,6 +351,13 @@ export async function live(box) {
       } }, word('showAbove')) : '',
     ]));
   }
+  // On paper stands what the canvas shows.
+  const asOpened = Object.fromEntries(['src', 'width', 'height'].map((one) => [one, shown.getAttribute(one)]));
+  addEventListener('beforeprint', () => {
+    const { width, height } = canvas;
+    Object.assign(shown, { src: asCanvas(width, height, demo.pixels(width * height)).toDataURL(), width, height });
+  });
+  addEventListener('afterprint', () => Object.assign(shown, asOpened));
   addEventListener('hashchange', async () => {
     const linked = await asked();
     if (linked) settle(linked);
@@ -366,6 +388,7 @@ export async function live(box) {
   shaders = shaderEditor(
     sources.filter((file) => file.name.startsWith('shaders/')).map(({ name: file, text }) => ({ name: file.slice('shaders/'.length), text })),
     (file, text) => {
+      if (text.length > mostShader) return word('shaderLong', { most: mostShader, value: text.length });
       const mistakes = demo.says('WriteShader', file, text);
       compare.writeShader(file, text);
       compare.touch();

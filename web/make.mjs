@@ -6,9 +6,10 @@ import fs from 'node:fs';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { folded } from './fold.mjs';
-import { fold, imagesIn, linksIn, numbered, wide } from './lesson.mjs';
-import { demoPage, liveParts, page, startPage, wordsOf } from './pages.mjs';
-import { script, word } from './words.mjs';
+import { formulasIn } from './formula.mjs';
+import { fold, imagesIn, linksIn, numbered, quotations, wide } from './lesson.mjs';
+import { demoPage, inLanguage, liveParts, page, startPage, wordsOf } from './pages.mjs';
+import { language, languages, scriptOf, speak, word } from './words.mjs';
 
 const root = path.dirname(path.dirname(fileURLToPath(import.meta.url)));
 const [program, folder, module] = process.argv.slice(2);
@@ -77,7 +78,7 @@ function ownSources(name) {
   if (!fs.existsSync(path.join(root, 'demos', name))) return [`demos/${name}.cpp`, ...shaders];
   // A lesson's folder: the technique first.
   const rank = (file) => [`${name}.cpp`, `${name}.h`].indexOf(path.basename(file)) >>> 0;
-  const code = filesOf(`demos/${name}`).filter((file) => !file.endsWith('.md'));
+  const code = filesOf(`demos/${name}`).filter((file) => !/\.(md|json)$/.test(file));
   return [...code.sort((a, b) => rank(a) - rank(b)), ...filesOf(`shaders/${name}`)];
 }
 
@@ -126,7 +127,7 @@ function copy(file) {
 }
 
 // Where the page of a file of Markdown is: demos/NAME/NAME.md has it as demos/NAME.html.
-const placeOf = (file) => file.replace(/^demos\/([^/]+)\/\1\.md$/, 'demos/$1.md').replace(/\.md$/, '.html');
+const placeOf = (file) => file.replace(/^demos\/([^/]+)\/\1(\.\w+)?\.md$/, 'demos/$1$2.md').replace(/\.md$/, '.html');
 
 // Markdown that becomes a page of its own; a link to another one leads to what takes its place.
 const isPage = (file) => /^(demos|docs)\/.*\.md$/.test(file);
@@ -154,10 +155,41 @@ function quoted(file, name) {
   return `<figure class="quoted"><figcaption><code>${source}</code>, ${word('fromLine', { line: start + 1 })}</figcaption>\n<pre class="code" tabindex="0"><code>${html}</code></pre></figure>`;
 }
 
+// A lesson's page is there in each language, a page of docs in English.
+const pageOf = (place) => (/^[\w-]+\.html$/.test(place) ? inLanguage(place.replace(/\.html$/, '')) : place);
+
+// What a demo says in English, in another language: demos/NAME/NAME.LANG.json, and web/phrases.LANG.json, which is common to all.
+function saysOf(name) {
+  if (language() === 'en') return {};
+  const own = `demos/${name}/${name}.${language()}.json`, common = `web/phrases.${language()}.json`;
+  return Object.assign({}, ...[common, own].filter((file) => fs.existsSync(path.join(root, file))).map((file) => JSON.parse(text(file))));
+}
+
+// The Markdown of a lesson. In a translation its tables of knobs, presets and readouts are those of the English one, word by word.
+function tabled(file) {
+  const [, name, which] = file.match(/^demos\/[^/]+\/([\w-]+)\.(\w+)\.md$/) ?? [];
+  if (!which) return text(file);
+  const says = saysOf(name), [tables] = text(`demos/${name}/${name}.md`).match(/(?<=<!-- knobs -->\n).*(?=<!-- \/knobs -->)/s);
+  const said = (words) => says[words] ?? words;
+  // A cell is a sentence, or lines of "`word`: what it means".
+  const cell = (words) => words.replace(/^( *)(.*?)( *)$/, (all, before, inside, after) => before + inside.split('<br>').map((line) => {
+    const [, option, meaning] = line.match(/^(`[^`]*`: )(.*)$/) ?? ['', '', line];
+    return option + said(meaning);
+  }).join('<br>') + after);
+  const control = (words) => words.replace(/^(.*?): (.*?)(\.?)$/, (all, does, to, end) => {
+    const [, knob, rest] = said(to.replaceAll('`', '')).match(/^(\S+)( .*)$/);
+    return `${said(does)}: \`${knob}\`${rest}${end}`;
+  });
+  const translated = tables.split('\n').map((line) =>
+    line.startsWith('|') ? line.split('|').map(cell).join('|') : line.replace(/^Controls: (.*)$/, (all, list) => `${said('Controls')}: ${list.split(' · ').map(control).join(' · ')}`));
+  return text(file).replace(/(?<=<!-- knobs -->\n)/, translated.join('\n'));
+}
+
 // The lesson's HTML, with links and pictures as the site has them, and its title apart.
 function lesson(file) {
   const here = path.dirname(file);
-  let html = run('cmark-gfm', ['--extension', 'table', '--unsafe', path.join(root, file)])
+  const markdown = tabled(file);
+  let html = formulasIn(run('cmark-gfm', ['--extension', 'table', '--unsafe'], markdown), markdown)
     .replace(/<!-- code (\w+) -->/g, (all, name) => quoted(file, name))
     .replace(/<!--.*?-->/gs, '');
   html = linksIn(html, (link) => {
@@ -165,7 +197,7 @@ function lesson(file) {
     const to = path.posix.join(here, target);
     if (!fs.existsSync(path.join(root, to))) fail(file, 'must have links that lead somewhere', link);
     if (to in instead) return path.posix.relative(here, instead[to]);
-    if (isPage(to)) return path.posix.relative(path.posix.dirname(placeOf(file)), placeOf(to)) + (anchor ? `#${anchor}` : '');
+    if (isPage(to)) return pageOf(path.posix.relative(path.posix.dirname(placeOf(file)), placeOf(to))) + (anchor ? `#${anchor}` : '');
     copy(to);
     return path.posix.relative(path.posix.dirname(placeOf(file)), to) + (anchor ? `#${anchor}` : '');
   });
@@ -175,7 +207,7 @@ function lesson(file) {
     return { ...(image.endsWith('.png') ? sizeOf(image) : {}), src: path.posix.relative(path.posix.dirname(placeOf(file)), image) };
   });
   const title = html.match(/<h1>(.*?)<\/h1>/)?.[1] ?? file;
-  return { title, html: wide(fold(numbered(html.replace(/<h1>.*?<\/h1>\s*/s, '')))) };
+  return { title, html: quotations(wide(fold(numbered(html.replace(/<h1>.*?<\/h1>\s*/s, ''))))) };
 }
 
 function pagesBelow(directory) {
@@ -195,26 +227,38 @@ for (const [i, demo] of demos.entries()) {
   demo.pictures.forEach((picture) => copy(picture.file));
   demo.presets = JSON.parse(run(program, [demo.name, '--knobs=json'])).presets;
   const inFolder = `demos/${demo.name}/${demo.name}.md`;
-  Object.assign(demo, lesson(fs.existsSync(path.join(root, inFolder)) ? inFolder : `demos/${demo.name}.md`));
+  demo.own = fs.existsSync(path.join(root, inFolder)) ? inFolder : `demos/${demo.name}.md`;
   demo.studies = studiesOf(demo.name);
   demo.sources = sourcesOf(demo.name).map((file) => ({
     file,
     html: run('highlight', ['-O', 'html', '-f', '--syntax=c++', path.join(root, file)]),
   }));
 }
-demos.forEach((demo, i) => write(`demos/${demo.name}.html`, demoPage(demo, demos[i - 1], demos[i + 1], Boolean(module), list)));
 const beside = [];
 for (const file of pagesBelow('docs').sort()) {
   const { title, html } = lesson(file), target = file.replace(/\.md$/, '.html'), depth = target.split('/').length - 1;
   write(target, page({ title, depth, main: html }));
   if (depth === 1) beside.push({ file: target, title }); // a study's page is its lesson's
 }
-write('index.html', startPage(list, beside, Boolean(module)));
+// All of it in each language; a lesson that is not translated stands in English among that language's words.
+const found = {}; // what each lesson is found by
+for (const which of languages) {
+  speak(which);
+  for (const [i, demo] of demos.entries()) {
+    const translation = demo.own.replace(/\.md$/, `.${which}.md`), isTranslated = which === 'en' || fs.existsSync(path.join(root, translation));
+    demo.says = saysOf(demo.name);
+    const spoken = { ...demo, isTranslated, ...lesson(which !== 'en' && isTranslated ? translation : demo.own) };
+    write(`demos/${inLanguage(demo.name)}`, demoPage(spoken, demos[i - 1], demos[i + 1], Boolean(module), list));
+    if (isTranslated) found[demo.name] = `${found[demo.name] ?? ''} ${wordsOf(spoken, list.find(({ demos: of }) => of.includes(demo)).chapter, folded)}`.trim();
+  }
+  write(inLanguage('index'), startPage(list, beside, Boolean(module)));
+}
+speak('en');
 write('site.css', text('web/site.css'));
-// What the start page's search looks into, loaded when it is used.
-const found = Object.fromEntries(list.flatMap(({ chapter, demos }) => demos.map((demo) => [demo.name, wordsOf(demo, chapter, folded)])));
 write('icon.svg', text('web/icon.svg'));
-const scripts = { 'words.js': script, 'search.js': `'use strict';\nglobalThis.lessons = ${JSON.stringify(found)};\nglobalThis.folded = ${folded};\n` };
+// What the start page's search looks into is loaded when it is used.
+const scripts = { 'search.js': `'use strict';\nglobalThis.lessons = ${JSON.stringify(found)};\nglobalThis.folded = ${folded};\n` };
+for (const which of languages) scripts[which === 'en' ? 'words.js' : `words.${which}.js`] = scriptOf(which);
 for (const file of ['site.js', 'curve.js', ...(module ? ['begin.js', 'live.js', ...liveParts] : [])]) scripts[file] = text(`web/${file}`);
 if (module) {
   scripts['mvgl.js'] = fs.readFileSync(path.join(module, 'mvgl.js'), 'utf8');

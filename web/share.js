@@ -30,8 +30,9 @@ function besides(picture, second, at, labels) {
   return picture;
 }
 
-// Its buttons. `frame()` is the number of the frame that is shown, `address(search)` where all of it is found again.
-export function shareButtons({ name, canvas, demo, compare, frame, address, isWide, isEmbedded }) {
+// Its buttons. `frame()` is the number of the frame that is shown, `address(search)` where all of it is found again, `redraw()` draws the
+// picture once more.
+export function shareButtons({ name, canvas, demo, compare, frame, address, redraw, isWide, isEmbedded }) {
   function save() {
     const { width, height } = canvas, size = width * height, picture = asCanvas(width, height, demo.pixels(size));
     if (compare.on()) besides(picture, asCanvas(width, height, compare.second().pixels(size)), compare.at(), compare.labels());
@@ -67,6 +68,7 @@ export function shareButtons({ name, canvas, demo, compare, frame, address, isWi
       told(false);
     };
     recorder.start();
+    redraw(); // a film begins with what is drawn next, and a picture that rests draws nothing
     told(true);
   }
 

@@ -65,6 +65,10 @@ for (const link of pictures) {
 addEventListener('hashchange', showLinked);
 showLinked();
 
+// ---- another language shows the same
+
+for (const link of document.querySelectorAll('a.language')) link.addEventListener('click', () => (link.hash = location.hash));
+
 // ---- commands to copy
 
 for (const block of document.querySelectorAll('pre:not(.code)')) {

@@ -1,12 +1,23 @@
-// What pages say beside the lessons, by keys: web/words.json has the words, all in one language. `script` gives a page's scripts the
-// same function.
+// What pages say beside the lessons, by keys: web/words.json has the words in English, web/words.LANG.json in another language.
+// `scriptOf(language)` gives a page's scripts the same function.
 import fs from 'node:fs';
 
-const words = JSON.parse(fs.readFileSync(new URL('words.json', import.meta.url), 'utf8'));
+const here = new URL('.', import.meta.url);
+const read = (file) => JSON.parse(fs.readFileSync(new URL(file, here), 'utf8'));
+const all = { en: read('words.json') };
+for (const file of fs.readdirSync(here)) {
+  const [, language] = file.match(/^words\.(\w+)\.json$/) ?? [];
+  if (language) all[language] = read(file);
+}
+// English first, then the others.
+export const languages = Object.keys(all);
+export const keysOf = (language) => Object.keys(all[language]);
 
 // The words of that key, with {name} replaced by the value of that name.
 const spoken = (words) => (key, values = {}) => words[key].replace(/\{(\w+)\}/g, (all, name) => values[name]);
-export const word = spoken(words);
-export const keys = Object.keys(words);
+let present = 'en';
+export const speak = (language) => void (present = language);
+export const language = () => present;
+export const word = (key, values) => spoken(all[present])(key, values);
 
-export const script = `// What this page says; made from web/words.json.\n'use strict';\nglobalThis.word = (${spoken})(${JSON.stringify(words)});\n`;
+export const scriptOf = (language) => `// What this page says; made from web/words.json.\n'use strict';\nglobalThis.word = (${spoken})(${JSON.stringify(all[language])});\n`;

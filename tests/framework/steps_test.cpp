@@ -67,6 +67,40 @@ TEST(StepRules, a_map_that_is_kept_is_drawn_all_the_same) {
     EXPECT_EQ(countColors(stage().picture()), 1);
 }
 
+// By OpenGL ES 3.0, which gives back neither depths nor stencils, shaders read what OpenGL reads: the same ranges, and the same
+// shades but for a depth that two drivers round otherwise.
+TEST(StepRules, depth_and_stencil_are_seen_by_es_too) {
+    for (const char* demo : {"shadow-map", "shadow-volume"}) {  // depths in a texture, and stencils beside depths
+        std::vector<std::vector<BufferPicture>> seen[2];
+        for (const bool es : {false, true}) {
+            stageOn(HostKind::egl, es);
+            DemoRun run(demo);
+            const Picture whole = run.picture();
+            const int all = drawsOf();
+            for (const int draws : {1, all / 2, all}) seen[es].push_back(stopped(draws).shown.buffers);
+            EXPECT_EQ(stage().picture(), whole) << demo;  // nothing is left set that a later draw would feel
+        }
+        bool anyDepth = false;
+        for (std::size_t step = 0; step < seen[0].size(); ++step) {
+            ASSERT_EQ(seen[0][step].size(), seen[1][step].size()) << demo << " " << step;
+            for (std::size_t i = 0; i < seen[0][step].size(); ++i) {
+                const BufferPicture &one = seen[0][step][i], &other = seen[1][step][i];
+                EXPECT_EQ(one.name, other.name);
+                EXPECT_EQ(one.range, other.range) << demo << " " << one.name;
+                ASSERT_EQ(one.picture.rgba.size(), other.picture.rgba.size()) << demo << " " << one.name;
+                EXPECT_FALSE(one.picture.rgba.empty()) << demo << " " << one.name;
+                int most = 0;
+                for (std::size_t byte = 0; byte < one.picture.rgba.size(); ++byte)
+                    most = std::max(most, std::abs(one.picture.rgba[byte] - other.picture.rgba[byte]));
+                EXPECT_LE(most, 1) << demo << " " << one.name;
+                anyDepth |= one.name == "depth" && countColors(one.picture) > 2;
+            }
+        }
+        EXPECT_TRUE(anyDepth) << demo;
+    }
+    leaveStage();
+}
+
 TEST(StepRules, a_demo_that_remembers_is_stopped_at_its_frame) {
     DemoRun run("springs");
     const Picture at30 = run.picture(30);

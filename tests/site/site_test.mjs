@@ -4,8 +4,9 @@ import { spawnSync } from 'node:child_process';
 import fs from 'node:fs';
 import path from 'node:path';
 import { pathToFileURL } from 'node:url';
+import { formula } from '../../web/formula.mjs';
 import { anchorOf, fold } from '../../web/lesson.mjs';
-import { keys } from '../../web/words.mjs';
+import { keysOf, languages, speak, word } from '../../web/words.mjs';
 import { all, chromium, counted, demosOf, equal, expect, made, scratch, served } from './support.mjs';
 
 const [source, program] = process.argv.slice(2);
@@ -25,7 +26,7 @@ for (const extension of new Set(asked)) expect(context.includes(`"${extension}"`
 
 const titles = new Set();
 for (const [file, html] of pages) {
-  expect(html.startsWith('<!doctype html>\n<html lang="en">'), `${file}: no language`);
+  expect(html.startsWith(`<!doctype html>\n<html lang="${file.match(/\.(\w\w)\.html$/)?.[1] ?? 'en'}">`), `${file}: no language`);
   equal(all(html, /<(h1)>/g).length, 1, `${file}: headings of the first level`);
   const [title] = all(html, /<title>(.*?)<\/title>/g);
   expect(title && !titles.has(title), `${file}: a title of its own, '${title}'`);
@@ -78,10 +79,89 @@ const folded = fold('<h2 id="q">Questions</h2>\n<p><strong>Why?</strong> So.</p>
 equal(all(folded, /<summary>(.*?)<\/summary>/g).join(' '), 'Why? And?', 'questions that are folded');
 expect(folded.includes('<p>So.</p>\n<pre>1</pre>\n</details>') && folded.includes('<p>No.</p>\n</details>'), `answers below them: ${folded}`);
 
+// Formulas: a whole block or none of it
+const shape = (block, names) => formula(block, names)?.replace(/<annotation.*?<\/annotation>/gs, '').replace(/<mspace[^>]*><\/mspace>| (?:lspace|rspace|stretchy|displaystyle|display)="[^"]*"|<\/?(?:mrow|semantics|math)(?: [^>]*)?>/g, '');
+const line = (inside) => `<mtable class="lines"><mtr><mtd>${inside}</mtd></mtr></mtable>`;
+equal(shape('a + b/2'), line('<mi>a</mi><mo>+</mo><mfrac><mi>b</mi><mn>2</mn></mfrac>'), 'a fraction');
+equal(shape('t = (a - b) c / (n.v)'), line('<mi>t</mi><mo>=</mo><mfrac><mo>(</mo><mi>a</mi><mo>−</mo><mi>b</mi><mo>)</mo><mi>c</mi><mi>n</mi><mo>·</mo><mi>v</mi></mfrac>'), 'above the line all of a product');
+equal(shape("p' = sqrt(x_min^2 + theta1)"), line('<mi>p</mi><mo>′</mo><mo>=</mo><msqrt><msup><msub><mi>x</mi><mi>min</mi></msub><mn>2</mn></msup><mo>+</mo><msub><mi>θ</mi><mn>1</mn></msub></msqrt>'), 'indices, a prime, a power and a root');
+equal(shape('n = u x v, A x + B'), line('<mi>n</mi><mo>=</mo><mi>u</mi><mo>×</mo><mi>v</mi><mo>,</mo><mi>A</mi><mi>x</mi><mo>+</mo><mi>B</mi>'), 'a cross product, and a coordinate');
+equal(shape('|a - b| <= <v, w>     z: to the eye'), '<mtable class="lines"><mtr><mtd><mo>|</mo><mi>a</mi><mo>−</mo><mi>b</mi><mo>|</mo><mo>≤</mo><mo>⟨</mo><mi>v</mi><mo>,</mo><mi>w</mi><mo>⟩</mo></mtd><mtd><mtext>z: to the eye</mtext></mtd></mtr></mtable>', 'a length, an inner product, and words');
+equal(shape('a/b  0\n0    1'), '<mo>[</mo><mtable class="matrix"><mtr><mtd><mfrac><mi>a</mi><mi>b</mi></mfrac></mtd><mtd><mn>0</mn></mtd></mtr><mtr><mtd><mn>0</mn></mtd><mtd><mn>1</mn></mtd></mtr></mtable><mo>]</mo>', 'a matrix');
+expect(!shape('square: 1   2\nshadow: 3   4').includes('matrix'), 'two lines with labels are no matrix');
+expect(/<mi>M<\/mi><mo>=<\/mo><mo>\[<\/mo><mtable class="matrix">.*<mo>\]<\/mo>$/.test(shape('    | 1  0 |\nM = | 0  c |')), 'a matrix between bars');
+equal(shape('f(-z-dist)', ['z-dist']), line('<mi>f</mi><mo>(</mo><mo>−</mo><mi>z-dist</mi><mo>)</mo>'), "a knob's name");
+for (const none of ['glEnable(GL_CULL_FACE);', 'a = (b', 'a ? b', 'a )', '/ b', 'a ^', 'montage -size 512x512 xc:black', 'the same of the light', 'while (a >= b) { a }'])
+  equal(formula(none), undefined, `no formula: ${none}`);
+expect(formula('a < b').includes('<annotation encoding="text/plain">a &lt; b</annotation>'), 'the text is kept beside it');
+const shownAsMath = [...pages.values()].reduce((count, html) => count + all(html, /(<math )/g).length, 0);
+expect(shownAsMath > 80, `formulas of all lessons: ${shownAsMath}`);
+expect(/<pre tabindex="0"><code>glEnable\(GL_CULL_FACE\)/.test(pages.get('demos/cube-cull.html')), 'code stays code');
+
+// What a matrix is made of
+globalThis.word = word;
+const { madeOf } = await import('../../web/matrix.js');
+const turn = [[0, -1, 0, 2], [1, 0, 0, 3], [0, 0, 1, -5], [0, 0, 0, 1]], lens = [[1.5, 0, 0, 0], [0, 2, 0, 0], [0, 0, -3, -4], [0, 0, -1, 0]];
+const whole = lens.map((row) => turn[0].map((none, j) => row.reduce((sum, value, k) => sum + value * turn[k][j], 0)));
+const matrices = { clipFromView: lens, viewFromModel: turn, clipFromModel: whole, clipFromWorld: whole };
+equal(madeOf('clipFromModel', matrices).product, 'clipFromModel = clipFromView * viewFromModel', 'a product');
+equal(madeOf('clipFromWorld', matrices).product, '', 'no product without names that fit');
+equal(madeOf('clipFromModel', { ...matrices, clipFromModel: turn }).product, '', 'nor without numbers that do');
+equal(madeOf('clipFromModel', matrices).entry(0, 3), "Adds 3 to clip's x, wherever the point is.\nRow 1 of clipFromView times column 4 of viewFromModel: 1.5 * 2 + 0 * 3 + 0 * -5 + 0 * 1 = 3.", 'an entry of it');
+equal(madeOf('viewFromModel', matrices).entry(1, 0), "1: the y, in view coordinates, of model's x axis.", 'an axis');
+equal(madeOf('viewFromModel', matrices).entry(2, 3), "-5: the z, in view coordinates, of model's origin.", 'the origin');
+equal(madeOf('clipFromView', matrices).entry(1, 1).split('\n')[1], 'At distance 1 the view goes from y = -0.5 to 0.5: 53.1301 degrees.', 'an angle');
+equal(madeOf('clipFromView', matrices).entry(2, 2).split('\n')[1], 'Depth is -1 at distance 1 and 1 at distance 2.', 'the range of depths');
+const box = [[0.5, 0, 0, 1], [0, 1, 0, 0], [0, 0, -1, -2], [0, 0, 0, 1]];
+equal(madeOf('clipFromView', { clipFromView: box }).entry(0, 0).split('\n')[1], 'The view goes from x = -4 to 0.', 'a box');
+equal(madeOf('clipFromView', { clipFromView: box }).entry(2, 3).split('\n')[1], 'Depth is -1 at distance 1 and 1 at distance 3.', 'its depths');
+
 // All that pages say beside the lessons has its words, and no words are left over.
 const scripts = fs.readdirSync(path.join(source, 'web')).filter((file) => /\.m?js$/.test(file)).map((file) => fs.readFileSync(path.join(source, 'web', file), 'utf8')).join('\n');
+const keys = keysOf('en');
 for (const key of all(scripts, /\bword\('(\w+)'/g)) expect(keys.includes(key), `web/words.json: no '${key}'`);
 for (const key of keys) expect(scripts.includes(`'${key}'`), `web/words.json: nobody says '${key}'`);
+
+// ---- other languages
+
+const values = (key) => all(word(key, new Proxy({}, { get: (none, name) => `{${String(name)}}` })), /\{(\w+)\}/g).sort().join();
+const blanks = Object.fromEntries(keys.map((key) => [key, values(key)]));
+expect(languages.includes('is'), `languages: ${languages}`);
+for (const which of languages.slice(1)) {
+  equal(keysOf(which).join(), keys.join(), `web/words.${which}.json: keys`);
+  speak(which);
+  for (const key of keys) equal(values(key), blanks[key], `web/words.${which}.json: what '${key}' names`);
+  speak('en');
+  equal(all(pages.get(`index.${which}.html`), /<a href="demos\/([^"]+)\.\w+\.html"/g).join(), demos.join(), `lessons of the start page in ${which}`);
+  for (const demo of demos) {
+    const html = pages.get(`demos/${demo}.${which}.html`), own = path.join(source, 'demos', demo, demo);
+    expect(html.includes(`<a class="language" hreflang="en" lang="en" href="${demo}.html">`), `${demo} in ${which} leads to English`);
+    expect(pages.get(`demos/${demo}.html`).includes(`<a class="language" hreflang="${which}" lang="${which}" href="${demo}.${which}.html">`), `${demo} leads to ${which}`);
+    equal(all(html, /<a rel="(?:next|prev)" href="[\w-]+\.(\w+)\.html">/g).every((one) => one === which), true, `${demo} in ${which} leads on in it`);
+    const isTranslated = fs.existsSync(`${own}.${which}.md`);
+    equal(html.includes('<article lang="en">'), !isTranslated, `${demo} in ${which}: an English lesson says so`);
+    speak(which);
+    equal(html.includes(word('untranslated')), !isTranslated, `${demo} in ${which}: a line says that it is not translated`);
+    speak('en');
+    if (!isTranslated) continue;
+    // A translation has the commands and measured numbers of the English lesson, and no words of the program that it does not say
+    const english = fs.readFileSync(`${own}.md`, 'utf8'), translation = fs.readFileSync(`${own}.${which}.md`, 'utf8');
+    const same = [/^\.\/run .*$/gm, /<!--= .*? -->.*?<!--\/-->/g, /^<!-- code \w+ -->$/gm, /\]\(([^)]*)\)/g];
+    for (const pattern of same) equal((translation.match(pattern) ?? []).join('\n'), (english.match(pattern) ?? []).join('\n'), `${demo}.${which}.md: ${pattern}`);
+    const code = fs.readdirSync(path.dirname(own)).filter((file) => file.endsWith('.cpp')).map((file) => fs.readFileSync(path.join(path.dirname(own), file), 'utf8')).join('').replace(/"\n *"/g, '') + english.replaceAll('`', '');
+    const says = JSON.parse(fs.readFileSync(`${own}.${which}.json`, 'utf8'));
+    const tables = html.slice(html.lastIndexOf('<h2', html.indexOf('--preset')));
+    for (const [words, theirs] of Object.entries(says)) {
+      expect(code.includes(words), `${demo}.${which}.json: the program says no '${words}'`);
+      expect(!tables.slice(0, tables.indexOf('</article>')).includes(`<td>${words}</td>`), `${demo} in ${which}: '${words}' is left in a table`);
+      expect(theirs !== words && theirs !== '', `${demo}.${which}.json: '${words}' is not translated`);
+    }
+  }
+}
+expect(pages.get('demos/cube-cull.html').includes('&quot;<span lang="is">Losnum við um helming allra þríhyrninga</span>&quot;'), 'a quotation in Icelandic');
+const translated = pages.get('demos/cube-cull.is.html');
+for (const words of ['<title>cube-cull: það sem snýr frá sést aldrei (Íslenska)</title>', '<td>hvaða hliðum á að eyða</td>', '<code>ccw</code>: rangsælis á skjánum', 'draga til hægri: <code>spin-y</code> -1 á pixil', '<p class="sentence">Bakhliðareyðing'])
+  expect(translated.includes(words), `cube-cull in Icelandic: ${words}`);
 
 // ---- refusals
 

@@ -27,12 +27,22 @@ const sumOf = async (page, which = 'first') => {
     return pixels.reduce((sum, byte) => Math.imul(sum ^ byte, 16777619), 2166136261) >>> 0;
   }, which);
 };
-// How many pictures are drawn while the browser shows thirty.
-const drawnMeanwhile = (page) => page.evaluate(async () => {
-  const { demo } = document.querySelector('.live').live, before = demo.tells('State').pictures;
-  for (let i = 0; i < 30; ++i) await new Promise(requestAnimationFrame);
-  return demo.tells('State').pictures - before;
-});
+// How many pictures a demo that has come to rest draws while the browser shows thirty.
+const drawnMeanwhile = async (page) => {
+  await settled(page);
+  return page.evaluate(async () => {
+    const { demo } = document.querySelector('.live').live, before = demo.tells('State').pictures;
+    for (let i = 0; i < 30; ++i) await new Promise(requestAnimationFrame);
+    return demo.tells('State').pictures - before;
+  });
+};
+// Unfolds what is folded, or folds it, and returns once the page has heard of it.
+const unfold = (page, selector, open = true) => page.$eval(selector, (details, open) => new Promise((heard) => {
+  details.addEventListener('toggle', () => heard(), { once: true });
+  details.open = open;
+}), open);
+// Presses a button wherever it stands: what is around it may move meanwhile.
+const press = (page, selector) => page.$eval(selector, (button) => button.click());
 const text = (page, selector) => page.$eval(selector, (element) => element.textContent);
 async function type(page, selector, words) {
   await page.$eval(selector, (field) => (field.value = ''));
@@ -168,7 +178,7 @@ await page.keyboard.press('ArrowUp');
 await settled(page);
 await page.waitForFunction(() => location.hash.includes('z-dist='));
 const before = await page.evaluate(() => location.hash);
-await page.$eval('.shaders', (details) => (details.open = true));
+await unfold(page, '.shaders');
 await page.select('.shaders select', 'cube-cull/cube-cull.frag');
 const unedited = await sumOf(page);
 const edit = (from, to) => page.$eval('.shaders textarea', (area, a, b) => {
@@ -213,7 +223,7 @@ const typed = await opened(`cube-cull.html${before}&shader.cube-cull%2Fcube-cull
 equal(await sumOf(typed), flat, 'a link to a shader');
 await typed.close();
 const lit = await opened('shading.html');
-await lit.$eval('.shaders', (details) => (details.open = true));
+await unfold(lit, '.shaders');
 await lit.waitForFunction(() => document.querySelector('.shaders select').value.endsWith('.frag') && !document.querySelector('.shaders .notes').textContent);
 const idle = await lit.evaluate(() => {
   const used = document.querySelector('.live').live.demo.tells('ShadersInUse');
@@ -228,13 +238,13 @@ await lit.$eval('.shaders textarea', (area) => {
 await lit.waitForSelector('.mistakes li');
 expect((await lit.$$eval('.shaders option', (options) => options.map((one) => one.value))).includes('include/reflection.glsl'), 'what shaders include can be edited');
 await lit.close();
-// A context that is lost comes back
+// A context that is lost comes back; the sentence stays until it does
 await page.evaluate(() => {
-  const lose = document.querySelector('#canvas').getContext('webgl2').getExtension('WEBGL_lose_context');
-  lose.loseContext();
-  setTimeout(() => lose.restoreContext(), 500);
+  globalThis.memory = document.querySelector('#canvas').getContext('webgl2').getExtension('WEBGL_lose_context');
+  globalThis.memory.loseContext();
 });
 await page.waitForFunction(() => document.querySelector('.refused').textContent.includes('asked for again'));
+await page.evaluate(() => setTimeout(() => globalThis.memory.restoreContext())); // after this answer: the page is loaded anew
 await page.waitForFunction(() => document.querySelector('.live.is-live')?.live && !document.querySelector('.refused').textContent, { timeout: 60_000 });
 equal(await sumOf(page), unedited, 'the picture after the context was lost');
 await page.close();
@@ -270,20 +280,23 @@ await page.close();
 // A frame draw by draw: the first draw of shadow-map makes the map, the last makes the picture whole
 page = await opened('shadow-map.html');
 const complete = await sumOf(page);
-await page.$eval('.steps', (details) => (details.open = true));
+await unfold(page, '.steps');
 await page.waitForFunction(() => document.querySelector('.steps p').textContent.startsWith('Draw 1 of '));
 expect((await sumOf(page)) !== complete, 'after one draw there is another picture');
 equal(await text(page, '.command code'), './run shadow-map --until 1', 'the line of a stopped frame');
 expect((await text(page, '.steps p')).includes('shadow-map.depth'), `the program of the first draw: ${await text(page, '.steps p')}`);
-expect((await text(page, '.steps figcaption')).startsWith('depth of '), `what it has drawn into: ${await text(page, '.steps figcaption')}`);
+const depths = await text(page, '.steps figcaption');
+expect(/^depth of .*: \S+ is black, \S+ white$/.test(depths), `what it has drawn into: ${depths}`);
+const shades = await page.$eval('.steps figure canvas', (canvas) => new Set(canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data).size);
+expect(shades > 10, `depths are read by a shader, and seen: ${shades} shades`);
 const draws = Number(await page.$eval('.steps input', (slider) => slider.max));
 for (let draw = 1; draw < draws; ++draw) {
-  await page.click('.steps [aria-label="one draw more"]');
+  await press(page, '.steps [aria-label="one draw more"]');
   await page.waitForFunction((draw) => document.querySelector('.steps p').textContent.startsWith(`Draw ${draw} of `), {}, draw + 1);
 }
 equal(await sumOf(page), complete, 'after all draws the picture is whole');
 expect((await page.$$('.steps figure canvas')).length > 0, 'the buffers of the picture');
-await page.$eval('.steps', (details) => (details.open = false));
+await unfold(page, '.steps', false);
 await page.waitForFunction(() => document.querySelector('.command code').textContent === './run shadow-map');
 equal(await sumOf(page), complete, 'the picture when the steps are closed');
 await page.close();
@@ -299,6 +312,33 @@ await page.mouse.move(x + 20, y + 15, { steps: 3 });
 await page.mouse.up();
 expect((await sumOf(page)) !== untouched, 'a dragged point changes the picture');
 await page.close();
+
+// A colour is chosen by the browser's own field, and the field follows the knobs
+page = await opened('color-models.html');
+equal((await page.$$eval('input[type="color"]', (fields) => fields.map((field) => field.ariaLabel))).join('; '), 'red, green, blue: choose a colour; to-red, to-green, to-blue: choose a colour', 'colours that can be chosen');
+const uncolored = await sumOf(page);
+await page.$eval('input[type="color"]', (field) => {
+  field.value = '#3366cc';
+  field.dispatchEvent(new Event('input'));
+});
+expect((await sumOf(page)) !== uncolored, 'another colour is another picture');
+equal((await page.$$eval('#knob-red, #knob-green, #knob-blue', (fields) => fields.map((field) => field.value))).join(), '0.2,0.4,0.8', 'a colour sets its three knobs');
+await page.evaluate(() => document.querySelector('.live').live.settle({ settings: { green: '1' } }));
+await settled(page);
+equal(await page.$eval('input[type="color"]', (field) => field.value.slice(3, 5)), 'ff', 'the field follows its knobs');
+await page.close();
+
+// Matrices say what they are made of, with their present numbers
+const madeOf = async (demo) => {
+  page = await opened(`${demo}.html`);
+  await unfold(page, '.matrices');
+  await page.waitForSelector('.matrices table');
+  const says = await page.$$eval('.matrices table', (tables) => tables.map((table) => `${table.caption.textContent} | ${table.rows[0].cells[0].title}`).join('; '));
+  await page.close();
+  return says;
+};
+expect(/worldFromLower = worldFromUpper \* upperFromLower \| .*\nRow 1 of worldFromUpper times column 1 of upperFromLower: .* = /.test(await madeOf('robot-arm')), 'a product, and its entries as sums');
+expect(/\nAt distance 1 the view goes from x = \S+ to \S+: 50 degrees\./.test(await madeOf('cube-cull')), 'a projection by its angle');
 
 // A curve's point sets the knobs
 page = await opened('shadow-map.html');
@@ -329,9 +369,9 @@ await page.keyboard.up('Control');
 await page.waitForFunction(() => location.hash === '');
 equal(await sumOf(page), initial, 'the picture before');
 // A slider that plays moves its knob
-await page.click('[aria-label="spin-y there and back"]');
+await press(page, '[aria-label="spin-y there and back"]');
 await page.waitForFunction((before) => document.querySelector('#knob-spin-y').value !== before, {}, await page.$eval('#knob-spin-y', (field) => field.value));
-await page.click('[aria-label="spin-y there and back"]');
+await press(page, '[aria-label="spin-y there and back"]');
 await page.close();
 // What is copied is a link to all that is there, and a frame of it; a film has what the canvas shows
 page = await opened('cube-cull.html');
@@ -351,11 +391,44 @@ await page.evaluate(() => {
   const makeLink = URL.createObjectURL;
   URL.createObjectURL = (blob) => ((globalThis.film = blob), makeLink(blob));
   HTMLAnchorElement.prototype.click = () => {};
+  // What is recorded is handed over in small parts, so that the test sees it grow.
+  const start = MediaRecorder.prototype.start;
+  globalThis.filmed = 0;
+  MediaRecorder.prototype.start = function () {
+    this.addEventListener('dataavailable', ({ data }) => (globalThis.filmed += data.size));
+    start.call(this, 50);
+  };
 });
-await pressed('Record');
-await page.select('#knob-cull', 'none');
+await pressed('Record'); // of a picture that rests
+await page.waitForFunction(() => globalThis.filmed > 0);
 await pressed('End the film');
 await page.waitForFunction(() => globalThis.film?.size > 0 && /^video\//.test(globalThis.film.type));
+await page.close();
+
+// Another language: its words, and what the demo says in it; the way there and back keeps what is shown
+page = await opened('cube-cull.is.html#cull=none');
+equal(await page.$eval('html', (root) => root.lang), 'is', 'the language of a page');
+equal(await text(page, '#help-cull'), 'hvaða hliðum á að eyða', "a knob's help");
+equal(await page.$eval('#knob-winding option', (option) => option.title), 'rangsælis á skjánum', "a choice's meaning");
+equal(await text(page, '.knob.is-idle .idle'), 'farið er eins með fram- og bakhliðar', 'why a knob does nothing');
+equal(await page.$eval('.readouts tr', (one) => one.title), 'hliðar teningsins sem snúa að auganu, af 6', 'what a readout says');
+equal(await text(page, '.compare summary'), 'Bera saman', "the page's own words");
+equal(await text(page, '.panel td'), '3', 'and the number');
+const inIcelandic = await sumOf(page);
+const followed = async (selector) => {
+  await Promise.all([page.waitForNavigation(), press(page, selector)]);
+  await page.waitForFunction(() => document.querySelector('.live.is-live')?.live);
+};
+await followed('a.language[hreflang="en"]');
+equal(await page.evaluate(() => `${document.documentElement.lang} ${location.pathname.replace(/.*\//, '')}${location.hash}`), 'en cube-cull.html#cull=none', 'the same in English');
+equal(await text(page, '#help-cull'), 'which faces to discard', 'its help');
+equal(await sumOf(page), inIcelandic, 'the same picture');
+await followed('a.language[hreflang="is"]');
+equal(await page.evaluate(() => `${document.documentElement.lang} ${location.pathname.replace(/.*\//, '')}${location.hash}`), 'is cube-cull.is.html#cull=none', 'and back');
+await page.close();
+page = await opened('shadow.is.html');
+equal(await text(page, 'main > .notes'), 'Þessi kafli hefur ekki verið þýddur enn og stendur hér á ensku.', 'a lesson that is not translated says so');
+equal(await page.$eval('article', (lesson) => lesson.lang), 'en', 'and is English');
 await page.close();
 
 // In the frame of another page: the picture and the knobs that are asked for
@@ -409,6 +482,48 @@ for (const demo of ['shadow-map', 'springs']) {
   equal(await page.$$eval('article details', (answers) => answers.filter((answer) => !answer.open).length), 0, `${demo} on paper: answers that are folded`);
   await page.close();
 }
+// And the picture is what the canvas shows
+page = await opened('cube-cull.html#cull=front');
+const onPaper = () => page.$eval('.shown', (picture) => picture.getAttribute('src'));
+const fromFile = await onPaper();
+await page.evaluate(() => dispatchEvent(new Event('beforeprint')));
+const printed = await page.$eval('.shown', async (picture) => {
+  await picture.decode();
+  const copy = Object.assign(document.createElement('canvas'), { width: picture.width, height: picture.height }), pen = copy.getContext('2d');
+  pen.drawImage(picture, 0, 0);
+  const { demo, what } = document.querySelector('.live').live, own = demo.pixels(what.width * what.height);
+  return pen.getImageData(0, 0, what.width, what.height).data.every((byte, i) => byte === own[i]);
+});
+expect(printed, 'on paper stands the picture of the canvas');
+await page.evaluate(() => dispatchEvent(new Event('afterprint')));
+equal(await onPaper(), fromFile, 'and the file again after it');
+// A button that copies stands beside no letter of the line
+const covered = await page.$eval('article pre > button', (button) => {
+  const one = button.getBoundingClientRect(), other = button.parentElement.querySelector('code').getBoundingClientRect();
+  return one.top < other.bottom && one.bottom > other.top;
+});
+expect(!covered, 'the button lies over the line that it copies');
+// A text that the module has no room for is refused in words
+await unfold(page, '.shaders');
+await page.$eval('.shaders textarea', (area) => {
+  area.value = 'x'.repeat(1_000_000);
+  area.dispatchEvent(new Event('input'));
+});
+await page.waitForSelector('.mistakes li');
+equal(await text(page, '.mistakes li'), 'A shader may have at most 100000 letters, not 1000000.', 'a shader that is too long');
+await page.close();
+// On a phone a drag goes by whole pixels of the picture, and a knob keeps its few digits
+page = await opened('cube-cull.html', { width: 391, height: 700 });
+const small = await (await page.$('#canvas')).boundingBox();
+await page.mouse.move(small.x + 100, small.y + 100);
+await page.mouse.down();
+await page.mouse.move(small.x + 151.3, small.y + 117.7, { steps: 3 });
+await page.mouse.up();
+await settled(page);
+const digits = await page.$eval('#knob-spin-y', (field) => field.value);
+expect(/^-?\d+$/.test(digits) && digits !== '30', `a knob that is dragged on a phone: ${digits}`);
+await page.close();
+
 // ---- what a page loads: docs/browser.md has it by files
 
 const loaded = loadedBy(site).reduce((sum, { brotli }) => sum + brotli, 0);

@@ -9,6 +9,7 @@
 #include <map>
 #include <utility>
 
+#include "mv/gl/buffers_by_shader.h"
 #include "mv/gl/layer.h"
 #include "mv/gl/state.h"
 #include "mv/gl/state_names.h"
@@ -84,10 +85,11 @@ class StepWatch::Listener {
         return inFrame_ && stopped_;
     }
     // OpenGL ES does not tell a texture's size, nor does 3.3 without one more function.
-    void after_TexImage2D(GLenum target, GLint level, GLint, GLsizei width, GLsizei height, GLint, GLenum, GLenum,
-                          const void*) {
+    void after_TexImage2D(GLenum target, GLint level, GLint format, GLsizei width, GLsizei height, GLint, GLenum,
+                          GLenum, const void*) {
         if (level != 0) return;
-        sizes_[bound(target == GL_TEXTURE_2D ? GL_TEXTURE_BINDING_2D : GL_TEXTURE_BINDING_CUBE_MAP)] = {width, height};
+        textures_[bound(target == GL_TEXTURE_2D ? GL_TEXTURE_BINDING_2D : GL_TEXTURE_BINDING_CUBE_MAP)] = {
+            {width, height}, static_cast<GLenum>(format)};
     }
 
     std::vector<DrawStep> draws;
@@ -152,18 +154,27 @@ class StepWatch::Listener {
             if (!has(which)) continue;
             const auto name = static_cast<GLuint>(attachment(which, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME));
             if (attachment(which, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) == GL_TEXTURE) {
-                const auto known = sizes_.find(name);
-                return known == sizes_.end() ? Side{0, 0} : known->second;
+                const auto known = textures_.find(name);
+                return known == textures_.end() ? Side{0, 0} : known->second.size;
             }
-            const GLuint before = bound(GL_RENDERBUFFER_BINDING);
-            Side size{0, 0};
-            below().BindRenderbuffer(GL_RENDERBUFFER, name);
-            below().GetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_WIDTH, &size.first);
-            below().GetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_HEIGHT, &size.second);
-            below().BindRenderbuffer(GL_RENDERBUFFER, before);
-            return size;
+            return {storageOf(name, GL_RENDERBUFFER_WIDTH), storageOf(name, GL_RENDERBUFFER_HEIGHT)};
         }
         return {0, 0};
+    }
+    static GLint storageOf(GLuint renderbuffer, GLenum what) {
+        const GLuint before = bound(GL_RENDERBUFFER_BINDING);
+        GLint value = 0;
+        below().BindRenderbuffer(GL_RENDERBUFFER, renderbuffer);
+        below().GetRenderbufferParameteriv(GL_RENDERBUFFER, what, &value);
+        below().BindRenderbuffer(GL_RENDERBUFFER, before);
+        return value;
+    }
+    // Of the framebuffer that is bound for drawing, which has one, and whose size is known.
+    DepthBuffer depthBuffer() const {
+        const auto name = static_cast<GLuint>(attachment(GL_DEPTH_ATTACHMENT, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME));
+        if (attachment(GL_DEPTH_ATTACHMENT, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) == GL_TEXTURE)
+            return {textures_.at(name).format, 0, name};
+        return {static_cast<GLenum>(storageOf(name, GL_RENDERBUFFER_INTERNAL_FORMAT)), name, 0};
     }
 
     // From now on the frame changes no buffer. What they hold is read at once: the demo may give them up.
@@ -188,15 +199,9 @@ class StepWatch::Listener {
             if (stencil) unread("stencil", why);
         } else {
             if (has(GL_COLOR_ATTACHMENT0)) shown.buffers.push_back(color(width, height));
-            const std::string why = "not read: OpenGL ES 3.0 does not read it back";
-            if (depth && isEs()) unread("depth", why);
-            if (stencil && isEs()) unread("stencil", why);
-            if (depth && !isEs()) {
-                shown.buffers.push_back(
-                    shaded("depth", values<float>(GL_DEPTH_COMPONENT, GL_FLOAT, 1, width, height), 1, width, height));
-            }
-            if (stencil && !isEs()) {
-                const auto bytes = values<std::uint8_t>(GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, 1, width, height);
+            if (depth) shown.buffers.push_back(shaded("depth", depths(target, width, height), 1, width, height));
+            if (stencil) {
+                const std::vector<std::uint8_t> bytes = stencils(target, width, height);
                 shown.buffers.push_back(shaded("stencil", {bytes.begin(), bytes.end()}, 1, width, height));
             }
         }
@@ -212,6 +217,31 @@ class StepWatch::Listener {
         below().ReadPixels(0, 0, width, height, format, type, all.data());
         return all;
     }
+    // OpenGL ES 3.0 reads neither back: there a shader does, past this listener, which would take its draws for the demo's.
+    template <class Read>
+    static auto byShader(GLuint target, const Read& read) {
+        const GLuint storage = bound(GL_RENDERBUFFER_BINDING);
+        std::array<GLint, 4> viewport{};
+        below().GetIntegerv(GL_VIEWPORT, viewport.data());
+        auto values = [&] {
+            const Layer<Listener>::Past past;
+            return read();
+        }();
+        below().Viewport(viewport[0], viewport[1], viewport[2], viewport[3]);
+        below().BindRenderbuffer(GL_RENDERBUFFER, storage);
+        below().BindFramebuffer(GL_FRAMEBUFFER, target);
+        return values;
+    }
+    std::vector<float> depths(GLuint target, int width, int height) const {
+        if (!isEs()) return values<float>(GL_DEPTH_COMPONENT, GL_FLOAT, 1, width, height);
+        const DepthBuffer buffer = depthBuffer();
+        return byShader(target, [&] { return depthsByShader(target, buffer, width, height); });
+    }
+    std::vector<std::uint8_t> stencils(GLuint target, int width, int height) const {
+        if (!isEs()) return values<std::uint8_t>(GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, 1, width, height);
+        const DepthBuffer buffer = depthBuffer();
+        return byShader(target, [&] { return stencilsByShader(buffer, width, height); });
+    }
     static BufferPicture color(int width, int height) {
         if (attachment(GL_COLOR_ATTACHMENT0, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) == GL_FLOAT)
             return shaded("color", values<float>(GL_RGBA, GL_FLOAT, 4, width, height), 4, width, height);
@@ -225,7 +255,11 @@ class StepWatch::Listener {
     bool inFrame_ = false, stopped_ = false;
     bool counts_ = false;  // the draw that is being made is a step
     GLuint picture_ = 0;
-    std::map<GLuint, Side> sizes_;  // of textures
+    struct Stored {
+        Side size;
+        GLenum format;
+    };
+    std::map<GLuint, Stored> textures_;
 };
 
 StepWatch::StepWatch() : listener_(std::make_unique<Listener>()) { Layer<Listener>::layOver(*listener_); }
