@@ -284,7 +284,9 @@ TEST(Projections, lines_meet) {
                         if (glm::dot(to, along) < -1 || glm::dot(to - meeting + from, along) > 1) continue;
                         nearest = std::min(nearest, std::abs(along.x * to.y - along.y * to.x));
                     }
-                    EXPECT_LT(nearest, 0.75) << "axis " << axis << " at " << x << ", " << y;  // half a pixel's diagonal
+                    // Half a pixel's diagonal; OpenGL lets a driver set a pixel one unit beside that of its rule, which is half a
+                    // unit beside the line.
+                    EXPECT_LT(nearest, onLlvmpipe() ? 0.75 : 1.5) << "axis " << axis << " at " << x << ", " << y;
                 }
             }
             EXPECT_GT(count, 50) << "axis " << axis;

@@ -211,19 +211,42 @@ TEST(Rasterizer, no_hole_no_double) {
     }
 }
 
+// How many pixels of 24 by 18 units have their middle on a line between two of the corners, where OpenGL leaves it to the driver
+// which of the two triangles beside it has them.
+static int onAnEdge(const std::vector<vec2>& corners, int across) {
+    int count = 0;
+    for (int y = 0; y < across * 18 / 24; ++y) {
+        for (int x = 0; x < across; ++x) {
+            const vec2 middle = vec2(x + 0.5, y + 0.5) * 24.0 / static_cast<double>(across);
+            bool is = false;
+            for (std::size_t i = 0; i < corners.size(); ++i) {
+                for (std::size_t k = 0; k < i; ++k) {
+                    const vec2 along = corners[k] - corners[i], to = middle - corners[i];
+                    is = is || along.x * to.y == along.y * to.x;  // exact: sixteenths of a unit
+                }
+            }
+            count += is;
+        }
+    }
+    return count;
+}
+
 TEST(Rasterizer, as_opengl) {
     Random random(7);
     DemoRun run("rasterizer", 480, 220);
     run.set("subject", "triangle");
     for (int i = 0; i < 60; ++i) {
         std::string corners;
+        std::vector<vec2> places;
         for (int k = 0; k < 4; ++k) {
             const double x = std::round(random.number(0, 24) * 16) / 16, y = std::round(random.number(0, 18) * 16) / 16;
             corners += (k == 0 ? "" : "/") + numberText(x) + "," + numberText(y);
+            places.emplace_back(x, y);
         }
-        run.set("corners", corners).set("neighbour", i % 2 == 0 ? "on" : "off").set("cells", i % 3 == 0 ? "24" : "96");
+        const int across = i % 3 == 0 ? 24 : 96;
+        run.set("corners", corners).set("neighbour", i % 2 == 0 ? "on" : "off").set("cells", across);
         run.set("shade", i % 5 == 0 ? "surface" : "flat").picture();
-        ASSERT_EQ(run.readout("differs"), 0) << corners;
+        ASSERT_LE(run.readout("differs"), onLlvmpipe() ? 0 : onAnEdge(places, across)) << corners;
     }
     // A line leaves out its last pixel, by the rule of diamonds. Where it lies half-way between two pixels OpenGL lets the driver
     // choose, and its own line may be one pixel beside the ideal one everywhere.

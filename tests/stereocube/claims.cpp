@@ -252,7 +252,8 @@ TEST(Stereocube, zero_at_convergence) {
     // Both eyes ink the near face's four edges at the same pixels: black, nothing left of either channel.
     const double side = focal * 1 / 2.0;
     EXPECT_GT(static_cast<double>(countPixels(picture, {0, 0, 0})), 3.9 * side);
-    EXPECT_LT(static_cast<double>(countPixels(run.set("stereo", "toe-in").picture(), {0, 0, 0})), side);
+    // Toed in, less than half of that: what is common where they cross, which is more where a driver sets the pixels beside a line.
+    EXPECT_LT(static_cast<double>(countPixels(run.set("stereo", "toe-in").picture(), {0, 0, 0})), 3.9 * side / 2);
 }
 
 TEST(Stereocube, cube_out_of_view) {

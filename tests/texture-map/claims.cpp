@@ -149,13 +149,13 @@ TEST(TextureMap, forward_leaves_holes) {
         run.set("method", "forward").set("texels", texels).set("ratio", 3);
         const auto shown = slips(run);
         const mat3 pixels = pixelFromQuad(3, all);
-        // Pixels that a texel's middle falls into, and those that it may, within 1/64 px: points are placed on a grid of
-        // 1/256 px.
+        // Pixels that a texel's middle falls into, and those that it may. Points are placed on a grid of 1/256 px, and on another
+        // driver of the 1/16 px that OpenGL asks for at least (GL_SUBPIXEL_BITS).
+        const double grid = onLlvmpipe() ? 1.0 / 64 : 1.0 / 16;
         std::vector<int> sure(shown.size(), 0), perhaps(shown.size(), 0);
         for (int j = 0; j < texels; ++j) {
             for (int i = 0; i < texels; ++i) {
                 const vec2 at = projected(pixels, {(i + 0.5) / texels, (j + 0.5) / texels});
-                constexpr double grid = 1.0 / 64;
                 for (const double dx : {-grid, grid}) {
                     for (const double dy : {-grid, grid}) {
                         const vec2 pixel = glm::floor(at + vec2(dx, dy));
@@ -183,9 +183,9 @@ TEST(TextureMap, forward_leaves_holes) {
             holes += isHole;
             holesNear += isHole && uv.y < 0.1;
             holesFar += isHole && uv.y > 0.8;
-            // A texel falls within a pixel's diagonal of where it belongs.
+            // A texel falls within half a pixel's diagonal of where it belongs, and the grid's.
             if (!isHole) {
-                EXPECT_LE(shown[i], std::sqrt(0.5) + 0.02);
+                EXPECT_LE(shown[i], std::sqrt(0.5) + std::sqrt(2) * grid);
             }
         }
         if (texels == 64) {

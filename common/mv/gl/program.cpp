@@ -70,7 +70,7 @@ struct Linked {
     ProgramObject program;
     std::optional<GLenum> lastPrimitive;  // what the geometry stage gives, or else the tessellation
     std::map<std::string, Uniform, std::less<>> uniforms;
-    bool measuring = false;  // as the program was told last
+    std::optional<bool> measuring;  // as the program was told last
     bool edited = false;
 };
 

@@ -66,15 +66,15 @@ bool isSampler(GLenum type) {
            within(GL_SAMPLER_2D_MULTISAMPLE, GL_UNSIGNED_INT_SAMPLER_2D_MULTISAMPLE_ARRAY);
 }
 
-struct Sampler {
+struct UniformPlace {
     std::string name;
     GLenum type;
     GLint location;
 };
 
-// Each element of an array by itself.
-std::vector<Sampler> activeSamplers(GLuint program) {
-    std::vector<Sampler> samplers;
+// Each element of an array by itself. Those of a block have no location.
+std::vector<UniformPlace> uniformsOf(GLuint program) {
+    std::vector<UniformPlace> uniforms;
     GLint count = 0;
     below.GetProgramiv(program, GL_ACTIVE_UNIFORMS, &count);
     for (GLint i = 0; i < count; ++i) {
@@ -83,15 +83,14 @@ std::vector<Sampler> activeSamplers(GLuint program) {
         GLenum type = 0;
         below.GetActiveUniform(program, static_cast<GLuint>(i), static_cast<GLsizei>(text.size()), nullptr, &size,
                                &type, text.data());
-        if (!isSampler(type)) continue;
         std::string name = text.data();
         if (name.ends_with("[0]")) name.resize(name.size() - 3);
         for (GLint element = 0; element < size; ++element) {
             const std::string one = size == 1 ? name : name + "[" + std::to_string(element) + "]";
-            samplers.push_back({one, type, below.GetUniformLocation(program, one.c_str())});
+            uniforms.push_back({one, type, below.GetUniformLocation(program, one.c_str())});
         }
     }
-    return samplers;
+    return uniforms;
 }
 
 // ---- Textures
@@ -250,7 +249,7 @@ class UndefinedWatch {
     void before_DispatchCompute(GLuint, GLuint, GLuint) {
         if (!isAllowed(Newer::compute)) return;  // it is refused
         subject_ = "dispatch";
-        if (const GLuint program = programInUse()) checkSamplers(program, {});
+        if (const GLuint program = programInUse()) checkUniforms(program, {});
         for (const auto& [unit, texture] : imageUnits_) wrote(Image{GL_TEXTURE, texture, GL_NONE, 0, GL_COLOR});
     }
     void before_BindImageTexture(GLuint unit, GLuint texture, GLint, GLboolean, GLint, GLenum, GLenum) {
@@ -258,8 +257,24 @@ class UndefinedWatch {
     }
 
     // ---- programs
-    void before_LinkProgram(GLuint program) { samplers_.erase(program); }
-    void before_DeleteProgram(GLuint program) { samplers_.erase(program); }
+    void after_LinkProgram(GLuint program) {
+        samplers_.erase(program);
+        unset_[program] = {};
+        for (const UniformPlace& uniform : uniformsOf(program)) {
+            if (uniform.location >= 0) unset_[program].emplace(uniform.location, uniform.name);
+        }
+    }
+    void before_DeleteProgram(GLuint program) {
+        samplers_.erase(program);
+        unset_.erase(program);
+    }
+    void before_Uniform1f(GLint at, GLfloat) { set(at, 1); }
+    void before_Uniform1i(GLint at, GLint) { set(at, 1); }
+    void before_Uniform2fv(GLint at, GLsizei n, const GLfloat*) { set(at, n); }
+    void before_Uniform3fv(GLint at, GLsizei n, const GLfloat*) { set(at, n); }
+    void before_Uniform4fv(GLint at, GLsizei n, const GLfloat*) { set(at, n); }
+    void before_UniformMatrix3fv(GLint at, GLsizei n, GLboolean, const GLfloat*) { set(at, n); }
+    void before_UniformMatrix4fv(GLint at, GLsizei n, GLboolean, const GLfloat*) { set(at, n); }
 
     // ---- contents
     void after_TexImage2D(GLenum target, GLint level, GLint, GLsizei, GLsizei, GLint, GLenum format, GLenum,
@@ -357,7 +372,7 @@ class UndefinedWatch {
                 return faultHere("the framebuffer is not complete");
             written = imagesOf(GL_DRAW_FRAMEBUFFER, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         }
-        checkSamplers(program, written);
+        checkUniforms(program, written);
         checkAttributes(vertices());
         if (!own || !drawsPixels) return;
         GLbitfield reads = 0, writes = GL_COLOR_BUFFER_BIT;
@@ -374,17 +389,32 @@ class UndefinedWatch {
         wroteInto(writes);
     }
 
-    // ---- samplers
-    void checkSamplers(GLuint program, const std::vector<Image>& written) {
+    // ---- uniforms
+    void set(GLint location, GLsizei count) {
+        const auto unset = unset_.find(bound(GL_CURRENT_PROGRAM));
+        if (unset == unset_.end()) return;
+        for (GLsizei element = 0; element < count; ++element) unset->second.erase(location + element);
+    }
+
+    void checkUniforms(GLuint program, const std::vector<Image>& written) {
+        if (const auto unset = unset_.find(program); unset != unset_.end()) {
+            for (const auto& [location, name] : unset->second)
+                faultHere("uniform " + name + " of program " + labelOf(GL_PROGRAM, program) +
+                          " is used and was never set: it is 0");
+        }
         auto known = samplers_.find(program);
-        if (known == samplers_.end()) known = samplers_.emplace(program, activeSamplers(program)).first;
+        if (known == samplers_.end()) {
+            std::vector<UniformPlace> samplers = uniformsOf(program);
+            std::erase_if(samplers, [](const UniformPlace& uniform) { return !isSampler(uniform.type); });
+            known = samplers_.emplace(program, std::move(samplers)).first;
+        }
         std::map<GLint, const SamplerKind*> units;
         const auto active = static_cast<GLenum>(ask(GL_ACTIVE_TEXTURE));
-        for (const Sampler& sampler : known->second) checkSampler(program, sampler, units, written);
+        for (const UniformPlace& sampler : known->second) checkSampler(program, sampler, units, written);
         below.ActiveTexture(active);
     }
 
-    void checkSampler(GLuint program, const Sampler& sampler, std::map<GLint, const SamplerKind*>& units,
+    void checkSampler(GLuint program, const UniformPlace& sampler, std::map<GLint, const SamplerKind*>& units,
                       const std::vector<Image>& written) {
         const SamplerKind* kind = samplerKind(sampler.type);
         if (!kind) return faultHere("sampler " + sampler.name + " is of a kind that mv/gl/undefined.cpp does not know");
@@ -499,7 +529,8 @@ class UndefinedWatch {
     }
 
     std::string subject_;
-    std::map<GLuint, std::vector<Sampler>> samplers_;  // of a program
+    std::map<GLuint, std::vector<UniformPlace>> samplers_;  // of a program
+    std::map<GLuint, std::map<GLint, std::string>> unset_;  // uniforms of a program that was linked since this watches
     std::set<Image> unwritten_;
     std::map<GLuint, GLuint> imageUnits_;
     std::map<GLenum, GLuint> openQueries_;
