@@ -1,4 +1,4 @@
-// What cube-cull tells in numbers.
+// The readouts of cube-cull.
 #include <glm/matrix.hpp>
 
 #include "cube-cull.h"

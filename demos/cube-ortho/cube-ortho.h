@@ -24,6 +24,7 @@ mat4 viewFromModel(const Settings& s);
 mat4 clipFromView(const Settings& s);
 double nearDistance(const Settings& s);
 double farDistance(const Settings& s);
+double halfDepth(const Settings& s);
 void check(const Settings& s);
 void readOut(Gpu& gpu, const Settings& s, const Frame& frame, Numbers& numbers);
 

@@ -1,4 +1,4 @@
-// What can be set in keyframes, and what is said of it.
+// The settings of keyframes: rows, presets, controls and declaration.
 #include "keyframes.h"
 #include "mv/demo/lesson.h"
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "fill.h"
+#include "mv/formatted.h"
 #include "sheet.h"
 #include "trials.h"
 
@@ -33,7 +34,7 @@ void drawLine(Gpu& gpu, const Line& line, const Grid& grid, const Frame& frame) 
     showPictures(gpu, frame, grid, mine, glPicture, {{{line.ends[0] + 0.5, line.ends[1] + 0.5}}});
     if (thicknessOf(line) == 1) showErrors(gpu, pixels, grid, frame);
     showWords(gpu, frame, grid, std::string(nameOf(line.method)) + ": " + countOf(grid, pixels.size()),
-              rounded("OpenGL: pixels set otherwise: %.0f", double(countDifferent(mine, glPicture))));
+              formatted("OpenGL: pixels set otherwise: %.0f", double(countDifferent(mine, glPicture))));
 }
 
 // The mesh for OpenGL: a line if thin, a strip of two triangles if thick.

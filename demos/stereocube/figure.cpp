@@ -4,12 +4,13 @@
 #include <string>
 #include <vector>
 
+#include "mv/formatted.h"
 #include "mv/gl/functions.h"
 #include "stereocube.h"
 
 namespace mv::stereocube {
 
-// Of the corners that are before both eyes' near planes, in pixels of an eye's picture.
+// Parallaxes of the corners that are before both eyes' near planes, in pixels of an eye's picture.
 std::optional<Parallax> parallaxOf(const Settings& s, const FrameInfo& frame) {
     const Lens lens = lensOf(s, frame);
     const Eye left = leftEye(s, lens), right = rightEye(s, lens);
@@ -42,7 +43,7 @@ void figure(Gpu& gpu, const Settings& s, const Frame& frame) {
     const auto bar = [&](double row, double mm, const std::string& words, const vec4& color) {
         const double y = row * 1.9 * size, end = 10 + std::min(mm * pixelsPerMm, 2.0 * frame.width());
         gpu.drawing.line({10, y}, {end, y}, {color, 3});
-        gpu.drawing.text({12, y + 1.35 * size}, words + rounded(": %.4g mm", mm), {size, color, vec4(0)});
+        gpu.drawing.text({12, y + 1.35 * size}, words + formatted(": %.4g mm", mm), {size, color, vec4(0)});
     };
     gpu.drawing.begin(frame);
     bar(0.5, betweenPupils, "between two eyes", ink);
@@ -51,7 +52,7 @@ void figure(Gpu& gpu, const Settings& s, const Frame& frame) {
     gpu.drawing.draw(frame);
     if (isTooFar)
         frame.say("eyes that are 63.5 mm apart would have to turn outwards: the parallax here is up to " +
-                  rounded("%.3g mm", here->most));
+                  formatted("%.3g mm", here->most));
 }
 
 }  // namespace mv::stereocube

@@ -1,4 +1,4 @@
-// What stereocube tells in numbers.
+// The readouts of stereocube.
 #include "stereocube.h"
 
 namespace mv::stereocube {

@@ -1,4 +1,4 @@
-// What is drawn over z-buffer: the depth of each distance.
+// The figures over z-buffer: the depth of each distance.
 #include <glm/common.hpp>
 
 #include "mv/geometry/plot.h"
@@ -8,11 +8,8 @@ namespace mv::z_buffer {
 
 void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
     if (s.shown != Shown::curve) return;
-    const bool zeroToOne = hasZeroToOne(s);
-    const mat4 clip = clipFromView(s, frame.aspect(), zeroToOne);
-    const auto kept = [&](double distance) {
-        return keptDepth(s.format, depthOf(s, clip, float(distance), zeroToOne));
-    };
+    const mat4 clip = clipFromView(s, frame.aspect());
+    const auto kept = [&](double distance) { return keptDepth(s.format, depthOf(s, clip, float(distance))); };
     const vec2 size(frame.width(), frame.height());
     const Plot plot{{size * vec2(0.12, 0.14), size * 0.9}, {s.near, s.far, "distance", true}, {0, 1, "depth"}};
 
