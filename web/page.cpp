@@ -18,7 +18,7 @@
 #include "mv/paper/report.h"
 #include "mv/run/copyable.h"
 #include "mv/show/caught.h"
-#include "mv/show/hand.h"
+#include "mv/show/handle_input.h"
 #include "mv/show/session.h"
 #include "pictures.h"
 #include "shaders.h"
@@ -32,7 +32,7 @@ struct Page {
     std::unique_ptr<Context> context = openWebGl();
     Stage stage{*context, true};
     std::unique_ptr<Session> session;
-    Hand hand;
+    HandleInput hand;
     Picture picture;  // that was read last
 };
 
@@ -247,7 +247,7 @@ EMSCRIPTEN_KEEPALIVE void mvHover(double x, double y, double reach) {
 }
 // What a key of that name does to what can be dragged. Whether it was for this.
 EMSCRIPTEN_KEEPALIVE bool mvHandKey(const char* name, bool far) {
-    using Move = Hand::Move;
+    using Move = HandleInput::Move;
     static const std::map<std::string_view, Move> moves{
         {"H", Move::next},    {"Insert", Move::more}, {"Delete", Move::less}, {"Escape", Move::letGo},
         {"Left", Move::left}, {"Right", Move::right}, {"Up", Move::up},       {"Down", Move::down}};
@@ -262,7 +262,7 @@ EMSCRIPTEN_KEEPALIVE bool mvHandKey(const char* name, bool far) {
 EMSCRIPTEN_KEEPALIVE const char* mvHandles() {
     JsonText json;
     json.array();
-    for (const Hand::Place& place : page()->hand.places(demo(), shownFrame())) {
+    for (const HandleInput::Place& place : page()->hand.places(demo(), shownFrame())) {
         json.object().add("name", place.name).add("x", place.at.x);
         json.add("y", page()->stage.front().height() - place.at.y).add("active", place.active).end();
     }

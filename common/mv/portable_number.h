@@ -21,8 +21,8 @@ std::string shortestText(double number);
 // `number` as it was: it is none, or it is not finite, or so small that nothing of it is left.
 bool readFinite(std::string_view text, double& number);
 
-// The double nearest to the decimal number that is all of `text`; NaN where it is none. What else strtod reads (spaces, inf, a
-// hexadecimal number) is not to be asked for: a page has another way of its own (web/portable_number.cpp).
+// The double nearest to the decimal number that is all of `text`; NaN where it is none. Callers ask for nothing else
+// that strtod reads (spaces, inf, a hexadecimal number): a page has another way of its own (web/portable_number.cpp).
 double nearestDouble(const char* text);
 
 }  // namespace mv::portable

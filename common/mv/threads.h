@@ -23,7 +23,7 @@ inline int sharing(int wanted) {
     return wanted > 0 ? wanted : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-// They are joined at the end, whatever ends it. (std::jthread, which not every standard library has.)
+// The threads are joined at the end, whatever ends it. (std::jthread, which not every standard library has.)
 class Helpers {
   public:
     Helpers() = default;

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "mv/geometry/mesh_tangents.h"
-#include "mv/gl/beyond_es.h"
 #include "mv/gl/gl.h"
 #include "mv/image/mipmap.h"
 #include "mv/math/transform.h"
@@ -54,15 +53,17 @@ void setLight(const Program& program, const Settings& s, const Frame& frame) {
     program.set("band", frame.measuring() ? measuredBand(s) : vec2(-1, 1e9));
 }
 
-// Draw the smooth surface. Each vertex has a tangent frame, and the normals of the map are in that frame.
+// Make the smooth surface. Each vertex has a tangent frame, and the normals of the map are in that frame.
+void makeSmooth(Gpu& gpu, const Settings& s) {
+    const MeshTangents made = meshTangents(
+        s.body == ReliefBody::orange ? sphere(1, 256, 128) : wallPiece(reliefOf(gpu, s), -wallEnd, wallEnd, 128, 2));
+    gpu.flat = Mesh(made.mesh, "smooth surface");
+    gpu.tangents = attachTangents(made.tangents, "smooth surface");
+}
+
+// Draw the smooth surface. The program reads the maps that its method needs.
 void drawMapped(Gpu& gpu, const Program& program, const Settings& s, const Pane& pane) {
-    if (gpu.flatFor.changed(s.body, isMirrored(s))) {
-        const MeshTangents made =
-            meshTangents(s.body == ReliefBody::orange ? sphere(1, 256, 128)
-                                                      : wallPiece(reliefOf(gpu, s), -wallEnd, wallEnd, 128, 2));
-        gpu.flat = Mesh(made.mesh, "smooth surface");
-        gpu.tangents = attachTangents(made.tangents, "smooth surface");
-    }
+    if (gpu.flatFor.changed(s.body, isMirrored(s))) makeSmooth(gpu, s);
     program.set("clipFromBody", sceneAt(s, pane.aspect()).clipFromWorld());
     if (usesFrames(s.method)) program.set("keepsSign", s.sign || !isMirrored(s));
     if (usesNormals(s.method)) program.set("normals", 1);
@@ -124,9 +125,6 @@ FloatPicture heightMap(const Settings& s) {
     if (!s.picture.isSet()) return paintedMap(s.body, s.mapSize);
     return ownHeights(*s.picture.content(), s.body == ReliefBody::orange ? 2 * s.mapSize : s.mapSize, s.mapSize);
 }
-Texels formatOf(const Settings& s) {
-    if (s.texels == Kept::bytes) return Texels::bytes;
-    return has(beyond_es::floatFiltering) ? Texels::floats : Texels::halfFloats;
-}
+Texels formatOf(const Settings& s) { return s.texels == Kept::bytes ? Texels::bytes : filteredFloats(); }
 
 }  // namespace mv::bump_map

@@ -60,6 +60,7 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame);
 void bindMaps(Gpu& gpu, const Settings& s);
 const Program& programOf(Gpu& gpu, const Settings& s);
 void setLight(const Program& program, const Settings& s, const Frame& frame);
+void makeSmooth(Gpu& gpu, const Settings& s);
 void drawMapped(Gpu& gpu, const Program& program, const Settings& s, const Pane& pane);
 void drawReal(Gpu& gpu, const Settings& s, const Pane& pane);
 FloatPicture heightMap(const Settings& s);

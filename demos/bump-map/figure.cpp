@@ -27,7 +27,7 @@ void drawMap(Gpu& gpu, ReliefBody body, const Frame& frame, int unit, const char
     if (words > 0) gpu.drawing.text(corner + vec2(0, high + 1.5 * words), name, {words, ink, vec4(0)});
 }
 
-// Where the orange is seen at that angle.
+// The place on the orange that is seen at that angle.
 void drawRing(Drawing& drawing, const Pane& left, double angle) {
     const vec2 size(left.width, left.height);
     const double r = 0.5 * std::min(size.x, size.y) / 1.1 * std::sin(radians(angle));

@@ -1,4 +1,4 @@
-// What can be set in bump-map, and what is said of it.
+// The settings of bump-map: rows, presets, controls and declaration.
 #include "bump-map.h"
 #include "mv/demo/lesson.h"
 

@@ -1,4 +1,4 @@
-// Where things are in bump-map: the wall or the orange, the lamp, the eye.
+// The scene of bump-map: the wall or the orange, the lamp, the eye.
 #include <algorithm>
 #include <cmath>
 #include <glm/matrix.hpp>

@@ -1,4 +1,4 @@
-// What bump-map tells in numbers, and what measures it: its pictures against lines of sight to the displaced surface.
+// The readouts of bump-map, and its study: its pictures against lines of sight to the displaced surface.
 #include <array>
 #include <cmath>
 #include <functional>
@@ -33,7 +33,7 @@ void readOut(Gpu& gpu, const Settings& s, const Frame& frame, Numbers& numbers) 
                 lookupsOf.at(static_cast<std::size_t>(s.method)) + (s.method == Method::occlusion ? s.layers : 0));
 }
 
-// Of the orange a ring is measured, 5 degrees wide: the sines of its edges.
+// A ring of the orange is measured, 5 degrees wide: the sines of its edges.
 vec2 measuredBand(const Settings& s) {
     if (s.body == ReliefBody::wall) return {-1, 1e9};
     return {s.angle < 2.5 ? -1 : std::sin(radians(s.angle - 2.5)), std::sin(radians(s.angle + 2.5))};
@@ -101,7 +101,7 @@ class Seen {
 // Lines of sight along each side of a pixel: of the orange some thousand pixels count, and many are at its outline.
 int sideOf(const Settings& s) { return s.body == ReliefBody::wall ? 2 : 6; }
 
-// What is painted and how high are formulas, which a picture of the user's own is not.
+// Paint and heights are formulas, which a picture of the user's own is not.
 bool isMeasured(const Settings& s) { return !s.picture.isSet(); }
 
 Reference reference(const Demo& demo, const ReferenceFrame& frame, const std::function<void(double)>& progress) {
@@ -116,7 +116,7 @@ Reference reference(const Demo& demo, const ReferenceFrame& frame, const std::fu
     return right;
 }
 
-// Of the present settings, in few pixels.
+// The error of the present settings, in few pixels.
 std::vector<double> errorNow(Probing& probing) {
     const auto s = settingsOf<Settings>(probing.demo());
     if (!isMeasured(s)) return {};

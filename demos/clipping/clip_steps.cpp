@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <string>
 
+#include "mv/formatted.h"
+
 namespace mv {
 
 using namespace clip;
@@ -64,15 +66,15 @@ void showParameters(ClipFigure& figure, const Segment& whole, const Box& box, do
         }
         const bool enters = atA < atB;
         (enters ? from : until) = enters ? std::max(from, t) : std::min(until, t);
-        const std::string how = withDistances ? rounded(" (%.2f", atA) + rounded(" to %.2f)", atB) : "";
-        figure.say(names.at(i) + rounded(enters ? ": enters at %.3f" : ": leaves at %.3f", t) + how,
+        const std::string how = withDistances ? formatted(" (%.2f", atA) + formatted(" to %.2f)", atB) : "";
+        figure.say(names.at(i) + formatted(enters ? ": enters at %.3f" : ": leaves at %.3f", t) + how,
                    enters ? green : red);
         const vec2 at = (whole.a + t * (whole.b - whole.a)) - offset;
         if (plane.holds(at)) figure.point(at, 8, enters ? green : red);
     }
     figure.say("");
-    figure.say(rounded("last entry, or 0:  %.3f", from), green);
-    figure.say(rounded("first exit, or 1:  %.3f", until), red);
+    figure.say(formatted("last entry, or 0:  %.3f", from), green);
+    figure.say(formatted("first exit, or 1:  %.3f", until), red);
 }
 
 // The side of the segment's line on which each corner lies.
@@ -83,7 +85,7 @@ void showCorners(ClipFigure& figure, const Segment& whole, const Box& box, doubl
         const vec4& color = side > 0 ? green : side < 0 ? red : ink;
         const vec2 at = (corner)-offset;
         figure.point(at, 11, color);
-        figure.say(rounded("(%.2f, ", at.x) + rounded("%.2f)", at.y) +
+        figure.say(formatted("(%.2f, ", at.x) + formatted("%.2f)", at.y) +
                        (side > 0   ? " left"
                         : side < 0 ? " right"
                                    : " on it"),

@@ -63,8 +63,8 @@ Pieces piecesOf(const Settings& s);
 double areaOf(const Pieces& pieces);
 GridPolygon onGrid(const std::vector<vec2>& corners);
 
-// The largest distance, in the picture, of an end of the shown segment from the right one. It is 2, the picture's width, where
-// only one of the two is there.
+// The largest distance, in the picture, of an end of the shown segment from the right one. The answer is 2, the
+// picture's width, where only one of the two is there.
 double missInSpace(const InSpace& s);
 
 // knobs.cpp, study.cpp.

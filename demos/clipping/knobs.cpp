@@ -1,4 +1,4 @@
-// What can be set in clipping, and what is said of it.
+// The settings of clipping: rows, presets, controls and declaration.
 #include "clipping.h"
 #include "mv/demo/lesson.h"
 
@@ -109,7 +109,7 @@ std::vector<SettingsPreset<Settings>> presets() {
     };
 }
 
-// Where the left pane shows a place of the plane, for these subjects.
+// The pixel of the left pane for a place of the plane, for these subjects.
 template <Subject... subjects>
 std::optional<vec2> placeOf(const Settings& s, const FrameInfo& frame, const vec2& at) {
     if (!is<subjects...>(s)) return {};

@@ -1,5 +1,6 @@
 // A point is inside a window where none of its signed distances from four half planes is negative.
 #include "clipping.h"
+#include "mv/formatted.h"
 #include "mv/gl/text.h"
 
 namespace mv::clipping {
@@ -19,7 +20,7 @@ void drawPoint(ClipFigure& figure, const Settings& s, const Frame&) {
         const double distance = planes.at(i).of(point);
         inside = inside && distance >= 0;
         const vec4& color = distance < 0 ? red : green;
-        figure.say(names.at(i) + rounded(" = %.2f", distance), color);
+        figure.say(names.at(i) + formatted(" = %.2f", distance), color);
         const vec2 aside = (i % 2 == 0 ? 4.0 : -4.0) * vec2(normal.y, normal.x);
         figure.drawing.arrow(figure.px(point - distance * normal) + aside, figure.px(point) + aside, {color, 2});
     }

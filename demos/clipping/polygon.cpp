@@ -4,6 +4,7 @@
 #include <string>
 
 #include "clipping.h"
+#include "mv/formatted.h"
 #include "mv/gl/text.h"
 #include "mv/math/clip.h"
 
@@ -29,7 +30,7 @@ static std::vector<vec2> cutAt(const Polygons& s, std::size_t edges) {
 }
 static std::size_t edgesShown(const Settings& s) { return std::min(std::size_t(s.round), s.polygons.against.size()); }
 
-// What a slide proposes: each side of the polygon, clipped as a segment. The window's corners are in none of them.
+// A slide's proposal: each side of the polygon, clipped as a segment. The window's corners are in none of them.
 static Pieces clippedSides(const Polygons& s) {
     const std::vector<HalfPlane> inside = halfPlanes(s.against);
     Pieces sides;
@@ -100,7 +101,7 @@ void drawPolygon(ClipFigure& figure, const Settings& s, const Frame&) {
         figure.outline(piece, {blue, 4});
         for (const vec2& corner : piece) figure.point(corner, 7, blue);
     }
-    figure.say(rounded("area %.4f", areaOf(pieces)), blue);
+    figure.say(formatted("area %.4f", areaOf(pieces)), blue);
 }
 
 }  // namespace mv::clipping

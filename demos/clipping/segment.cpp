@@ -3,6 +3,7 @@
 
 #include "clip_steps.h"
 #include "clipping.h"
+#include "mv/formatted.h"
 #include "mv/gl/text.h"
 
 namespace mv::clipping {
@@ -37,7 +38,7 @@ void drawSegment(ClipFigure& figure, const Settings& s, const Frame&) {
     const Box window = farWindowOf(s.plane);
     figure.window(windowOf(s.plane));
     figure.stroke(a, b, {grey, 1.5});
-    if (offset > 0) figure.say(rounded("all coordinates 1e%.0f larger", std::log10(offset)), grey);
+    if (offset > 0) figure.say(formatted("all coordinates 1e%.0f larger", std::log10(offset)), grey);
     if (s.plane.method == Method::cohenSutherland) {
         figure.codes(windowOf(s.plane));
         showRounds(figure, cohenSutherland(whole, window), s.round, offset);

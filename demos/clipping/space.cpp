@@ -5,6 +5,7 @@
 #include <string>
 
 #include "clipping.h"
+#include "mv/formatted.h"
 #include "mv/gl/text.h"
 #include "mv/math/clip.h"
 #include "mv/math/projection.h"
@@ -70,7 +71,7 @@ static void drawFromAbove(ClipFigure& figure, const InSpace& s) {
     if (inside.size() == 2) figure.stroke({inside[0].x, inside[0].z}, {inside[1].x, inside[1].z}, {blue, 4});
     for (std::size_t i = 0; i < 2; ++i) {
         figure.point(s.ends.at(i), 9, ink);
-        figure.name(s.ends.at(i), (i == 0 ? "a: w = " : "b: w = ") + rounded("%.2f", -s.ends.at(i).y));
+        figure.name(s.ends.at(i), (i == 0 ? "a: w = " : "b: w = ") + formatted("%.2f", -s.ends.at(i).y));
     }
 }
 

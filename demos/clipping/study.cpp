@@ -1,4 +1,4 @@
-// What clipping tells in numbers, and what measures it: how often each method decides wrongly about a segment aimed at a corner
+// The readouts of clipping, and its study: how often each method decides wrongly about a segment aimed at a corner
 // of the window.
 #include <string>
 #include <vector>

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "mv/formatted.h"
 #include "mv/math/clip.h"
 #include "mv/math/color.h"
 #include "mv/math/transform.h"
@@ -100,7 +101,7 @@ void ChromaticityDiagram::draw(Drawing& drawing, const FrameInfo& frame) const {
     }
     note(place(srgbWhite), {0, -14}, "white", ink);
     const vec2 aside = which == Diagram::xy ? vec2(0.62, 0.81) : vec2(0.56, 0.13);
-    note(aside, {0, 20}, rounded("sRGB holds %.1f %%", heldBySrgb()), ink);
+    note(aside, {0, 20}, formatted("sRGB holds %.1f %%", heldBySrgb()), ink);
     note(aside, {0, 0}, "of the area in this diagram", ink);
     note(aside, {0, -20}, "grey: seen, and not in sRGB", faint);
 }

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "color-models.h"
+#include "mv/formatted.h"
 #include "mv/geometry/plot.h"
 #include "mv/geometry/shapes.h"
 #include "mv/math/color.h"
@@ -61,15 +62,16 @@ struct Label {
 };
 Label labelOf(const Settings& s, Space solid) {
     const auto numbers = [](const std::string& first, double second, double third) {
-        return first + rounded("  %.2f", second) + rounded("  %.2f", third);
+        return first + formatted("  %.2f", second) + formatted("  %.2f", third);
     };
     if (solid == cube) {
-        return {"RGB: cube", s.solids.written == Written::hex ? hexFromSrgb(s.from) + "  to  " + hexFromSrgb(s.to)
-                                                              : numbers(rounded("%.2f", s.from.r), s.from.g, s.from.b)};
+        return {"RGB: cube", s.solids.written == Written::hex
+                                 ? hexFromSrgb(s.from) + "  to  " + hexFromSrgb(s.to)
+                                 : numbers(formatted("%.2f", s.from.r), s.from.g, s.from.b)};
     }
     const Hsl hsl = hslFromRgb(s.from);
     const Hsv hsv = hsvFromRgb(s.from);
-    const std::string turn = hsl.saturation == 0 ? "no hue" : rounded("%.0f°", hsl.hue);
+    const std::string turn = hsl.saturation == 0 ? "no hue" : formatted("%.0f°", hsl.hue);
     if (solid == doubleCone) return {"HSL: double cone", numbers(turn, hsl.saturation, hsl.lightness)};
     return {"HSV: cone", numbers(turn, hsv.saturation, hsv.value)};
 }
@@ -165,7 +167,7 @@ void drawStrips(Drawing& drawing, const Settings& s, const FrameInfo& frame) {
         }
         words(drawing, frame, {12, top - 12}, wayNames.at(i), wayColors.at(i), 16);
         if (const auto percent = unevenness(stepsOf(colors)))
-            words(drawing, frame, {right + 10, top - 12}, rounded("%.0f %%", *percent), wayColors.at(i), 16);
+            words(drawing, frame, {right + 10, top - 12}, formatted("%.0f %%", *percent), wayColors.at(i), 16);
         drawing.curve(plot, curve, {wayColors.at(i), 2});
     }
     drawing.axes(plot);

@@ -1,4 +1,4 @@
-// What can be set in cube-cull, and what is said of it.
+// The settings of cube-cull: rows, presets, controls and declaration.
 #include "cube-cull.h"
 #include "mv/demo/lesson.h"
 

@@ -1,4 +1,4 @@
-// What cube-cull tells in numbers, and what measures it: what is seen with and without culling, and how long that takes.
+// The readouts of cube-cull, and its study: what is seen with and without culling, and how long that takes.
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>

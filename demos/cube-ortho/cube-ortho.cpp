@@ -31,8 +31,9 @@ mat4 clipFromView(const Settings& s) {
     return ortho(-s.width / 2, s.width / 2, -s.height / 2, s.height / 2, nearDistance(s), farDistance(s));
 }
 
-// Near and far are distances in front of the eye. The cube lies midway between them.
-double nearDistance(const Settings& s) { return s.mirrorDepth ? s.distance + s.depth / 2 : s.distance - s.depth / 2; }
-double farDistance(const Settings& s) { return s.mirrorDepth ? s.distance - s.depth / 2 : s.distance + s.depth / 2; }
+// Near and far are distances in front of the eye. The cube lies midway between them. Exchanged, they mirror the depths.
+double nearDistance(const Settings& s) { return s.distance - halfDepth(s); }
+double farDistance(const Settings& s) { return s.distance + halfDepth(s); }
+double halfDepth(const Settings& s) { return s.mirrorDepth ? -s.depth / 2 : s.depth / 2; }
 
 }  // namespace mv::cube_ortho

@@ -30,6 +30,7 @@ double nearDistance(const Settings& s);
 double farDistance(const Settings& s);
 ViewFigure figureOf(const Settings& s);
 void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame);
+double halfDepth(const Settings& s);
 void check(const Settings& s);
 void readOut(Gpu& gpu, const Settings& s, const Frame& frame, Numbers& numbers);
 

@@ -1,4 +1,4 @@
-// What cube-ortho tells in numbers.
+// The readouts of cube-ortho.
 #include "cube-ortho.h"
 
 namespace mv::cube_ortho {

@@ -1,4 +1,4 @@
-// What can be set in cube-persp, and what is said of it.
+// The settings of cube-persp: rows, presets, controls and declaration.
 #include <algorithm>
 #include <cmath>
 #include <glm/matrix.hpp>

@@ -1,4 +1,4 @@
-// What cube-persp tells in numbers.
+// The readouts of cube-persp.
 #include <algorithm>
 #include <cmath>
 

@@ -2,7 +2,6 @@
 #include "cube-shadows.h"
 
 #include "mv/demo/seen.h"
-#include "mv/gl/beyond_es.h"
 #include "mv/math/shadow.h"
 #include "mv/math/shadow_textbook.h"
 #include "mv/math/transform.h"
@@ -26,7 +25,8 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     drawShadows(gpu, s, scene);
 }
 
-static void setSeen(GLboolean seen) {
+static void setSeen(bool isSeen) {
+    const GLboolean seen = isSeen;
     glColorMask(seen, seen, seen, seen);
     glDepthMask(seen);
 }
@@ -42,14 +42,13 @@ void drawSurfaces(Gpu& gpu, const Settings& s, const Scene& scene) {
     }
 
     // Tag the plane of the original without drawing it, since it is invisible there
-    const bool isUnseen = s.scene == Which::plane;
-    if (isUnseen) setSeen(GL_FALSE);
+    setSeen(s.scene != Which::plane);
     for (const Ground& ground : groundsOf(s)) {
         const auto& [object, mesh] = objects[ground.object.index];
         glStencilFunc(GL_ALWAYS, showsFront(s, ground.plane) ? ground.tag : 0, 0xFF);
         drawSurface(gpu, scene, mesh, object.worldFromObject);
     }
-    if (isUnseen) setSeen(GL_TRUE);
+    setSeen(true);
     glStencilFunc(GL_ALWAYS, 0, 0xFF);
 }
 
@@ -64,22 +63,19 @@ void drawShadows(Gpu& gpu, const Settings& s, const Scene& scene) {
     glBlendFunc(GL_ZERO, GL_SRC_COLOR);
     glStencilOp(GL_KEEP, GL_KEEP, s.once ? GL_ZERO : GL_KEEP);
 
-    const bool clips = s.cut == Cut::clip && has(beyond_es::clipDistances);
-    if (clips) {
+    if (s.cut == Cut::clip) {
         glEnable(GL_CLIP_DISTANCE0);
         glEnable(GL_CLIP_DISTANCE1);
     }
     gpu.shadows.use();
     gpu.shadows.set("clipFromView", scene.clipFromView);
     gpu.shadows.set("darkness", s.darkness);
-    if (!isEs()) gpu.shadows.set("clips", clips);
-    gpu.shadows.set("discardOutside", s.cut != Cut::none && !clips);
+    gpu.shadows.set("cut", static_cast<int>(s.cut));
 
     for (const Ground& ground : groundsOf(s)) {
         const bool isUncut = s.cut == Cut::none && isLit(s, ground.plane);
         glStencilFunc(GL_EQUAL, ground.tag, 0xFF);
-        for (const auto& [object, mesh] : gpu.meshes.of(scene)) {
-            if (!object.casts) continue;
+        for (const auto& [object, mesh] : gpu.meshes.castersOf(scene)) {
             if (isUncut || judged(s, object, ground).casts) drawShadow(gpu, s, scene, ground.plane, object, mesh);
         }
     }

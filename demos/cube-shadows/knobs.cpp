@@ -1,8 +1,9 @@
-// What can be set in cube-shadows, and what is said of it.
+// The settings of cube-shadows: rows, presets, controls and declaration.
 #include <optional>
 
 #include "cube-shadows.h"
 #include "mv/demo/lesson.h"
+#include "mv/gl/beyond_es.h"
 
 namespace mv::cube_shadows {
 namespace {
@@ -22,6 +23,12 @@ constexpr Declaration about{
     .waste = {{"no-sample", "draw of 'cube'", "what is wholly hidden, or cut off, is known when it is drawn"},
               {"no-sample", "draw of 'sphere'", "what is wholly hidden, or cut off, is known when it is drawn"}},
 };
+
+// Discard by the same distances where the context has no clip distances.
+Settings fallback(Settings s) {
+    if (s.cut == Cut::clip && !has(beyond_es::clipDistances)) s.cut = Cut::discard;
+    return s;
+}
 
 bool isLamp(const Settings& s) { return !s.atInfinity; }
 bool isDark(const Settings& s) { return s.darkness > 0; }
@@ -128,6 +135,7 @@ const bool added = addLesson(
                .figure = drawFigure,
                .readOut = readOut,
                .check = check,
+               .fallback = fallback,
                .scene = sceneOf,
                .values = values,
            });

@@ -1,4 +1,4 @@
-// What measures cube-shadows: the places of its shadows against rays from the light.
+// The study of cube-shadows: the places of its shadows against rays from the light.
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>

@@ -3,7 +3,6 @@
 
 #include <string>
 
-#include "mv/gl/beyond_es.h"
 #include "mv/gl/gl.h"
 #include "mv/image/mipmap.h"
 #include "shared/relief_maps.h"
@@ -26,9 +25,18 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
         drawPrepared(gpu, program, s, frame);
 }
 
+// Send the corners of the patches. The tessellator makes the vertices between them.
 void drawPatches(Gpu& gpu, const Program& program, const Settings& s, const Frame& frame) {
-    // Count the triangles by the same rule as the control shader, whose levels OpenGL does not report
     const LevelRule rule = ruleOf(s, frame);
+    makePatches(gpu, s, rule, frame);
+    setTessellator(program, s, rule);
+    glPatchParameteri(GL_PATCH_VERTICES, 4);
+    drawCounted(gpu, gpu.corners, GL_PATCHES, frame);
+}
+
+// Count the triangles by the same rule as the control shader, whose levels OpenGL does not report. Upload the patches in as
+// many parts as a driver can number the vertices of.
+void makePatches(Gpu& gpu, const Settings& s, const LevelRule& rule, const Frame& frame) {
     if (gpu.patchesFor.changed(s.body)) gpu.patches = reliefPatches(s.body);
     gpu.counted = countPatches(gpu.patches, {s.body, s.depth}, rule, sceneOf(s, frame).clipFromWorld());
     if (const int parts = gpu.counted.partsToDraw(); gpu.cornersFor.changed(s.body, parts)) {
@@ -36,10 +44,6 @@ void drawPatches(Gpu& gpu, const Program& program, const Settings& s, const Fram
         for (const MeshData& part : patchCorners(gpu.patches, parts)) gpu.corners.emplace_back(part, "patches");
     }
     tell(gpu.counted, s, frame);
-
-    setTessellator(program, s, rule);
-    glPatchParameteri(GL_PATCH_VERTICES, 4);
-    drawCounted(gpu, gpu.corners, GL_PATCHES, frame);
 }
 
 // Set what the control shader needs for the levels, and the evaluation shader for the positions.
@@ -102,16 +106,13 @@ void setLight(const Program& program, const Settings& s, const Frame& frame) {
 // Bind the height map with its paint.
 void bindMap(Gpu& gpu, const Settings& s) {
     if (!gpu.paintedFor.changed(s.body, s.mapSize)) return gpu.painted.bind(0);
-    const Texels texels = has(beyond_es::floatFiltering) ? Texels::floats : Texels::halfFloats;
-    gpu.painted = Texture(mipmaps(paintedMap(s.body, s.mapSize)), {.texels = texels, .label = "painted"});
+    gpu.painted = Texture(mipmaps(paintedMap(s.body, s.mapSize)), {.texels = filteredFloats(), .label = "painted"});
     gpu.painted.filterBy({.minify = GL_LINEAR_MIPMAP_LINEAR, .magnify = GL_LINEAR, .wrap = GL_REPEAT});
     if (s.body == ReliefBody::orange) glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 }
 
-bool isTessellated(const Settings& s) { return s.method != Method::prepared && has(beyond_es::tessellation); }
+bool isTessellated(const Settings& s) { return s.method != Method::prepared && s.hasTessellator; }
 bool isByDistance(const Settings& s) { return s.method != Method::prepared && s.levels == Levels::distance; }
-bool hasLines(const Settings& s, const Frame& frame) {
-    return s.wireframe && !frame.measuring() && has(beyond_es::geometryShaders);
-}
+bool hasLines(const Settings& s, const Frame& frame) { return s.wireframe && !frame.measuring(); }
 
 }  // namespace mv::displacement

@@ -37,6 +37,7 @@ struct Settings {
     Paint paint = Paint::surface;
     double lampTurn = -50, lampHeight = 40;  // degrees
     double spinX = 20, spinY = 0;            // degrees
+    bool hasTessellator = true;              // of the context: knobs.cpp
 };
 
 struct Gpu {
@@ -60,6 +61,7 @@ void bindMap(Gpu& gpu, const Settings& s);
 const Program& programOf(Gpu& gpu, const Settings& s, const Frame& frame);
 void setLight(const Program& program, const Settings& s, const Frame& frame);
 void drawPatches(Gpu& gpu, const Program& program, const Settings& s, const Frame& frame);
+void makePatches(Gpu& gpu, const Settings& s, const LevelRule& rule, const Frame& frame);
 void setTessellator(const Program& program, const Settings& s, const LevelRule& rule);
 void drawPrepared(Gpu& gpu, const Program& program, const Settings& s, const Frame& frame);
 LevelRule ruleOf(const Settings& s, const FrameInfo& frame);

@@ -1,6 +1,7 @@
-// What can be set in displacement, and what is said of it.
+// The settings of displacement: rows, presets, controls and declaration.
 #include "displacement.h"
 #include "mv/demo/lesson.h"
+#include "mv/gl/beyond_es.h"
 
 namespace mv::displacement {
 namespace {
@@ -64,6 +65,13 @@ constexpr Declaration about{
                            {"float filtering", "the height map has 16 bits a texel"}}},
 };
 
+// Draw the prepared mesh without a tessellator, and no edges without geometry shaders.
+Settings fallback(Settings s) {
+    if (s.method != Method::prepared) s.hasTessellator = has(beyond_es::tessellation);
+    if (s.wireframe) s.wireframe = has(beyond_es::geometryShaders);
+    return s;
+}
+
 std::vector<SettingsPreset<Settings>> presets() {
     return {
         {"street", "Bricks hide mortar, and the upper edge is notched: the vertices are really moved."},
@@ -98,6 +106,7 @@ const bool added = addLesson(
                .draw = draw,
                .figure = drawFigure,
                .readOut = readOut,
+               .fallback = fallback,
                .scene = sceneOf,
            });
 

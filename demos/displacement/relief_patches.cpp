@@ -181,7 +181,7 @@ double heightMapError(const Relief& relief, int size) {
         const int row = isRound ? std::clamp(y, 0, size - 1) : y;
         return reliefHeight(relief, smoothPoint(relief.body, {(x + 0.5) / width, (row + 0.5) / size}));
     };
-    // Of places that fill the map evenly, between its texels.
+    // Samples of places that fill the map evenly, between its texels.
     constexpr int places = 2000;
     double squares = 0, weights = 0;
     for (int i = 0; i < places; ++i) {

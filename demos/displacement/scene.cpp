@@ -1,4 +1,4 @@
-// Where things are in displacement: the wall or the orange, the lamp, the eye.
+// The scene of displacement: the wall or the orange, the lamp, the eye.
 #include <cmath>
 #include <glm/matrix.hpp>
 

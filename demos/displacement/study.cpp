@@ -1,4 +1,5 @@
-// What displacement tells in numbers, and what measures it: which pixels it covers, against lines of sight to the true relief; and holes.
+// The readouts of displacement, and its study: which pixels it covers, against lines of sight to the true relief; and
+// holes.
 #include <cmath>
 #include <functional>
 #include <glm/geometric.hpp>

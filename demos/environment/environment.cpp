@@ -18,7 +18,7 @@ namespace mv::environment {
 void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     const Scene scene = seen(sceneOf(s, frame), frame);
     glEnable(GL_DEPTH_TEST);
-    if (s.seamless && !isEs()) glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+    if (s.seamless) glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
 
     // 1. Draw the surroundings into a cube map
     gpu.facesDrawn = inRoom(s) && looksUp(s) ? drawFaces(gpu, s, frame) : 0;  // room.cpp

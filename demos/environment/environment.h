@@ -65,7 +65,6 @@ struct Gpu {
     MadeFor<int, double> roomFor;
     double drawnRound = 0;  // degrees: the ball's place in the cube map
     int facesDrawn = 0;     // for this picture
-    int objectSet = -2;     // the object whose uniforms the room's program has
     Drawing drawing;
 };
 

@@ -1,4 +1,4 @@
-// What can be set in environment, and what is said of it.
+// The settings of environment: rows, presets, controls and declaration.
 #include "environment.h"
 #include "mv/demo/lesson.h"
 #include "shared/orbit_rows.h"

@@ -12,22 +12,17 @@ namespace {
 
 constexpr int walls = -1;  // takes the place of a ball's number
 
-void useRoom(Gpu& gpu, const Room& room, bool again) {
+void useRoom(Gpu& gpu, const Room& room) {
     glEnable(GL_CULL_FACE);
     gpu.roomProgram->use();
-    if (again) return;
     gpu.roomProgram->set("room", room.size);
     gpu.roomProgram->set("ballColor", Room::ballColors());
-    gpu.objectSet = -2;
 }
 
 void drawObject(Gpu& gpu, int number, const mat4& clipFromWorld, const mat4& worldFromObject) {
     gpu.roomProgram->set("clipFromObject", clipFromWorld * worldFromObject);
-    if (gpu.objectSet != number) {
-        gpu.roomProgram->set("worldFromObject", worldFromObject);
-        gpu.roomProgram->set("ball", number);
-    }
-    gpu.objectSet = number;
+    gpu.roomProgram->set("worldFromObject", worldFromObject);
+    gpu.roomProgram->set("ball", number);
     (number == walls ? *gpu.box : *gpu.ballMesh).draw();
 }
 
@@ -50,23 +45,20 @@ int drawFaces(Gpu& gpu, const Settings& s, const Frame& frame) {
     const Room before{room.size, std::exchange(gpu.drawnRound, room.round)};
     const bool isNew = gpu.roomFor.changed(s.cubeSize, room.size);
     if (gpu.roomMap.size() != s.cubeSize) gpu.roomMap = CubeMap(s.cubeSize, "room");
+    useRoom(gpu, room);
+    glViewport(0, 0, s.cubeSize, s.cubeSize);
     int drawn = 0;
     for (int face = 0; face < cubeFaces; ++face) {
         const mat4 clipFromWorld = perspective(90, 1, 0.1 * room.size, 2 * room.size) * cubeFaceView(face);
         const bool isSeen = room.isBallInView(0, clipFromWorld) || before.isBallInView(0, clipFromWorld);
         if (!isNew && s.keep && (room.round == before.round || !isSeen)) continue;
-        if (++drawn == 1) {
-            useRoom(gpu, room, false);
-            glViewport(0, 0, s.cubeSize, s.cubeSize);
-        }
+        ++drawn;
         gpu.roomMap.bindForDrawing(face);
         glClear(GL_DEPTH_BUFFER_BIT);  // the walls cover every pixel, so the old colours need no clearing
         drawRoom(gpu, clipFromWorld, room);
     }
-    if (drawn > 0) {
-        glDisable(GL_CULL_FACE);
-        frame.bindTarget();
-    }
+    glDisable(GL_CULL_FACE);
+    frame.bindTarget();
     frame.count("faces of the cube drawn", drawn);
     return drawn;
 }
@@ -74,7 +66,7 @@ int drawFaces(Gpu& gpu, const Settings& s, const Frame& frame) {
 void drawAround(Gpu& gpu, const Settings& s, const Scene& scene, const Frame& frame) {
     if (!inRoom(s)) return drawSky(gpu, scene);
     const Room room = roomOf(s, frame);
-    useRoom(gpu, room, gpu.facesDrawn > 0);
+    useRoom(gpu, room);
     drawRoom(gpu, scene.clipFromWorld(), room, isSphere(s) ? std::optional(eyeOf(scene)) : std::nullopt);
 }
 

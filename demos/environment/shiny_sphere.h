@@ -1,5 +1,5 @@
 // The sphere of radius 1 in the middle of a room, and the light that it sends to an eye: by rays in double precision, with
-// nothing looked up. What the demo environment is judged by.
+// nothing looked up. The references of the demo environment.
 #pragma once
 #include <optional>
 #include <string>

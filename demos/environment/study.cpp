@@ -1,4 +1,4 @@
-// What environment tells in numbers, and what measures it: its sphere against rays in double precision.
+// The readouts of environment, and its study: its sphere against rays in double precision.
 #include <string>
 #include <vector>
 

@@ -1,4 +1,4 @@
-// What shiny bodies show: a room with balls, as rays see it, and a sky. The room is also in
+// The surroundings of shiny bodies: a room with balls, as rays see it, and a sky. The room is also in
 // shaders/include/surroundings.glsl, in float.
 #pragma once
 #include <array>
@@ -12,8 +12,8 @@
 namespace mv {
 
 // A room about the origin with tiled walls, each in a colour of its own, and a lamp in the ceiling. All in it sends out light by
-// itself, the same to all sides, so that who looks from where does not matter. It grows as a whole: seen from its middle a
-// larger room looks the same.
+// itself, the same to all sides, so that who looks from where does not matter. The room grows as a whole: seen from its
+// middle a larger room looks the same.
 struct Room {
     static constexpr std::size_t ballCount = 4;
     double size;   // half of its width and depth

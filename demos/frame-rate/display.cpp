@@ -1,4 +1,4 @@
-// The simulated display of frame-rate. It shows a picture at the first refresh at which the picture is ready.
+// The simulated display of frame-rate. The display shows a picture at the first refresh at which the picture is ready.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>

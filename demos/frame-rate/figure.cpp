@@ -1,9 +1,10 @@
-// What is drawn over the cubes of frame-rate: clocks, balls, words, and the display's last pictures.
+// The figures over the cubes of frame-rate: clocks, balls, words, and the display's last pictures.
 #include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "frame-rate.h"
+#include "mv/formatted.h"
 #include "mv/geometry/plot.h"
 
 namespace mv::frame_rate {
@@ -21,8 +22,8 @@ void words(Drawing& drawing, const Pane& pane, double height, const std::string&
 }
 std::string offBy(double seconds) {
     if (std::abs(seconds) < 1e-9) return "right";
-    if (std::abs(seconds) < 0.001) return rounded("off by %.0g s", seconds);
-    return rounded("off by %+.3f s", seconds);
+    if (std::abs(seconds) < 0.001) return formatted("off by %.0g s", seconds);
+    return formatted("off by %+.3f s", seconds);
 }
 
 // The hands turn by t/10 and t/120 degrees. Grey: where they ought to be.
@@ -74,7 +75,7 @@ void drawClocks(Drawing& drawing, const Settings& s, const std::array<double, 4>
         drawBall(drawing, pane, here);
         const vec4 color = std::abs(here - right) > 2 * stepTime(s) ? red : ink;
         words(drawing, pane, 0.99, names[static_cast<std::size_t>(way)], ink, 1.2);
-        words(drawing, pane, 0.91, rounded("%.2f s", here), color);
+        words(drawing, pane, 0.91, formatted("%.2f s", here), color);
         words(drawing, pane, 0.85, offBy(here - right), color);
     }
 }

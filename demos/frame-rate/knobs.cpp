@@ -1,4 +1,4 @@
-// What can be set in frame-rate, and what is said of it.
+// The settings of frame-rate: rows, presets, controls and declaration.
 #include "frame-rate.h"
 #include "mv/demo/lesson.h"
 

@@ -1,4 +1,4 @@
-// What frame-rate tells in numbers, and what measures it: the time that is told after hours of pictures, by the way it is
+// The readouts of frame-rate, and its study: the time that is told after hours of pictures, by the way it is
 // added up.
 #include <cmath>
 #include <string>

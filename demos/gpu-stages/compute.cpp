@@ -1,6 +1,5 @@
 // Rings by a fragment shader, on the left, and by a compute shader; or the light that falls through such water.
 #include "gpu-stages.h"
-#include "mv/gl/beyond_es.h"
 #include "mv/gl/gl.h"
 
 namespace mv::gpu_stages {
@@ -57,16 +56,15 @@ static void drawStored(Gpu& gpu, Kernel kernel, const Pane& right) {
 void drawCompute(Gpu& gpu, const Settings& s, const Frame& frame) {
     const std::vector<Pane> panes = frame.panes(2);
     const Pane left = belowHeading(panes[0]), right = belowHeading(panes[1]);
-    const bool computes = has(beyond_es::computeShaders);
-    if (computes && s.kernel == Kernel::rings) computePicture(gpu, right, frame);
-    if (computes && s.kernel == Kernel::caustics) countRays(gpu, right);
+    if (s.computes && s.kernel == Kernel::rings) computePicture(gpu, right, frame);
+    if (s.computes && s.kernel == Kernel::caustics) countRays(gpu, right);
 
     // Draw the left picture by a fragment shader
     const Program& byFragment = programOf(gpu, {"ripples.vert", "ripples.frag"});
     byFragment.use();
     byFragment.set("size", vec2(left.width, left.height));
     fill(gpu, left, byFragment);
-    if (computes) drawStored(gpu, s.kernel, right);
+    if (s.computes) drawStored(gpu, s.kernel, right);
     glViewport(0, 0, frame.width(), frame.height());
 }
 

@@ -2,7 +2,6 @@
 #include "exact_patch.h"
 #include "gpu-stages.h"
 #include "mv/demo/seen.h"
-#include "mv/gl/beyond_es.h"
 #include "mv/gl/gl.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
@@ -24,21 +23,21 @@ void submit(Gpu& gpu, const Stages& s) {
 }
 
 // Draw the patch, or send it up to the rasterizer only. Count the fragments where somebody reads their number.
-void drawCounted(Gpu& gpu, const Stages& s, const Frame& frame) {
-    if (!s.fragments) glEnable(GL_RASTERIZER_DISCARD);
-    if (has(beyond_es::countingQueries) && frame.readouts())
-        gpu.passed += countedBy(GL_SAMPLES_PASSED, [&] { submit(gpu, s); });
+void drawCounted(Gpu& gpu, const Settings& s, const Frame& frame) {
+    if (!s.stages.fragments) glEnable(GL_RASTERIZER_DISCARD);
+    if (s.counts && frame.readouts())
+        gpu.passed += countedBy(GL_SAMPLES_PASSED, [&] { submit(gpu, s.stages); });
     else
-        submit(gpu, s);
-    if (!s.fragments) glDisable(GL_RASTERIZER_DISCARD);
+        submit(gpu, s.stages);
+    if (!s.stages.fragments) glDisable(GL_RASTERIZER_DISCARD);
 }
 
 // Count the primitives that this program sends on, and those that it would without its geometry shader. Count again when
 // another number is to be expected.
 void countPrimitives(Gpu& gpu, const Settings& s, const Frame& frame) {
-    if (!has(beyond_es::countingQueries)) return;
+    if (!s.counts) return;
     const Geometry stage = geometryStage(s.stages);
-    if (gpu.countedFor.changed(isTessellated(s.stages), s.stages.inner, outerLevel(s.stages), stage,
+    if (gpu.countedFor.changed(s.stages.tessellation, s.stages.inner, outerLevel(s.stages), stage,
                                domainOf(s.stages))) {
         const auto countedBy = [&](const Program& program) {
             return counted(program, mode(s.stages), [&] { submit(gpu, s.stages); });
@@ -73,7 +72,7 @@ void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
     if (s.show == Show::stages) drawStagesFigure(gpu, s, frame);
     if (s.show == Show::primitives) gpu.types.label(frame, gpu.drawing);
     if (s.show == Show::meshes) gpu.bodies.label(frame, turnOf(s), gpu.drawing);
-    if (s.show == Show::compute) drawHeadings(gpu.drawing, frame, s.kernel == Kernel::caustics);
+    if (s.show == Show::compute) drawHeadings(gpu.drawing, frame, s.kernel == Kernel::caustics, s.computes);
     gpu.drawing.draw(frame);
 }
 

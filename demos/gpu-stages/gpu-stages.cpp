@@ -4,7 +4,6 @@
 #include <array>
 
 #include "mv/demo/seen.h"
-#include "mv/gl/beyond_es.h"
 #include "mv/gl/gl.h"
 #include "mv/math/transform.h"
 
@@ -25,7 +24,7 @@ constexpr std::array pointsOf{"points.tese", "triangle-points.tese", ""};
 // A program has a file for each of its stages. Without the file, the pipeline has no such stage.
 std::vector<std::string> filesOf(const Stages& s, Geometry stage) {
     std::vector<std::string> files{"gpu-stages.vert"};
-    if (isTessellated(s)) {
+    if (s.tessellation) {
         files.emplace_back("patch.tesc");
         const auto& evaluations = geometryStage(s) == Geometry::shapes ? pointsOf : primitivesOf;
         files.emplace_back(evaluations.at(static_cast<std::size_t>(domainOf(s))));
@@ -52,7 +51,7 @@ const Program& prepare(Gpu& gpu, const Settings& s, Geometry stage, const Frame&
     program.set("clipFromWorld", seen(sceneOf(s, frame), frame).clipFromWorld());
     program.set("bend", s.stages.bend);
     program.set("color", isOfLines(s.stages, stage) ? lineColor : sheetColor);
-    if (isTessellated(s.stages)) {
+    if (s.stages.tessellation) {
         program.set("inner", double(s.stages.inner));
         program.set("outer", double(outerLevel(s.stages)));
     }
@@ -62,7 +61,7 @@ const Program& prepare(Gpu& gpu, const Settings& s, Geometry stage, const Frame&
 }
 
 // Draw again, and keep only the lines behind the faces. GL_MIN leaves the lines in front of them as dark as they are.
-static void drawHiddenLines(Gpu& gpu, const Stages& s, const Program& program, const Frame& frame) {
+static void drawHiddenLines(Gpu& gpu, const Settings& s, const Program& program, const Frame& frame) {
     program.set("isHidden", true);
     glDepthFunc(GL_GREATER);
     glDepthMask(GL_FALSE);
@@ -77,32 +76,28 @@ void drawStages(Gpu& gpu, const Settings& s, const Frame& frame) {
     gpu.passed = 0;
 
     // Send the patch's 16 points through the stages. Normals stand on the patch, so draw the patch before them
-    if (isTessellated(s.stages)) glPatchParameteri(GL_PATCH_VERTICES, 16);
+    if (s.stages.tessellation) glPatchParameteri(GL_PATCH_VERTICES, 16);
     if (stage == Geometry::normals) {
         prepare(gpu, s, Geometry::off, frame);
-        drawCounted(gpu, s.stages, frame);
+        drawCounted(gpu, s, frame);
     }
     const Program& program = prepare(gpu, s, stage, frame);
-    drawCounted(gpu, s.stages, frame);
+    drawCounted(gpu, s, frame);
     if (stage == Geometry::wireframe && s.stages.hidden && s.stages.fragments && !frame.measuring())
-        drawHiddenLines(gpu, s.stages, program, frame);
+        drawHiddenLines(gpu, s, program, frame);
 
     // Count the primitives of each stage, for the table beside the patch (figure.cpp)
     countPrimitives(gpu, s, frame);
 }
 
-bool isTessellated(const Stages& s) { return s.tessellation && has(beyond_es::tessellation); }
 // Without tessellation the cells of the control net are drawn, which are quads.
-Domain domainOf(const Stages& s) { return isTessellated(s) ? s.domain : Domain::quads; }
+Domain domainOf(const Stages& s) { return s.tessellation ? s.domain : Domain::quads; }
 // The geometry shaders of this demo take triangles or points, but no lines.
-Geometry geometryStage(const Stages& s) {
-    const bool takesIt = domainOf(s) != Domain::isolines;
-    return s.geometry != Geometry::off && takesIt && has(beyond_es::geometryShaders) ? s.geometry : Geometry::off;
-}
+Geometry geometryStage(const Stages& s) { return domainOf(s) == Domain::isolines ? Geometry::off : s.geometry; }
 bool hasAmount(Geometry stage) { return stage > Geometry::wireframe; }
 int outerLevel(const Stages& s) { return s.ownEdges ? s.outer : s.inner; }
 GLenum mode(const Stages& s) {
-    if (isTessellated(s)) return GL_PATCHES;
+    if (s.tessellation) return GL_PATCHES;
     return geometryStage(s) == Geometry::shapes ? GL_POINTS : GL_TRIANGLES;
 }
 mat4 turnOf(const Settings& s) { return rotateX(s.spinX) * rotateY(s.spinY); }
@@ -123,19 +118,18 @@ const Program& programOf(Gpu& gpu, const std::vector<std::string>& files) {
 void drawPrimitives(Gpu& gpu, const Settings& s, const Frame& frame) {
     const Program& flat = programOf(gpu, {"flat.vert", "flat.frag"});
     flat.use();
-    if (!isEs()) glEnable(GL_PROGRAM_POINT_SIZE);  // always on in OpenGL ES
-    gpu.types.draw(frame, flat, s.vertices, has(beyond_es::countingQueries));
+    glEnable(GL_PROGRAM_POINT_SIZE);
+    gpu.types.draw(frame, flat, s.vertices, s.counts);
 }
 
 // Draw bodies that can be cut regularly, and one that cannot.
 void drawMeshes(Gpu& gpu, const Settings& s, const Frame& frame) {
-    const bool wires = has(beyond_es::geometryShaders);
     const Stages untouched{.tessellation = false};
-    const Program& program = programOf(gpu, filesOf(untouched, wires ? Geometry::wireframe : Geometry::off));
+    const Program& program = programOf(gpu, filesOf(untouched, s.hasWires ? Geometry::wireframe : Geometry::off));
     program.use();
     program.set("bend", 0.0);
-    program.set("color", wires ? lineColor : sheetColor);
-    if (wires) setWireframe(program, frame);
+    program.set("color", s.hasWires ? lineColor : sheetColor);
+    if (s.hasWires) setWireframe(program, frame);
     gpu.bodies.draw(frame, turnOf(s), program, s.cells);
 }
 

@@ -43,8 +43,9 @@ struct Settings {
     Show show = Show::stages;
     Stages stages = {};
     int vertices = 8, cells = 12;
-    double spinX = 20, spinY = -30;  // degrees
-    Kernel kernel = Kernel::rings;   // of the compute shader
+    double spinX = 20, spinY = -30;                        // degrees
+    Kernel kernel = Kernel::rings;                         // of the compute shader
+    bool counts = true, computes = true, hasWires = true;  // whether the context can: knobs.cpp
 };
 
 struct Gpu {
@@ -71,7 +72,6 @@ void drawCompute(Gpu& gpu, const Settings& s, const Frame& frame);
 const Program& programOf(Gpu& gpu, const std::vector<std::string>& files);
 std::vector<std::string> filesOf(const Stages& s, Geometry stage);
 const Program& prepare(Gpu& gpu, const Settings& s, Geometry stage, const Frame& frame);
-bool isTessellated(const Stages& s);
 Geometry geometryStage(const Stages& s);
 Domain domainOf(const Stages& s);
 int outerLevel(const Stages& s);
@@ -81,13 +81,14 @@ mat4 turnOf(const Settings& s);
 
 // Counts, and words beside the picture: figure.cpp.
 void submit(Gpu& gpu, const Stages& s);
-void drawCounted(Gpu& gpu, const Stages& s, const Frame& frame);
+void drawCounted(Gpu& gpu, const Settings& s, const Frame& frame);
 void countPrimitives(Gpu& gpu, const Settings& s, const Frame& frame);
 Scene sceneOf(const Settings& s, const FrameInfo& frame);
 void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame);
 
 // knobs.cpp, study.cpp.
 const char* nameOf(Geometry stage);
+Settings fallback(Settings s);
 void readOut(Gpu& gpu, const Settings& s, const Frame& frame, Numbers& numbers);
 
 }  // namespace mv::gpu_stages

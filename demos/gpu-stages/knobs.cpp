@@ -1,6 +1,7 @@
 // The settings of gpu-stages: rows, presets, controls and readouts.
 #include "gpu-stages.h"
 #include "mv/demo/lesson.h"
+#include "mv/gl/beyond_es.h"
 
 namespace mv::gpu_stages {
 namespace {
@@ -15,6 +16,28 @@ constexpr WordList geometryWords{{"off", "there is no such stage"},
 }  // namespace
 
 const char* nameOf(Geometry stage) { return wordOf(geometryWords, stage); }
+
+// Leave out the stages, the counts and the lines that the context does not have.
+Settings fallback(Settings s) {
+    switch (s.show) {
+        case Show::stages:
+            if (s.stages.tessellation) s.stages.tessellation = has(beyond_es::tessellation);
+            if (geometryStage(s.stages) != Geometry::off && !has(beyond_es::geometryShaders))
+                s.stages.geometry = Geometry::off;
+            s.counts = has(beyond_es::countingQueries);
+            break;
+        case Show::primitives:
+            s.counts = has(beyond_es::countingQueries);
+            break;
+        case Show::meshes:
+            s.hasWires = has(beyond_es::geometryShaders);
+            break;
+        case Show::compute:
+            s.computes = has(beyond_es::computeShaders);
+            break;
+    }
+    return s;
+}
 
 namespace {
 
@@ -141,6 +164,7 @@ const bool added = addLesson(
                .draw = draw,
                .figure = drawFigure,
                .readOut = readOut,
+               .fallback = fallback,
                .scene = sceneOf,
            });
 

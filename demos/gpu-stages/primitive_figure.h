@@ -1,4 +1,4 @@
-// A figure of the ten primitive types, a pane each. It shows how each type joins the same vertices.
+// A figure of the ten primitive types, a pane each. The figure shows how each type joins the same vertices.
 #pragma once
 #include <array>
 #include <vector>

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "mv/gl/beyond_es.h"
-
 namespace mv {
 namespace {
 
@@ -89,12 +87,12 @@ void drawStageTable(Drawing& drawing, const FrameInfo& frame, int direct3d, cons
     drawing.line({box.low.x, box.high.y - line}, {box.high.x, box.high.y - line}, {ink, 1});
 }
 
-void drawHeadings(Drawing& drawing, const FrameInfo& frame, bool isWater) {
+void drawHeadings(Drawing& drawing, const FrameInfo& frame, bool isWater, bool computes) {
     const std::vector<Pane> panes = frame.panes(2);
     if (panes[0].width < 200 || panes[0].height < 64) return;
     const std::string left = isWater ? "the water, by a fragment shader" : "by a fragment shader";
     const std::string computed = isWater ? "light through it, by a compute shader" : "by a compute shader";
-    const std::string right = has(beyond_es::computeShaders) ? computed : "no compute shader here";
+    const std::string right = computes ? computed : "no compute shader here";
     drawing.text({8, frame.height() - 6.0}, left, {.background = vec4(0)});
     drawing.text({panes[1].x + 8.0, frame.height() - 6.0}, right, {.background = vec4(0)});
 }

@@ -59,7 +59,7 @@ void drawStageTable(Drawing& drawing, const FrameInfo& frame, int direct3d, cons
 
 // Which of two panes is drawn by which kind of shader, in words above them; nothing where there is no room. With water, the right
 // one has the light that falls through the left one.
-void drawHeadings(Drawing& drawing, const FrameInfo& frame, bool isWater);
+void drawHeadings(Drawing& drawing, const FrameInfo& frame, bool isWater, bool computes);
 
 // The pane below a line of words at its upper edge, for which it gives up 32 pixels; all of it where it has not twice that.
 inline Pane belowHeading(const Pane& pane) {

@@ -9,22 +9,20 @@
 
 #include "exact_patch.h"
 #include "gpu-stages.h"
-#include "mv/demo/demo.h"
-#include "mv/gl/beyond_es.h"
+#include "mv/demo/lesson.h"
 #include "shared/seen_pixels.h"
 
 namespace mv::gpu_stages {
 
 void readOut(Gpu& gpu, const Settings& s, const Frame&, Numbers& numbers) {
-    const bool counts = has(beyond_es::countingQueries);
-    if (s.show == Show::stages && counts) {
+    if (s.show == Show::stages && s.counts) {
         numbers.set("into-geometry", double(gpu.toGeometry.number.generated));
         numbers.set("out-of-geometry", double(gpu.sent.number.generated));
         numbers.set("written", double(gpu.sent.number.written));
         numbers.set("found", gpu.sent.found());
         numbers.set("fragments-passed", double(gpu.passed));
     }
-    if (s.show == Show::primitives && counts) numbers.set("primitives", double(gpu.types.counted()));
+    if (s.show == Show::primitives && s.counts) numbers.set("primitives", double(gpu.types.counted()));
     if (s.show == Show::meshes) numbers.set("irregular", double(gpu.bodies.irregular()));
 }
 
@@ -92,7 +90,8 @@ std::vector<double> depthErrors(Probing& probing) {
 // Pixels of the two panes that differ in any channel; of what cannot be compared, nothing.
 std::vector<double> differing(Probing& probing) {
     const Demo& demo = probing.demo();
-    if (demo.word("show") != "compute" || demo.word("kernel") != "rings" || !has(beyond_es::computeShaders)) return {};
+    if (demo.word("show") != "compute" || demo.word("kernel") != "rings") return {};
+    if (!fallback(settingsOf<Settings>(demo)).computes) return {};
     std::vector<Pane> panes = probing.frame().panes(2);
     for (Pane& pane : panes) pane = belowHeading(pane);
     const Picture picture = probing.picture();

@@ -1,4 +1,4 @@
-// What is drawn and written of motions between keys: ways, graphs over time, and words.
+// The figures of motions between keys: ways, graphs over time, and words.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "keyframes.h"
+#include "mv/formatted.h"
 #include "mv/motion/nodes.h"
 
 namespace mv::keyframes {
@@ -111,9 +112,9 @@ void sayValues(Drawing& drawing, const Settings& s, const Sampled& shown, const 
     const std::string where = std::to_string(s.nodes.count) + " nodes, " + nameOf(s.nodes.spread);
     const double off = shown.polynomialError();
     words(drawing, frame, 0, std::string(isRunge ? "1/(1 + 25 x^2)" : "sin 3x") + ", grey, at " + where);
-    words(drawing, frame, 1, nameOf(s.curve.kind) + ": off by " + rounded("%.2g", shown.curveError()), blue);
+    words(drawing, frame, 1, nameOf(s.curve.kind) + ": off by " + formatted("%.2g", shown.curveError()), blue);
     const std::string isCut = off > 0.5 ? ", which the graph below cuts off and the one on the right does not" : "";
-    words(drawing, frame, 2, "one polynomial: off by " + rounded("%.2g", off) + isCut, red);
+    words(drawing, frame, 2, "one polynomial: off by " + formatted("%.2g", off) + isCut, red);
     if (!shown.warning) return;
     const std::size_t comma = shown.warning->find("; ") + 2;
     words(drawing, frame, 3, shown.warning->substr(0, comma), red);
@@ -163,9 +164,16 @@ void showWay(Drawing& drawing, const Settings& s, const Motion<vec3>& motion, do
     }
 }
 
+// The velocity halfway to the next picture, in metres a second. A resting ball has none.
+static std::optional<vec2> velocityShown(const Motion<vec3>& motion, double now) {
+    if (now < 0 || now >= motion.end()) return std::nullopt;
+    return vec2(motion.at(std::min(now + 1 / 120.0, motion.end())).velocity);
+}
+
 // How far it would come in a quarter of a second, too.
-void showBall(Drawing& drawing, const vec2& place, const std::optional<vec2>& velocity, const Pane& pane) {
-    const vec2 ball = pixelOf(pane, place);
+void showBall(Drawing& drawing, const Motion<vec3>& motion, double now, const Pane& pane) {
+    const vec2 ball = pixelOf(pane, vec2(motion.position(std::clamp(now, 0.0, motion.end()))));
+    const std::optional<vec2> velocity = velocityShown(motion, now);
     if (velocity) drawing.arrow(ball, ball + 0.25 * metre(pane) * *velocity, {orange, std::max(1.0, 3 * unit(pane))});
     drawing.point(ball, 24 * unit(pane), orange);
 }
@@ -202,7 +210,7 @@ void showValues(Drawing& drawing, const Settings& s, const Sampled& shown, const
     drawing.axes(plot);
     drawing.axes(errors);
 
-    // What moves by them, in four seconds from left to right
+    // Balls that move by the functions, in four seconds from left to right
     const std::size_t now = std::size_t(frame.index() % 240) * samples / 240;
     for (const auto& [values, color] : {std::pair(&shown.curve, blue), std::pair(&shown.polynomial, red)}) {
         const vec2 at = plot.pixel({sampleAt(now), (*values)[now]});
@@ -220,8 +228,8 @@ void showZoom(Drawing& drawing, const Settings& s, double now, const FrameInfo& 
     drawing.in(pane);
     for (const double y : {pane.height / 2.0 - half, pane.height / 2.0 + half})
         drawing.line({0, y}, {double(pane.width), y}, {ink, 1});
-    const std::string angle = rounded(", angle of view %.1f deg", view.fovy);
-    words(drawing, frame, 0, rounded("distance %.1f m", view.distance) + angle);
+    const std::string angle = formatted(", angle of view %.1f deg", view.fovy);
+    words(drawing, frame, 0, formatted("distance %.1f m", view.distance) + angle);
     drawOverTime(drawing, s, now, frame, Part::upper, "subject, part of the picture's height",
                  [](const View& v) { return v.sizeOf(figureHeight); });
     drawOverTime(drawing, s, now, frame, Part::lower, "angle of view, deg", [](const View& v) { return v.fovy; });
@@ -261,13 +269,13 @@ void showFlight(Drawing& drawing, const Settings& s, double now, const Pane& see
         for (const double key : {0.0, 2.0, 4.0, lap}) {
             drawing.line(plot.pixel({key, low}), plot.pixel({key, high}), {grey, 1});
             if (i + 1 == rows.size())
-                drawing.textAround(plot.pixel({key, low}) - vec2(0, 0.25 * rowHeight), rounded("%.0f s", key),
+                drawing.textAround(plot.pixel({key, low}) - vec2(0, 0.25 * rowHeight), formatted("%.0f s", key),
                                    wordStyle(frame, ink));
         }
         drawing.curve(plot, line, {blue, 2});
         const double value = rows.at(i).number(cameraAt(s, now));
         drawing.point(plot.pixel({now, value}), 9, orange);
-        drawing.text({whole.low.x, bottom + 0.95 * rowHeight}, rows.at(i).name + rounded(": %.2f", value),
+        drawing.text({whole.low.x, bottom + 0.95 * rowHeight}, rows.at(i).name + formatted(": %.2f", value),
                      wordStyle(frame, ink));
     }
     words(drawing, frame, 0, nameOf(s.curve.kind) + ": keys at 0, 2, 4 and 6 s");

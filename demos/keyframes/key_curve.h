@@ -47,7 +47,7 @@ class Motion {
 extern template class Motion<double>;
 extern template class Motion<vec3>;
 
-// By how much velocity and acceleration jump, at most, at those of these times that are not the ends of an open curve; the
+// The largest jumps of velocity and acceleration, at those of these times that are not the ends of an open curve; the
 // speed at which it leaves its rest at the start or comes to it at the end, whichever is larger, 0 of a closed one.
 struct Jumps {
     double velocity = 0, acceleration = 0, end = 0;

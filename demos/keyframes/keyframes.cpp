@@ -18,12 +18,11 @@ void drawBall(Gpu& gpu, const Settings& s, const Frame& frame) {
     // Lay a curve through the keys, and find where the ball is on it
     const Motion<vec3> motion = ballMotion(s);
     const double now = momentOf(motion, frame.time());
-    const vec2 ball(motion.position(std::clamp(now, 0.0, motion.end())));
 
     // Draw path and ball, and beside them the ball's speed and acceleration over time
     const Pane pane = leftPane(frame);
     showWay(gpu.drawing, s, motion, now, pane);
-    showBall(gpu.drawing, ball, velocityShown(motion, now), pane);
+    showBall(gpu.drawing, motion, now, pane);
     showGraphs(gpu.drawing, s, motion, now, frame);
     tell(s, frame);
 }
@@ -40,12 +39,6 @@ Motion<vec3> ballMotion(const Settings& s) {
 double momentOf(const Motion<vec3>& motion, double time) {
     if (motion.curve().isClosed()) return std::fmod(time, motion.end());
     return std::fmod(time, motion.end() + 2 * rest) - rest;
-}
-
-// The velocity halfway to the next picture, in metres a second. A resting ball has none.
-std::optional<vec2> velocityShown(const Motion<vec3>& motion, double now) {
-    if (now < 0 || now >= motion.end()) return std::nullopt;
-    return vec2(motion.at(std::min(now + 1 / 120.0, motion.end())).velocity);
 }
 
 std::vector<double> timesOf(std::size_t count) {

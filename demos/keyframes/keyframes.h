@@ -64,7 +64,6 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame);
 void drawBall(Gpu& gpu, const Settings& s, const Frame& frame);
 Motion<vec3> ballMotion(const Settings& s);
 double momentOf(const Motion<vec3>& motion, double time);
-std::optional<vec2> velocityShown(const Motion<vec3>& motion, double now);
 std::vector<double> timesOf(std::size_t count);
 
 // One polynomial through many nodes, and a curve: runge.cpp.
@@ -95,7 +94,7 @@ Pane shapedPane(const Pane& pane, double aspect);
 
 // Paths, graphs and words: figure.cpp.
 void showWay(Drawing& drawing, const Settings& s, const Motion<vec3>& motion, double now, const Pane& pane);
-void showBall(Drawing& drawing, const vec2& place, const std::optional<vec2>& velocity, const Pane& pane);
+void showBall(Drawing& drawing, const Motion<vec3>& motion, double now, const Pane& pane);
 void showGraphs(Drawing& drawing, const Settings& s, const Motion<vec3>& motion, double now, const FrameInfo& frame);
 void showValues(Drawing& drawing, const Settings& s, const Sampled& shown, const FrameInfo& frame);
 void tell(const Settings& s, const Frame& frame);

@@ -1,4 +1,4 @@
-// What can be set in keyframes, and what is said of it.
+// The settings of keyframes: rows, presets, controls and declaration.
 #include <glm/geometric.hpp>
 
 #include "keyframes.h"

@@ -1,4 +1,4 @@
-// What keyframes tells in numbers, and what measures it: how near polynomials and curves through nodes come to a function,
+// The readouts of keyframes, and its study: how near polynomials and curves through nodes come to a function,
 // and how long a value takes.
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@
 namespace mv::keyframes {
 namespace {
 
-// To the nearest of the straight lines from key to key.
+// The distance to the nearest of the straight lines from key to key.
 double distanceToPolygon(const std::vector<vec2>& keys, const vec3& place) {
     double least = HUGE_VAL;
     for (std::size_t i = 1; i < keys.size(); ++i) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "lights.h"
+#include "mv/formatted.h"
 #include "mv/geometry/plot.h"
 #include "mv/math/transform.h"
 #include "shared/scenes.h"
@@ -19,6 +20,10 @@ vec3 marked(const Settings& s) { return {s.mark.x, 0, s.mark.y}; }
 
 // The scene on the left; words and the graph on the right.
 Pane paneOf(const FrameInfo& frame) { return {0, 0, std::max(1, frame.width() * 13 / 20), frame.height()}; }
+// A quantity is measured all over.
+Pane drawnPane(const Frame& frame) {
+    return frame.measuring() ? Pane{0, 0, frame.width(), frame.height()} : paneOf(frame);
+}
 
 // The still life, and the lamps for who looks at the scene: a spot has an aim.
 Scene sceneOf(const Settings& s, const FrameInfo& frame) {
@@ -92,11 +97,11 @@ void drawTable(Drawing& drawing, const Settings& s, const Pane& pane, double uni
     for (std::size_t i = 0; i < lightCount; ++i) {
         const vec3 light = arriving(s, i, marked(s), {0, 1, 0});
         std::string words = std::to_string(i + 1) + " " + nameOf(s.kinds[i]);
-        if (isLamp(s.kinds[i])) words += rounded(", %.2f m", glm::distance(placeOf(s, i), marked(s)));
-        if (s.kinds[i] != Kind::off) words += rounded(": %.3f", (light.x + light.y + light.z) / 3);
+        if (isLamp(s.kinds[i])) words += formatted(", %.2f m", glm::distance(placeOf(s, i), marked(s)));
+        if (s.kinds[i] != Kind::off) words += formatted(": %.3f", (light.x + light.y + light.z) / 3);
         say(words, s.kinds[i] == Kind::off ? grey : ink);
     }
-    say(rounded("sum %.3f", lightAtMark(s)) + rounded(", stored as %.0f", stored(lightAtMark(s))), ink);
+    say(formatted("sum %.3f", lightAtMark(s)) + formatted(", stored as %.0f", stored(lightAtMark(s))), ink);
 }
 
 void drawCurves(Drawing& drawing, const Settings& s, const Plot& plot) {

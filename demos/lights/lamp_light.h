@@ -19,8 +19,8 @@ struct Falloff {
 };
 
 // The part of a spot's light at an angle from its axis, by cosines: 1 within the inner cone, 0 outside of the outer one,
-// and between them 3t^2 - 2t^3 of t, which goes from 0 to 1 with the cosine. Where both cones are one it is a step.
-// Refused: an inner cosine below the outer one, NaN.
+// and between them 3t^2 - 2t^3 of t, which goes from 0 to 1 with the cosine. The edge is a step where both cones are
+// one. Refused: an inner cosine below the outer one, NaN.
 double spotEdge(double cosine, double innerCosine, double outerCosine);
 
 }  // namespace mv

@@ -16,7 +16,7 @@ namespace mv::lights {
 void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     const Scene scene = sceneOf(s, frame);
     const std::vector<std::size_t> sent = sentLights(s, scene);
-    const Pane pane = frame.measuring() ? Pane{0, 0, frame.width(), frame.height()} : paneOf(frame);
+    const Pane pane = drawnPane(frame);
     gpu.meshes.follow(scene);
     glViewport(pane.x, pane.y, pane.width, pane.height);
     glEnable(GL_DEPTH_TEST);
@@ -66,27 +66,10 @@ void setLights(const Program& program, const Settings& s, const std::vector<std:
     program.set("size", s.size);
     program.set("reach", std::isfinite(reach(s)) ? reach(s) : 0.0);
     program.set("encode", s.encode);
-    if (isOn(s, Kind::spot)) {
-        program.set("innerCosine", std::cos(radians(s.inner)));
-        program.set("outerCosine", std::cos(radians(s.outer)));
-    }
+    program.set("innerCosine", std::cos(radians(s.inner)));
+    program.set("outerCosine", std::cos(radians(s.outer)));
     for (std::size_t i = 0; i < sent.size(); ++i) setLight(program, s, sent[i], i);
     program.set("count", static_cast<int>(sent.size()));
-}
-
-// The light that arrives at a point from one light. The shader computes the same in float.
-vec3 arriving(const Settings& s, std::size_t light, const vec3& point, const vec3& normal) {
-    const Kind kind = s.kinds[light];
-    if (kind == Kind::off || kind == Kind::ambient) return strength(s, light);
-    if (kind == Kind::directional) return strength(s, light) * std::max(glm::dot(normal, towardsSun(s, light)), 0.0);
-    const vec3 toLamp = placeOf(s, light) - point;
-    const double d = glm::length(toLamp);
-    if (d > reach(s)) return vec3(0);
-    const vec3 towards = toLamp / std::max(d, s.size);
-    const double edge = kind == Kind::point ? 1
-                                            : spotEdge(glm::dot(-towards, axisOf(s, light)), std::cos(radians(s.inner)),
-                                                       std::cos(radians(s.outer)));
-    return strength(s, light) * std::max(glm::dot(normal, towards), 0.0) * falloff(s).at(d) * edge;
 }
 
 // A lamp gives its power at 1 m. Ambient and directional lights give the same everywhere.

@@ -46,7 +46,6 @@ struct Gpu {
 // The technique: lights.cpp. A light is known by its index, from 0.
 void draw(Gpu& gpu, const Settings& s, const Frame& frame);
 void setLights(const Program& program, const Settings& s, const std::vector<std::size_t>& sent);
-vec3 arriving(const Settings& s, std::size_t light, const vec3& point, const vec3& normal);
 vec3 strength(const Settings& s, std::size_t light);
 vec3 tinted(Tint tint, const vec3& own);
 vec3 ambient(const Settings& s);
@@ -65,12 +64,14 @@ bool isOn(const Settings& s, Kind kind);
 vec3 aim(const Settings& s);
 vec3 marked(const Settings& s);
 Pane paneOf(const FrameInfo& frame);
+Pane drawnPane(const Frame& frame);
 Scene sceneOf(const Settings& s, const FrameInfo& frame);
 void check(const Settings& s);
 void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame);
 
 // knobs.cpp, study.cpp.
 const char* nameOf(Kind kind);
+vec3 arriving(const Settings& s, std::size_t light, const vec3& point, const vec3& normal);
 double lightAtMark(const Settings& s);
 double stored(double light);
 void tell(const Settings& s, const Scene& scene, const std::vector<std::size_t>& sent, const Frame& frame);

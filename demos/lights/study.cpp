@@ -18,6 +18,21 @@
 
 namespace mv::lights {
 
+// The light that arrives at a point from one light. The shader computes the same in float.
+vec3 arriving(const Settings& s, std::size_t light, const vec3& point, const vec3& normal) {
+    const Kind kind = s.kinds[light];
+    if (kind == Kind::off || kind == Kind::ambient) return strength(s, light);
+    if (kind == Kind::directional) return strength(s, light) * std::max(glm::dot(normal, towardsSun(s, light)), 0.0);
+    const vec3 toLamp = placeOf(s, light) - point;
+    const double d = glm::length(toLamp);
+    if (d > reach(s)) return vec3(0);
+    const vec3 towards = toLamp / std::max(d, s.size);
+    const double edge = kind == Kind::point ? 1
+                                            : spotEdge(glm::dot(-towards, axisOf(s, light)), std::cos(radians(s.inner)),
+                                                       std::cos(radians(s.outer)));
+    return strength(s, light) * std::max(glm::dot(normal, towards), 0.0) * falloff(s).at(d) * edge;
+}
+
 double lightAtMark(const Settings& s) {
     vec3 sum(0);
     for (std::size_t i = 0; i < lightCount; ++i) sum += arriving(s, i, marked(s), {0, 1, 0});

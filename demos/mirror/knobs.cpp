@@ -3,6 +3,7 @@
 
 #include "mirror.h"
 #include "mv/demo/lesson.h"
+#include "mv/gl/beyond_es.h"
 
 namespace mv::mirror {
 namespace {
@@ -12,6 +13,12 @@ void check(const Settings& s) {
     if (std::hypot(beside.x, beside.z) < 0.01)
         throw Error("--eye-x", "must keep the eye from above the first mirror's middle, on which it looks",
                     numberText(s.eye.x));
+}
+
+// Lay the near plane into the mirror where the context has no clip distances.
+Settings fallback(Settings s) {
+    if (s.near == Near::clipDistance && !has(beyond_es::clipDistances)) s.near = Near::oblique;
+    return s;
 }
 
 bool hasTwo(const Settings& s) { return s.count == Count::two; }
@@ -105,6 +112,7 @@ const bool added = addLesson(
                .figure = drawFigure,
                .readOut = readOut,
                .check = check,
+               .fallback = fallback,
                .scene = sceneOf,
            });
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <glm/matrix.hpp>
 
-#include "mv/gl/beyond_es.h"
 #include "mv/gl/gl.h"
 
 namespace mv::mirror {
@@ -68,12 +67,12 @@ static void setFront(const Settings& s, int bounce) { glFrontFace(s.winding && b
 
 // Draw the world without the mirrors, in a `part` of its light.
 void drawWorld(Gpu& gpu, const Settings& s, const Sight& sight, const View& view, double part) {
-    const bool clips = view.bounce > 0 && nearBy(s) == Near::clipDistance;
+    const bool clips = view.bounce > 0 && s.near == Near::clipDistance;
     gpu.world.use();
     gpu.world.set("light", sight.scene.lights.front().position);
     gpu.world.set("part", part);
-    if (!isEs()) gpu.world.set("clips", clips);
     if (clips) {
+        gpu.world.set("clips", true);
         gpu.world.set("beforeMirror", view.before);
         glEnable(GL_CLIP_DISTANCE0);
     }
@@ -87,7 +86,10 @@ void drawWorld(Gpu& gpu, const Settings& s, const Sight& sight, const View& view
         gpu.world.set("clipFromObject", view.clipFromWorld * object.worldFromObject);
         mesh.draw();
     }
-    if (clips) glDisable(GL_CLIP_DISTANCE0);
+    if (clips) {
+        gpu.world.set("clips", false);
+        glDisable(GL_CLIP_DISTANCE0);
+    }
 }
 
 // Draw a mirror of the chain as it is seen after `bounce` reflections: with its texture, or empty.
@@ -117,13 +119,9 @@ View viewAfter(const Settings& s, const Sight& sight, std::size_t chain, int bou
     const vec4 plane = sight.mirrors[last.which].plane();
     const mat4 viewFromShown = sight.scene.viewFromWorld * last.worldFromShown;
     mat4 clipFromView = sight.scene.clipFromView;
-    if (nearBy(s) == Near::oblique)
+    if (s.near == Near::oblique)
         clipFromView = withNearPlane(clipFromView, planeIn(glm::inverse(viewFromShown), plane));
     return {bounce, clipFromView * viewFromShown, last.edges, plane, MirrorRoom::frameOf(last.which)};
-}
-
-Near nearBy(const Settings& s) {
-    return s.near == Near::clipDistance && !has(beyond_es::clipDistances) ? Near::oblique : s.near;
 }
 
 }  // namespace mv::mirror

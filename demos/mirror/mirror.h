@@ -78,7 +78,6 @@ Target& textureOf(Gpu& gpu, std::size_t chain, int bounce);
 void drawMirror(Gpu& gpu, const Settings& s, const Sight& sight, std::size_t chain, int bounce, const vec2& size);
 void drawWorld(Gpu& gpu, const Settings& s, const Sight& sight, const View& view, double part);
 View viewAfter(const Settings& s, const Sight& sight, std::size_t chain, int bounce);
-Near nearBy(const Settings& s);
 
 // The scene, and the objects that are left out: sight.cpp.
 MirrorRoom roomOf(const Settings& s);

@@ -38,7 +38,7 @@ static bool isBeyond(const Settings& s, const Sight& sight, std::size_t object, 
     std::transform(box.begin(), box.end(), clip.begin(),
                    [&](const vec4& corner) { return view.clipFromWorld * corner; });
     return areBeyond(clip, view.edges) ||
-           (view.bounce > 0 && nearBy(s) != Near::none && areBeyond(box, {&view.before, 1}));
+           (view.bounce > 0 && s.near != Near::none && areBeyond(box, {&view.before, 1}));
 }
 
 // The indices of the objects to draw. A mirror hides its own frame, which is right behind it.

@@ -7,6 +7,7 @@
 
 #include "mirror.h"
 #include "mv/demo/demo.h"
+#include "mv/formatted.h"
 #include "mv/image/picture.h"
 #include "mv/math/shadow.h"
 #include "traced_mirrors.h"
@@ -29,10 +30,10 @@ void tell(const Settings& s, const Sight& sight, const Frame& frame) {
         frame.show("worldFromImage" + std::to_string(chain[0].which + 1), chain[0].worldFromShown);
     if (lightSide(vec4(s.eye, 1), sight.mirrors.front().plane()) <= 0)
         frame.say("The eye is not in front of the first mirror: nothing is seen in it.");
-    if (!showsFirst(sight) || nearBy(s) != Near::oblique) return;
+    if (!showsFirst(sight) || s.near != Near::oblique) return;
     const double steps = depthSteps(s, sight);
     if (steps < 256)
-        frame.say(rounded("So near the mirror's plane the oblique near plane leaves %.0f steps of depth ", steps) +
+        frame.say(formatted("So near the mirror's plane the oblique near plane leaves %.0f steps of depth ", steps) +
                   "from the ball's front to its back; --near clip-distance leaves as many as ever.");
 }
 

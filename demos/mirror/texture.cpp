@@ -14,7 +14,7 @@ static void drawTexture(Gpu& gpu, const Settings& s, const Sight& sight, std::si
     const int height = (frame.height() + s.coarser - 1) / s.coarser;
     Target& target = textureOf(gpu, chain, bounce);
     const auto format = static_cast<GLenum>(frame.measuring() ? GL_R32F : GL_RGBA8);
-    if (!target.fit(width, height, {.depth = true, .color = format, .texture = true}, "mirrored")) target.bind();
+    target.begin(width, height, {.depth = true, .color = format, .texture = true}, "mirrored");
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     drawWorld(gpu, s, sight, viewAfter(s, sight, chain, bounce), 1);
     if (bounce < sight.length(chain)) drawMirror(gpu, s, sight, chain, bounce, vec2(width, height));

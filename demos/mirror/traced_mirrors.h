@@ -6,8 +6,8 @@
 
 namespace mv::mirror {
 
-// Of each pixel the number of the object that is seen, from 1, and 0.9 times its brightness; its region is a number for the object and the
-// bounces together. -1 where there is nothing.
+// For each pixel, the number of the object that is seen, from 1, and 0.9 times its brightness; its region is a number
+// for the object and the bounces together. -1 where there is nothing.
 Reference traced(const Demo& demo, const FrameInfo& frame);
 
 // For each object's number, from 1: whether all of it is behind the first mirror.

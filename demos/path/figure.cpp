@@ -1,14 +1,25 @@
-// What is drawn and written over track and poses of path: frames, graphs and words.
+// The figures over track and poses of path: frames, graphs and words.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "mv/formatted.h"
 #include "mv/geometry/plot.h"
 #include "path.h"
 #include "shared/strip.h"
 
 namespace mv::path {
+
+// The length of the lap by the chosen rule.
+double lengthOf(const Ride& ride) {
+    const Curve<vec3>& line = pathOf(ride).curve;
+    const int spans = static_cast<int>(line.breaks().size()) - 1;
+    if (ride.lengthBy == LengthBy::chords) return arcLengthByChords(line, spans * ride.pieces);
+    if (ride.lengthBy == LengthBy::simpson) return arcLengthBySimpson(line, 2 * spans * ride.pieces);
+    if (ride.lengthBy == LengthBy::gauss) return arcLengthByGauss(line, ride.pieces);
+    return pathOf(ride).way.length();
+}
 namespace {
 
 const vec4 ink(0.1, 0.1, 0.1, 1), orange(0.85, 0.45, 0, 1), blue = forwardColor, green = upColor;
@@ -16,9 +27,10 @@ const std::array<ColoredWords::value_type, 3> ways{{{"three angles", orange}, {"
 const ColoredWords axisWords{{"forward", forwardColor}, {"up", upColor}, {"right", rightColor}};
 
 std::string lengthText(const Ride& ride) {
-    std::string text = rounded("lap: %.2f m", lengthOf(ride));
+    std::string text = formatted("lap: %.2f m", lengthOf(ride));
     if (ride.lengthBy != LengthBy::adaptive)
-        text += " by " + nameOf(ride.lengthBy) + rounded(", off by %.1g m", lengthOf(ride) - pathOf(ride).way.length());
+        text +=
+            " by " + nameOf(ride.lengthBy) + formatted(", off by %.1g m", lengthOf(ride) - pathOf(ride).way.length());
     return text;
 }
 
@@ -85,7 +97,7 @@ void showPose(Drawing& drawing, const Settings& s, std::size_t way, const Turnin
     else
         drawFrame(drawing, clipFromWorld, vec3(0), {-vec3(turn[2]), vec3(turn[1]), vec3(turn[0])}, 1, 2);
     drawWords(drawing, frame, pane, 0, {ways.at(way)});
-    drawWords(drawing, frame, pane, 1, {{rounded("turns by %.1f°", turning.whole), ink}});
+    drawWords(drawing, frame, pane, 1, {{formatted("turns by %.1f°", turning.whole), ink}});
     drawWords(drawing, frame, pane, -1, hasRings ? ringWords : axisWords);
 }
 
@@ -104,7 +116,7 @@ void tellLock(const Poses& poses, const Frame& frame) {
         if (!found.locked) continue;
         frame.say(std::string("gimbal lock at pose ") + name +
                   ": its nose is on the axis of yaw, so yaw and roll are one turn, and other angles, yaw " +
-                  rounded("%.6g", found.yaw) + " and roll 0, are the same pose");
+                  formatted("%.6g", found.yaw) + " and roll 0, are the same pose");
     }
 }
 

@@ -1,4 +1,4 @@
-// What can be set in path, and what is said of it.
+// The settings of path: rows, presets, controls and declaration.
 #include "mv/demo/lesson.h"
 #include "path.h"
 

@@ -105,16 +105,6 @@ void drawFrom(Gpu& gpu, const Pane& pane, const mat4& clipFromWorld, const mat4&
 
 const TrackPath& pathOf(const Ride& ride) { return trackPath(ride.track, ride.curve); }
 
-// The length of the lap by the chosen rule.
-double lengthOf(const Ride& ride) {
-    const Curve<vec3>& line = pathOf(ride).curve;
-    const int spans = static_cast<int>(line.breaks().size()) - 1;
-    if (ride.lengthBy == LengthBy::chords) return arcLengthByChords(line, spans * ride.pieces);
-    if (ride.lengthBy == LengthBy::simpson) return arcLengthBySimpson(line, 2 * spans * ride.pieces);
-    if (ride.lengthBy == LengthBy::gauss) return arcLengthByGauss(line, ride.pieces);
-    return pathOf(ride).way.length();
-}
-
 mat4 spinOf(const Settings& s) { return rotateX(s.spinX) * rotateY(s.spinY); }
 
 Pane outsidePane(const FrameInfo& frame) { return paneAboveStrip(frame, 0, 0.58); }

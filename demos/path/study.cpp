@@ -1,4 +1,4 @@
-// What path tells in numbers, and what measures it: the turn of carried frames after a lap, and the length of a lap.
+// The readouts of path, and its study: the turn of carried frames after a lap, and the length of a lap.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -69,8 +69,8 @@ namespace {
 
 using namespace mv::claims;
 
-// What is carried is the solution of u' = -(u . T') T, T being the tangent; the way is that of s' = |velocity|. Both by
-// Dormand-Prince, from key to key, since what is between is smooth.
+// The carried vector is the solution of u' = -(u . T') T, T being the tangent; the way is that of s' = |velocity|. Both
+// by Dormand-Prince, from key to key, since what is between is smooth.
 struct Carried {
     vec3 up;
     double way;

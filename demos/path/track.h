@@ -13,7 +13,7 @@ namespace mv {
 // and nowhere else. ring: a flat circle of radius 20, 64 keys. knot: a trefoil, 36 keys. Keys are at equal steps of the
 // time, from 0 to 1 for a lap, but not of the way.
 enum class Track { park, eight, ring, knot };
-// What is laid through the keys: the periodic spline, whose acceleration is continuous, or the uniform Catmull-Rom curve,
+// The curve through the keys: the periodic spline, whose acceleration is continuous, or the uniform Catmull-Rom curve,
 // whose acceleration jumps at the keys.
 enum class Through { spline, catmullRom };
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "gpu_product.h"
+#include "mv/formatted.h"
 #include "mv/geometry/plot.h"
 #include "mv/gl/functions.h"
 #include "mv/gl/text_column.h"
@@ -23,7 +24,7 @@ static void heading(TextColumn& text, const std::string& formula) {
 static void result(TextColumn& text, const std::string& from, double value, double exact, bool first) {
     text.right(392, from);
     text.right(500, (first ? "=  " : "") + tableNumber(value));
-    text.right(574, value == exact ? "0" : rounded("%.2g", value - exact), grey);
+    text.right(574, value == exact ? "0" : formatted("%.2g", value - exact), grey);
     text.next();
 }
 

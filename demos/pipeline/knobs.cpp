@@ -1,4 +1,4 @@
-// What can be set in pipeline, and what is said of it.
+// The settings of pipeline: rows, presets, controls and declaration.
 #include "mv/demo/lesson.h"
 #include "pipeline.h"
 

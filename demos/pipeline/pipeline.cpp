@@ -24,7 +24,7 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     glDisable(GL_SCISSOR_TEST);
     glViewport(pane.x, pane.y, pane.width, pane.height);
     glEnable(GL_DEPTH_TEST);
-    if (!isEs()) glEnable(GL_PROGRAM_POINT_SIZE);  // always on in OpenGL ES
+    glEnable(GL_PROGRAM_POINT_SIZE);
 
     // Give the program the matrices of all steps
     const Program& program = programOf(gpu, s);
@@ -33,7 +33,6 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
         frame.show(matrixName(step), step.uploaded);
         program.set(matrixName(step).c_str(), step.uploaded);
     }
-    if (s.products == Products::shader) program.set("wanted", 2);
 
     // Draw the cube, and mark the vertex so that it is seen through the cube
     gpu.cube.draw();

@@ -1,4 +1,4 @@
-// What pipeline tells in numbers, and what measures it: where points of the cube fall, against products in long double.
+// The readouts of pipeline, and its study: where points of the cube fall, against products in long double.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -21,7 +21,7 @@ static void readProducts(Gpu& gpu, const Settings& s, double aspect, Numbers& nu
     double most = 0;
     int fusedCount = 0, onceCount = 0, wanted = 0;
     for (const Step& step : steps(s, aspect)) {
-        if (s.products == Products::shader) programOf(gpu, s).set("wanted", wanted++);
+        if (s.products == Products::shader) programOf(gpu, s).set("wanted", wanted = (wanted + 1) % 3);
         const fvec4 captured = transformedPositions(gpu.corners)[std::size_t(s.vertex)];
         const fmat4 m(step.uploaded);
         const fvec4 mine = gpuProduct(m, before), other = fusedProduct(m, before);

@@ -1,4 +1,4 @@
-// What can be set in procedural, and what is said of it.
+// The settings of procedural: rows, presets, controls and declaration.
 #include "mv/demo/lesson.h"
 #include "procedural.h"
 

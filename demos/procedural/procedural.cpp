@@ -17,9 +17,10 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     // Place the body, and map each of its points to a point of the pattern
     const Program& program = gpu.program;
     program.use();
-    program.set("clipFromBody", clipFromBody(s, frame));
-    program.set("viewFromBody", viewFromBody(s));
-    program.set("offsetFromBody", offsetFromBody(s, frame));
+    const BodyMatrices matrices = bodyMatrices(s, frame);
+    program.set("clipFromBody", matrices.clipFromBody);
+    program.set("viewFromBody", matrices.viewFromBody);
+    program.set("offsetFromBody", matrices.offsetFromBody);
     program.set("isRound", s.view == View::sphere);
     program.set("isFloor", s.view == View::floor);
     setCentre(program, s);
@@ -39,12 +40,10 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
 // Set the centre of the pattern. With the origin near, the shader gets the cell of each octave and the place in it, from
 // double precision. With the origin far, it gets the centre as floats, adds to it, and has no cell but the first.
 void setCentre(const Program& program, const Settings& s) {
-    const bool isFar = s.origin == Origin::far;
-    const vec3 centre = placeOf(s).centre;
     PatternPlace place = placeOf(s);
-    if (isFar) place.centre = vec3(0);
-    program.set("fromFar", isFar);
-    program.set("far", isFar ? centre : vec3(0));
+    program.set("fromFar", s.origin == Origin::far);
+    program.set("far", place.centre);
+    if (s.origin == Origin::far) place.centre = vec3(0);
 
     // Split the cell of each octave into halves that floats hold
     std::vector<PatternPlace::Octave> octaves = place.octaveList();
@@ -69,7 +68,7 @@ void setCentre(const Program& program, const Settings& s) {
     const double away = glm::length(vec2(place.centre)), rings = 4 * away;
     program.set("ringsAt", away > 4 ? vec3(vec2(place.centre) / away, 1 / away) : vec3(0));
     program.set("ringBase", rings - std::floor(rings));
-    program.set("ringCentre", away > 4 ? vec3(0) : place.centre);
+    program.set("ringCentre", place.centre);
 }
 
 // The lower and the upper 16 bits of a cell.
@@ -88,21 +87,17 @@ PatternPlace placeOf(const Settings& s) {
     return {s.pattern, s.octaves, zooms ? std::log2(s.zoom) : 0.0, patternCentre(s.distance)};
 }
 
-// The bodies: a square for wall and floor, and a sphere.
-mat4 clipFromBody(const Settings& s, const FrameInfo& frame) {
-    if (s.view == View::wall) return scale(2) * rotateX(90);
+// The bodies: a square for wall and floor, and a sphere. `offsetFromBody` maps them to the pattern, relative to its centre.
+BodyMatrices bodyMatrices(const Settings& s, const FrameInfo& frame) {
+    const mat4 turn = rotateX(20) * rotateY(s.turn);
+    if (s.view == View::wall)
+        return {scale(2) * rotateX(90), turn, scale(3 * frame.aspect() / s.zoom, 3 / s.zoom, 1) * rotateX(90)};
     const mat4 clipFromView = perspective(40, frame.aspect(), 0.1, 1000);
+    const vec3 up(0, 1, 0);
     if (s.view == View::sphere)
-        return clipFromView * lookAt(vec3(0, 0, 4.2), vec3(0), vec3(0, 1, 0)) * rotateX(20) * rotateY(s.turn);
-    return clipFromView * lookAt(vec3(0, 1, 0), vec3(0, 0.6, -2), vec3(0, 1, 0)) * translate(0, 0, -200) * scale(400);
-}
-// The turn of the sphere.
-mat4 viewFromBody(const Settings& s) { return rotateX(20) * rotateY(s.turn); }
-// Map the body to the pattern, relative to the centre.
-mat4 offsetFromBody(const Settings& s, const FrameInfo& frame) {
-    if (s.view == View::sphere) return mat4(1);
-    if (s.view == View::floor) return rotateX(90) * scale(400) * translate(0, 0, -0.5);
-    return scale(3 * frame.aspect() / s.zoom, 3 / s.zoom, 1) * rotateX(90);
+        return {clipFromView * lookAt(vec3(0, 0, 4.2), vec3(0), up) * rotateX(20) * rotateY(s.turn), turn, mat4(1)};
+    return {clipFromView * lookAt(vec3(0, 1, 0), vec3(0, 0.6, -2), up) * translate(0, 0, -200) * scale(400), turn,
+            rotateX(90) * scale(400) * translate(0, 0, -0.5)};
 }
 
 const Ramp& rampOf(Pattern pattern) {

@@ -48,9 +48,10 @@ void setCentre(const Program& program, const Settings& s);
 vec3 lowOf(const PatternPlace::Octave& octave);
 vec3 highOf(const PatternPlace::Octave& octave);
 PatternPlace placeOf(const Settings& s);
-mat4 clipFromBody(const Settings& s, const FrameInfo& frame);
-mat4 viewFromBody(const Settings& s);
-mat4 offsetFromBody(const Settings& s, const FrameInfo& frame);
+struct BodyMatrices {
+    mat4 clipFromBody, viewFromBody, offsetFromBody;
+};
+BodyMatrices bodyMatrices(const Settings& s, const FrameInfo& frame);
 const Ramp& rampOf(Pattern pattern);
 
 // Name and formula of the pattern, in the picture: figure.cpp.

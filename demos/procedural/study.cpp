@@ -1,4 +1,4 @@
-// What procedural tells in numbers, and what measures it: its numbers against the true mean of each pixel.
+// The readouts of procedural, and its study: its numbers against the true mean of each pixel.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -48,7 +48,7 @@ void nameFinerOctaves(const Settings& s, const Frame& frame) {
 Scene sceneOf(const Settings& s, const FrameInfo& frame) {
     Scene scene;
     scene.objects = {{.name = "body", .mesh = s.view == View::sphere ? sphere(sphereRadius, 128, 64) : square()}};
-    scene.viewFromWorld = clipFromBody(s, frame);
+    scene.viewFromWorld = bodyMatrices(s, frame).clipFromBody;
     return scene;
 }
 
@@ -58,7 +58,10 @@ namespace {
 class Shown {
   public:
     Shown(const Settings& s, const FrameInfo& frame)
-        : s_(s), turn_(viewFromBody(s)), frame_(frame), bodyFromClip_(glm::inverse(clipFromBody(s, frame))) {}
+        : s_(s),
+          turn_(bodyMatrices(s, frame).viewFromBody),
+          frame_(frame),
+          bodyFromClip_(glm::inverse(bodyMatrices(s, frame).clipFromBody)) {}
 
     // Columns and rows from the upper left corner. Nothing beside the body; of the floor nothing beyond 20 units, of the sphere
     // nothing that is turned away by more than 60 degrees.

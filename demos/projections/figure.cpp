@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "mv/formatted.h"
 #include "mv/gl/functions.h"
 #include "mv/gl/text.h"
 #include "mv/math/projection.h"
@@ -22,7 +23,7 @@ static void drawAxes(Drawing& drawing, const View& view, const Pane& pane) {
         const double length = axes.length[static_cast<int>(axis)];
         const vec2 drawn = axes.drawn.at(axis);
         const vec4& color = axisColors.at(axis);
-        const std::string text = axisNames.at(axis) + rounded(" %.3f", length);
+        const std::string text = axisNames.at(axis) + formatted(" %.3f", length);
         drawing.text({x, pane.height - 26}, text, {.color = color});
         x += textWidth(text) + 4;
         if (length < 1e-9) continue;  // seen end on
@@ -48,7 +49,7 @@ static void markVanishingPoints(Drawing& drawing, const View& view, const Pane& 
     const Meeting meeting = meetingIn(view, pane);
     drawing.text({6, 28}, std::to_string(meeting.points) +
                               (meeting.points == 1 ? " vanishing point" : " vanishing points") +
-                              rounded(", met within %.0e px", meeting.miss));
+                              formatted(", met within %.0e px", meeting.miss));
 }
 
 void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {

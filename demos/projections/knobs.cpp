@@ -1,4 +1,4 @@
-// What can be set in projections, and what is said of it.
+// The settings of projections: rows, presets, controls and declaration.
 #include "mv/demo/lesson.h"
 #include "projections.h"
 

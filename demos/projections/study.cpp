@@ -1,4 +1,4 @@
-// What projections tells in numbers.
+// The readouts of projections.
 #include <algorithm>
 #include <cmath>
 #include <optional>

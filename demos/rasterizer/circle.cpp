@@ -124,8 +124,8 @@ void turned(Round& round, int radius) {
     }
 }
 
-// d is (dx + 1)^2 + (dy - 1/2)^2 - r^2 less 1/4, which changes no decision. Where d is below 0, the point midway between the
-// next pixel and the pixel below it is inside the circle.
+// d is (dx + 1)^2 + (dy - 1/2)^2 - r^2 less 1/4, which changes no decision. The point midway between the next pixel and
+// the pixel below it is inside the circle if d is below 0.
 void midpoint(Round& round, int radius) {
     int d = 1 - radius;
     for (int dx = 0, dy = radius; dx <= dy; ++dx) {

@@ -31,8 +31,8 @@ struct Flooded {
 };
 
 // Gives the new colour to all pixels of the seed's colour that are joined to the seed by 4 neighbours, or by 8. A fill with the
-// same colour does nothing. By recursion, as on the slide: it refuses with an Error what would go deeper than `deepest`,
-// before the stack ends; by spans, whole runs of a row are set at once, and the rest waits in a list.
+// same colour does nothing. Fills by recursion, as on the slide: an Error refuses a fill that would go deeper than
+// `deepest`, before the stack ends; by spans, whole runs of a row are set at once, and the rest waits in a list.
 Flooded floodByRecursion(PixelMap& map, int x, int y, int color, int neighbors, long deepest = 20000);
 Flooded floodBySpans(PixelMap& map, int x, int y, int color, int neighbors);
 

@@ -1,4 +1,4 @@
-// What can be set in rasterizer, and what is said of it.
+// The settings of rasterizer: rows, presets, controls and declaration.
 #include <algorithm>
 #include <cstddef>
 
@@ -185,7 +185,7 @@ std::vector<SettingsPreset<Settings>> presets() {
     };
 }
 
-// Where a point of the settings is in the left picture.
+// The place of a point of the settings in the left picture.
 std::optional<vec2> placeOf(const Settings& s, const FrameInfo& frame, const vec2& at) {
     const Grid grid(s);
     return pictureFromPane(leftPane(frame), plotOf(frame, grid).pixel(grid.scale * at));

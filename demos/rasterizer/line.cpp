@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "fill.h"
+#include "mv/formatted.h"
 #include "sheet.h"
 #include "trials.h"
 
@@ -40,7 +41,7 @@ void drawLine(Gpu& gpu, const Line& line, const Grid& grid, const Frame& frame) 
     }
     showDifferent(gpu, differing(grid.whole(), pixels, glPicture), grid, frame);
     showWords(gpu, frame, grid, std::string(nameOf(line.method)) + ": " + countOf(grid, pixels.size()),
-              rounded("OpenGL: pixels set otherwise, ringed: %.0f",
+              formatted("OpenGL: pixels set otherwise, ringed: %.0f",
                       double(countDifferent(inked(grid.whole(), pixels), glPicture))));
 }
 
@@ -65,8 +66,8 @@ static void showDecision(Gpu& gpu, const Line& line, const std::vector<PixelStep
     const double limit = line.method == LineMethod::error ? 0.5 : 0, sum = last.error + added;
     const bool isUp = run >= rise ? next.y != last.y : next.x != last.x;
     showBar(gpu, (sum - limit) / (2 * added), grid, frame,
-            "e = " + rounded("%.3g", last.error) + " + " + rounded("%.3g", added) + " = " + rounded("%.3g", sum) +
-                (isUp ? ", not below " : ", below ") + rounded("%.3g", limit) +
+            "e = " + formatted("%.3g", last.error) + " + " + formatted("%.3g", added) + " = " + formatted("%.3g", sum) +
+                (isUp ? ", not below " : ", below ") + formatted("%.3g", limit) +
                 (isUp ? ": the next pixel is one higher" : ": the next pixel is in the same row"));
 }
 

@@ -5,8 +5,9 @@
 
 namespace mv {
 
-// Where a picture of columns x rows pixels is shown in a pane: as large as whole pixels of the screen allow, at its upper left
-// corner, with `margin` pixels round it. In the plot's values pixel (i, j) reaches from (i, j) to (i + 1, j + 1), y upwards.
+// The place of a picture of columns x rows pixels in a pane: as large as whole pixels of the screen allow, at its upper
+// left corner, with `margin` pixels round it. In the plot's values pixel (i, j) reaches from (i, j) to (i + 1, j + 1),
+// y upwards.
 Plot gridPlot(const Pane& pane, int columns, int rows, int margin = 8);
 
 // Copies the small picture into that place of the sheet, which is as large as the whole picture; what lies beyond it is left

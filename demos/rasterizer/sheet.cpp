@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 
+#include "mv/formatted.h"
 #include "mv/gl/functions.h"
 #include "mv/gl/text.h"
 
@@ -114,7 +115,7 @@ void showErrors(Gpu& gpu, const std::vector<PixelStep>& pixels, const Grid& grid
     for (std::size_t i = 0; i < grid.made(pixels.size()); ++i) {
         const PixelStep& pixel = pixels[i];
         gpu.drawing.textAround(plot.pixel({pixel.x + 0.5, pixel.y + 0.5}),
-                               rounded(std::abs(pixel.error) < 10 ? "%.2g" : "%.0f", pixel.error),
+                               formatted(std::abs(pixel.error) < 10 ? "%.2g" : "%.0f", pixel.error),
                                {9, pixel.coverage > 0.6 ? vec4(1) : ink, vec4(0)});
     }
 }

@@ -1,4 +1,4 @@
-// What rasterizer tells in numbers, and what measures it: pixels that a method sets wrongly, and what each method takes.
+// The readouts of rasterizer, and its study: pixels that a method sets wrongly, and what each method takes.
 #include <cmath>
 #include <string>
 #include <vector>
@@ -18,7 +18,7 @@ void readOut(Gpu& gpu, const Settings& s, const Frame&, Numbers& numbers) {
     if (s.subject == Subject::circle) readCircle(gpu, s.circle, grid, numbers);
 }
 
-// What is right or wrong of the method's pixels, for lines, triangles or circles of its own.
+// Counts right and wrong pixels of the method, for lines, triangles or circles of its own.
 std::vector<double> values(const Settings& s) {
     const Grid grid(s);
     if (s.subject == Subject::line) return lineTest(s.line.method, grid.columns);

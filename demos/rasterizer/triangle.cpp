@@ -1,6 +1,7 @@
 // Triangles: the pixels whose middles lie on the inner side of all three edges (shared/raster_triangle.h).
 #include <algorithm>
 
+#include "mv/formatted.h"
 #include "sheet.h"
 #include "trials.h"
 
@@ -70,7 +71,7 @@ MeshData meshOf(const Triangles& s, const Corners& corners, const Grid& grid) {
     return data;
 }
 
-// Of two triangles, the pixels that both set, and those that neither sets though the right rule gives them to one.
+// The pixels that both of two triangles set, and those that neither sets though the right rule gives them to one.
 struct Shared {
     int doubles = 0, holes = 0;
 };
@@ -113,7 +114,7 @@ void drawTriangles(Gpu& gpu, const Triangles& s, const Corners& corners, const G
                 found.doubles + found.holes > 0 ? red : ink};
     }
     showWords(gpu, frame, grid, std::string(nameOf(s.method)) + ", " + nameOf(s.rule) + ": " + countOf(grid, count),
-              rounded("OpenGL: pixels set otherwise: %.0f",
+              formatted("OpenGL: pixels set otherwise: %.0f",
                       double(countDifferent(pictureOf(all, s, corners, grid.whole()), glPicture))),
               more);
 }

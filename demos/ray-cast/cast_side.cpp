@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "mv/demo/handle.h"
+#include "mv/formatted.h"
 #include "mv/gl/text.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
@@ -41,7 +42,7 @@ void CastSide::draw(Drawing& drawing, const Ray& ray, const std::vector<CastCand
     drawing.in(pane_);
     drawing.line(vec2(1, 0), vec2(1, pane_.height), {faint, 1});
     drawing.text({8, pane_.height - 2.0},
-                 eyeIsSeen() ? "from the side" : rounded("from the side; the eye is %.4g away", distance_ * scale_),
+                 eyeIsSeen() ? "from the side" : formatted("from the side; the eye is %.4g away", distance_ * scale_),
                  words);
 
     // The ray: to the nearest object, and faint beyond it
@@ -96,7 +97,7 @@ void drawCandidates(Drawing& drawing, const Pane& pane, const std::vector<CastCa
     const auto nameOf = [](CastKind kind) { return castKindNames.at(static_cast<std::size_t>(kind)); };
     write("", "object", "t", faint);
     for (std::size_t i = 0; i < met.size(); ++i) {
-        write(std::to_string(i + 1), nameOf(met[i].kind), rounded("%.7g", met[i].hit.t) + (i == 0 ? "  nearest" : ""),
+        write(std::to_string(i + 1), nameOf(met[i].kind), formatted("%.7g", met[i].hit.t) + (i == 0 ? "  nearest" : ""),
               i == 0 ? castRed : castInk);
     }
     for (const CastKind kind : shown) {

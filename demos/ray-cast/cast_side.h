@@ -22,8 +22,8 @@ struct CastCandidate {
     CastKind kind = CastKind::plane;
 };
 
-// Seen along -u, a little from above. Of an eye that is far away only what is round the objects is seen. Lengths in the world
-// are `scale` times those of the scene; `distance` of the eye is not.
+// Seen along -u, a little from above. The side view of a far eye shows only the room round the objects. Lengths in the
+// world are `scale` times those of the scene; `distance` of the eye is not.
 class CastSide {
   public:
     CastSide(const Pane& pane, const CastEye& eye, double distance, double scale);

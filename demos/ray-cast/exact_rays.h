@@ -13,8 +13,8 @@ using Long3 = glm::vec<3, Long>;
 struct LongRay {
     Long3 origin, direction;
 };
-// Of that column and row, the upper row first. The demo's eye is computed again, so that the reference shares nothing with it; the
-// ray is rounded as the demo rounds it.
+// The ray of that column and row, the upper row first. The demo's eye is computed again, so that the reference shares
+// nothing with it; the ray is rounded as the demo rounds it.
 LongRay exactRay(const Demo& demo, int column, int row, int side);
 
 // The t of the first place on the object, at that scale; none for the teapot. `isFloat`: the numbers that are no floats are rounded as the

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <string>
 
+#include "mv/formatted.h"
 #include "mv/geometry/plot.h"
 #include "mv/gl/text.h"
 #include "ray-cast.h"
@@ -50,7 +51,7 @@ void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
     const TextStyle words{height, castInk, vec4(0)};
     drawing.text({6, frame.height() - 2}, title(s), words);
     drawing.text({6, frame.height() - 2 - 1.2 * height},
-                 rounded("pixel (%.0f, ", column(s)) + rounded("%.0f), the ray through its middle", row(s)),
+                 formatted("pixel (%.0f, ", column(s)) + formatted("%.0f), the ray through its middle", row(s)),
                  {height, castRed, vec4(0)});
     drawPixels(drawing, s, picturePane(frame));
 

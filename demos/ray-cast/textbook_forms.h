@@ -1,5 +1,6 @@
-// Rays against simple solids by the forms of a lecture's slides: what a first ray caster has. They lose digits, or answer
-// NaN, where mv/geometry/ray.h and ray_forms.h do not. Slips of the slides are mended, unless a form is asked for as printed.
+// Rays against simple solids by the forms of a lecture's slides: what a first ray caster has. These forms lose digits,
+// or answer NaN, where mv/geometry/ray.h and ray_forms.h do not. Slips of the slides are mended, unless a form is asked
+// for as printed.
 #pragma once
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,10 @@
-// What ray-trace shows of its passes.
+// The figure of ray-trace: its passes.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <string>
 
+#include "mv/formatted.h"
 #include "mv/gl/text.h"
 #include "mv/math/transform.h"
 #include "ray-trace.h"
@@ -50,8 +51,8 @@ Picture shown(const Settings& s, const Made& made) {
 void drawFigure(Gpu&, const Settings& s, const Made& made, const Frame& frame) {
     if (s.show == Show::light) return;
     const std::string what = s.show == Show::rays
-                                 ? rounded("white: %.3g rays a sample", largest(s, made))
-                                 : rounded("white: %.3g %% of the light is cut off", 100 * largest(s, made));
+                                 ? formatted("white: %.3g rays a sample", largest(s, made))
+                                 : formatted("white: %.3g %% of the light is cut off", 100 * largest(s, made));
     const TextStyle style{std::clamp(frame.height() / 20, 8, 24)};
     drawText(frame, 6, frame.height() - textHeight(style) - 6, what, style);
 }

@@ -1,4 +1,4 @@
-// What can be set in ray-trace, and what is said of it.
+// The settings of ray-trace: rows, presets, controls and declaration.
 #include "mv/demo/lesson.h"
 #include "ray-trace.h"
 

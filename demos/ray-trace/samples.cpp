@@ -26,7 +26,7 @@ vec2 sequencePoint(std::uint32_t index, std::uint32_t turnX, std::uint32_t turnY
     return {part(x ^ turnX), part(y ^ turnY)};
 }
 
-// Where number i goes in an order of `count` numbers that looks random: a permutation, by walking a cycle.
+// The place of number i in an order of `count` numbers that looks random: a permutation, by walking a cycle.
 // Source: Kensler, "Correlated multi-jittered sampling", Pixar 13-01 (2013).
 std::uint32_t shuffled(std::uint32_t i, std::uint32_t count, std::uint32_t seed) {
     std::uint32_t mask = count - 1;

@@ -1,4 +1,4 @@
-// What ray-trace tells in numbers, and what measures it: the noise of a few samples, and the time to find a triangle among
+// The readouts of ray-trace, and its study: the noise of a few samples, and the time to find a triangle among
 // many.
 #include <algorithm>
 #include <array>
@@ -76,7 +76,7 @@ std::vector<double> values(const Settings& s) {
     return all;
 }
 
-// By how much the seeds' mean squares differ from each other, each taken from the mean of all seeds' pictures.
+// The spread of the seeds' mean squares, each taken from the mean of all seeds' pictures.
 std::vector<std::pair<std::string, double>> valueCounts(const Settings& s) {
     if (s.room == TracedRoom::teapot) return {};
     const std::vector<double> greys = values(s);
@@ -95,7 +95,7 @@ namespace {
 
 using namespace mv::claims;
 
-// What the picture is of, without how it is sampled; Fresnel's parts exact, the squares asked and not averaged.
+// The subject of the picture, without its sampling; Fresnel's parts exact, the squares asked and not averaged.
 TracePicture::Plan referencePlan(const Demo& demo, int columns, int rows) {
     Settings s = settingsOf<Settings>(demo);
     s.fresnel = Fresnel::exact;
@@ -103,8 +103,8 @@ TracePicture::Plan referencePlan(const Demo& demo, int columns, int rows) {
     return planOf(s, columns, rows, {});  // of a teapot the reference asks the triangles itself
 }
 
-// A sequence of its own seed, of many samples; for each of the demo's seeds the same picture. What was made is kept: who
-// tries one knob after the other asks for the same picture again and again.
+// A sequence of its own seed, of many samples; for each of the demo's seeds the same picture. References are kept:
+// whoever tries one knob after the other asks for the same picture again and again.
 Reference ofManySamples(const Demo& demo) {
     static std::map<std::string, Reference> made;
     std::string of;
@@ -183,7 +183,7 @@ Study study() {
                                .scenes = {"triangles"}});
     }
     const auto falls = [](const char* method, const char* scene, double power) {
-        // Of the mean square's power p / 2, within 0.15 of the former
+        // The slope is of the mean square's power p / 2, within 0.15 of the former
         return slope(of::rms, rows(method).in(scene), power / 2 - 0.075, power / 2 + 0.075);
     };
     study.says = {

@@ -1,8 +1,8 @@
 // Recursive ray tracing: Whitted's paper of 1980 for a ray, and Cook's of 1984 for a light with an area.
 //
-// What reaches the eye along a ray is, at the first surface that it meets: what the surface emits; the ambient light's part of its
-// colour; of the lamp, as much as the ray to a point of the lamp lets through; and what comes along the mirrored and the refracted
-// ray, in the parts that Fresnel's equations give. All in double precision.
+// The light that reaches the eye along a ray is, at the first surface that it meets: what the surface emits; the
+// ambient light's part of its colour; of the lamp, as much as the ray to a point of the lamp lets through; and what
+// comes along the mirrored and the refracted ray, in the parts that Fresnel's equations give. All in double precision.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -74,7 +74,7 @@ struct Traced {
 Traced traceRay(const TracedScene& scene, const Ray& ray, double spread, const LampPlace& place,
                 const TraceOptions& options);
 
-// What a ray meets first: a ball, a triangle, or else the floor.
+// The first surface that a ray meets: a ball, a triangle, or else the floor.
 struct Met {
     double t = 0;
     vec3 point{0}, normal{0, 1, 0};  // out of the body; a triangle's to the side that the ray comes from
@@ -83,8 +83,8 @@ struct Met {
 };
 std::optional<Met> firstMet(const TracedScene& scene, const Ray& ray);
 
-// Where a ray that leaves the place begins: off the surface, to the side that the direction leads to, by more than the place's
-// roundings, so that it does not meet the surface that it leaves.
+// The start of a ray that leaves the place: off the surface, to the side that the direction leads to, by more than the
+// place's roundings, so that it does not meet the surface that it leaves.
 vec3 startFrom(const TracedScene& scene, const Met& met, const vec3& direction);
 
 // The part of the lamp's light that comes through on the way: 0 behind what is opaque; through glass what is transmitted at each

@@ -1,9 +1,10 @@
-// What is drawn and written over two links, or the arm: ghosts, the way of the end, the target, and words.
+// The figures over two links, or the arm: ghosts, the way of the end, the target, and words.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
 
+#include "mv/formatted.h"
 #include "mv/motion/two_link.h"
 #include "robot-arm.h"
 
@@ -46,7 +47,7 @@ Words showSolutions(JointedOverlay& overlay, const Settings& s, const Jointed& t
     const std::size_t colon = why.find(':');  // a long reason has two lines
     Words words{counted(answer) + ":", why.substr(0, colon)};
     if (colon != std::string::npos) words.push_back(why.substr(colon + 2));
-    if (answer.distance > 0) words.push_back(rounded("nearest point: %.3g m away", answer.distance));
+    if (answer.distance > 0) words.push_back(formatted("nearest point: %.3g m away", answer.distance));
     if (answer.solutions == TwoLinkSolutions::infinitelyMany) {
         for (int degrees = 0; degrees < 360; degrees += 15)
             stick(overlay, thing, {double(degrees), angles[1]}, {pale, 3});
@@ -97,10 +98,11 @@ Words showIterations(JointedOverlay& overlay, const Settings& s, const Jointed& 
     showTarget(overlay, s, found.goal);
     const std::string armSolutions =
         found.goal == target ? "4 angles for 3 coordinates: in general infinitely many solutions" : "no solution";
-    Words words{nameOf(s.method) + ": " + ends.at(static_cast<std::size_t>(found.end)),
-                rounded("iterations: %.0f", taken) + rounded(", joints at a limit: %.0f", double(found.atLimit.size())),
-                isArm(s) ? armSolutions : counted(twoLinkAngles(s.upper, s.lower, vec2(target))),
-                "target at " + place(s, target)};
+    Words words{
+        nameOf(s.method) + ": " + ends.at(static_cast<std::size_t>(found.end)),
+        formatted("iterations: %.0f", taken) + formatted(", joints at a limit: %.0f", double(found.atLimit.size())),
+        isArm(s) ? armSolutions : counted(twoLinkAngles(s.upper, s.lower, vec2(target))),
+        "target at " + place(s, target)};
     if (found.goal != target) {
         words.push_back("projected to " + place(s, found.goal));
         frame.say("The target is out of reach: the end goes for its projection, " + place(s, found.goal) + ".");

@@ -46,7 +46,7 @@ std::vector<double> armStart(int k);
 inline constexpr double legSide = 0.25;
 Jointed legs(double upper, double lower, const vec2& hip);
 
-// Where the joints from the root to the end are that have a part of some length, and the end, in world space.
+// The places in world space of the joints, from the root to the end, that have a part of some length, and of the end.
 std::vector<vec3> stickOf(const Jointed& thing, const std::vector<mat4>& worldFromPart);
 
 }  // namespace mv

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "mv/formatted.h"
 #include "mv/gl/text_column.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
@@ -88,7 +89,7 @@ void JointedOverlay::angles(const Jointed& thing, const std::vector<mat4>& world
         for (int k = 0; k <= 60; ++k) arc.push_back(at(low + (high - low) * k / 60, 0.35));
         above.line(arc, {isAtLimit ? red : grey, 1.5});
         above.line(at(degrees[i], 0.28), at(degrees[i], 0.42), {isAtLimit ? red : ink, 2.5});
-        above.textAround(at((low + high) / 2, 0.58), thing.parts[i].angle + rounded(" %.1f°", degrees[i]),
+        above.textAround(at((low + high) / 2, 0.58), thing.parts[i].angle + formatted(" %.1f°", degrees[i]),
                          {size_ * 7 / 8, isAtLimit ? red : ink, vec4(1, 1, 1, 0.6)});
     }
 }

@@ -1,4 +1,4 @@
-// What can be set in robot-arm, and what is said of it.
+// The settings of robot-arm: rows, presets, controls and declaration.
 #include "mv/demo/lesson.h"
 #include "robot-arm.h"
 #include "shared/orbit_rows.h"

@@ -49,7 +49,7 @@ std::vector<mat4> worldFromParts(const JointTree& tree, const Angles& angles) {
     return worldFromPart;
 }
 
-// The angles of frame i: those of the start plus i times the rates. This is a product, not a sum over frames.
+// The angles of frame i: those of the start plus i times the rates. The angle is a product, not a sum over frames.
 Angles anglesAt(const Settings& s, int i) {
     const auto& [theta1, theta2, rate1, rate2] = s.links;
     if (isArm(s)) return {s.arm.turn, s.arm.shoulder, s.arm.elbow, s.arm.wrist};

@@ -1,4 +1,4 @@
-// What robot-arm tells in numbers, and what measures it: how far from the target the arm's end comes in so many iterations,
+// The readouts of robot-arm, and its study: how far from the target the arm's end comes in so many iterations,
 // from 60 starts.
 #include <algorithm>
 #include <cmath>

@@ -7,8 +7,8 @@
 
 namespace mv {
 
-// Of legs as in jointed.h, whose lengths are above 0. Side 0 is the near leg; time is in cycles, and the floor is
-// y = 0.
+// The walk of legs as in jointed.h, whose lengths are above 0. Side 0 is the near leg; time is in cycles, and the floor
+// is y = 0.
 struct Walk {
     double upper, lower;
     int poses;  // of a cycle, above 0

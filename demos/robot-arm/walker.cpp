@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "mv/formatted.h"
 #include "mv/gl/functions.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
@@ -41,8 +42,8 @@ void showTrack(JointedOverlay& overlay, const std::vector<Step>& track) {
 void sayTrack(JointedOverlay& overlay, const Settings& s, const std::vector<Step>& track, Method by) {
     const double off = offOf(track);
     const bool isInverse = by != Method::forward;
-    overlay.say(isInverse ? "inverse: " + nameOf(by) : rounded("forward, %.0f right poses a cycle", s.poses));
-    overlay.say(rounded("the foot that stands is off by up to %.2g m", off), off > 1e-3 ? robotRed : robotInk);
+    overlay.say(isInverse ? "inverse: " + nameOf(by) : formatted("forward, %.0f right poses a cycle", s.poses));
+    overlay.say(formatted("the foot that stands is off by up to %.2g m", off), off > 1e-3 ? robotRed : robotInk);
     if (isInverse && !std::ranges::all_of(track, &Step::isInReach))
         overlay.say("the leg does not reach all of the foot's way", robotRed);
 }

@@ -1,4 +1,4 @@
-// What is shown in shading, and the figure beside it: light and eye over a surface, and what each model sends where.
+// The scene of shading, and the figure beside it: light and eye over a surface, and what each model sends where.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -102,7 +102,25 @@ static void drawMatching(Gpu& gpu, const Settings& s, const FrameInfo& frame, do
     drawing.point(plot.pixel({s.angle, matching / s.exponent}), 8, blue);
 }
 
+// Draw a needle along the normal of each corner.
+static void drawNormals(Gpu& gpu, const Settings& s, const mat4& clipFromBody) {
+    if (gpu.needlesFor.changed(s.body, s.edges)) {
+        const MeshData data = bodyOf(s);
+        MeshData lines{.primitive = Primitive::lines};
+        for (std::size_t i = 0; i < data.positions.size(); ++i) {
+            lines.positions.push_back(data.positions[i]);
+            lines.positions.push_back(data.positions[i] + 0.2F * data.normals[i]);
+        }
+        gpu.needles = Mesh(lines, "normals");
+    }
+    gpu.plain->use();
+    gpu.plain->set("clipFromBody", clipFromBody);
+    gpu.plain->set("color", vec3(blue));
+    gpu.needles.draw();
+}
+
 void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
+    if (s.normals) drawNormals(gpu, s, sceneOf(s, frame).clipFromWorld() * worldFromBody(s));
     const double matching = matchingAt(gpu, s);
     gpu.drawing.begin(frame);
     drawDirections(gpu.drawing, s, frame);

@@ -1,4 +1,4 @@
-// What can be set in shading, and what is said of it.
+// The settings of shading: rows, presets, controls and declaration.
 #include "mv/demo/lesson.h"
 #include "shading.h"
 

@@ -28,8 +28,8 @@ double brushed(const vec3& n, const vec3& l, const vec3& v, double exponent) {
     return lobePower(across(alongL) * across(alongV) - alongL * alongV, exponent) * std::max(glm::dot(n, l), 0.0);
 }
 
-// The sum of a highlight over the directions above the surface. It takes rings about the mirrored direction, whose radii grow as
-// the square of their number, so that the rings of a narrow highlight are narrow.
+// The sum of a highlight over the directions above the surface. The sum takes rings about the mirrored direction, whose
+// radii grow as the square of their number, so that the rings of a narrow highlight are narrow.
 double sumOf(Lobe lobe, double exponent, double angle) {
     constexpr int rings = 128, parts = 32;
     const vec3 n(0, 0, 1), l(-std::sin(radians(angle)), 0, std::cos(radians(angle)));

@@ -19,7 +19,8 @@ double reflectance(Lobe lobe, const vec3& n, const vec3& l, const vec3& v, doubl
 
 // The exponent with which Blinn's highlight sends as much light, over all directions above the surface, as Phong's does
 // with that exponent, for light at that angle from the normal, in degrees. Long highlights: near 4 exponent cos(angle).
-// By sums over 128 x 32 directions, to a hundredth of itself. Refused: exponent outside 1..1000, angle outside 0..80.
+// Computed by sums over 128 x 32 directions, to a hundredth of itself. Refused: exponent outside 1..1000, angle outside
+// 0..80.
 double matchingExponent(double exponent, double angle);
 
 }  // namespace mv

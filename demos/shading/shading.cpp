@@ -26,8 +26,6 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     program.set("color", bodyColor);
     if (s.shading != Shading::own) light(program, s);
     gpu.body.draw();
-
-    if (s.normals && !frame.measuring()) drawNormals(gpu, s, clipFromBody);
 }
 
 // The shaders differ in where they call the same function of shaders/include/reflection.glsl.
@@ -72,22 +70,5 @@ mat4 worldFromBody(const Settings& s) {
 }
 
 vec3 lampOf(const Settings& s) { return 2.6 * vec3(rotateY(s.lampTurn) * rotateX(-s.lampHeight) * vec4(0, 0, 1, 0)); }
-
-// Draw a needle along the normal of each corner.
-void drawNormals(Gpu& gpu, const Settings& s, const mat4& clipFromBody) {
-    if (gpu.needlesFor.changed(s.body, s.edges)) {
-        const MeshData data = bodyOf(s);
-        MeshData lines{.primitive = Primitive::lines};
-        for (std::size_t i = 0; i < data.positions.size(); ++i) {
-            lines.positions.push_back(data.positions[i]);
-            lines.positions.push_back(data.positions[i] + 0.2F * data.normals[i]);
-        }
-        gpu.needles = Mesh(lines, "normals");
-    }
-    gpu.plain->use();
-    if (s.shading != Shading::own) gpu.plain->set("clipFromBody", clipFromBody);
-    gpu.plain->set("color", vec3(blue));
-    gpu.needles.draw();
-}
 
 }  // namespace mv::shading

@@ -63,7 +63,6 @@ Material materialOf(Kind kind);
 MeshData bodyOf(const Settings& s);
 mat4 worldFromBody(const Settings& s);
 vec3 lampOf(const Settings& s);
-void drawNormals(Gpu& gpu, const Settings& s, const mat4& clipFromBody);
 
 // The scene, and the drawing beside it: figure.cpp.
 Scene sceneOf(const Settings& s, const FrameInfo& frame);

@@ -1,4 +1,4 @@
-// What shading tells in numbers, and what measures it: its highlights against those of the exact sphere.
+// The readouts of shading, and its study: its highlights against those of the exact sphere.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -89,8 +89,8 @@ Reference exactHighlight(const Demo& demo, const ReferenceFrame& frame) {
     return reference;
 }
 
-// Where the highlight is, in pixels from the left and from above, how many pixels have half of the largest exact value or
-// more, and its sum.
+// The place of the highlight, in pixels from the left and from above, how many pixels have half of the largest exact
+// value or more, and its sum.
 struct Spot {
     vec2 place{0};
     double size = 0, energy = 0;

@@ -1,4 +1,4 @@
-// What is drawn over shadow-floor: the light's rays through the square's corners.
+// The figures over shadow-floor: the light's rays through the square's corners.
 #include "mv/math/shadow.h"
 #include "shadow-floor.h"
 #include "shared/light_rays.h"

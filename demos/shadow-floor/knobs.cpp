@@ -1,4 +1,4 @@
-// What can be set in shadow-floor, and what is said of it.
+// The settings of shadow-floor: rows, presets, controls and declaration.
 #include "mv/demo/lesson.h"
 #include "shadow-floor.h"
 

@@ -1,4 +1,4 @@
-// What shadow-floor tells in numbers.
+// The readouts of shadow-floor.
 #include <vector>
 
 #include "mv/math/clip.h"

@@ -21,8 +21,8 @@ static Scene lit(const Settings& s, const FrameInfo& frame) {
     return lightsOverStillLife(frame.aspect(), at);
 }
 
-// Without a far plane, which would cut volumes off. Where a light grazes a surface, the side of a volume is hardly apart
-// from it, and the depth buffer tells them apart by steps that grow with 1/near: from where the camera stands, and from
+// Without a far plane, which would cut volumes off. The side of a volume is hardly apart from a surface that a light
+// grazes, and the depth buffer tells them apart by steps that grow with 1/near: from where the camera stands, and from
 // farther back, nothing is nearer than 2.
 Scene sceneOf(const Settings& s, const FrameInfo& frame) {
     Scene scene = lit(s, frame);
@@ -32,7 +32,7 @@ Scene sceneOf(const Settings& s, const FrameInfo& frame) {
     return scene;
 }
 
-// The bulbs show where the lights are. They are no solids of the scene, so they cast nothing.
+// The bulbs show where the lights are. The shades are no solids of the scene, so they cast nothing.
 void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
     const Scene scene = seen(sceneOf(s, frame), frame);
     glDisable(GL_BLEND);

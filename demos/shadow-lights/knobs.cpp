@@ -1,4 +1,4 @@
-// What can be set in shadow-lights, and what is said of it.
+// The settings of shadow-lights: rows, presets, controls and declaration.
 #include <algorithm>
 #include <optional>
 

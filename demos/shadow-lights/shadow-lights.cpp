@@ -26,7 +26,7 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     glEnable(GL_DEPTH_TEST);
     if (byMaps) {
         for (const std::size_t i : reaching) drawMap(gpu, s, scene, i);
-        if (gpu.remade > 0) frame.bindTarget();
+        frame.bindTarget();
     }
 
     // Draw the scene without any light, and fill the depth buffer
@@ -36,11 +36,11 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     glDepthMask(GL_FALSE);
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
-    if (byMaps) {
-        for (const std::size_t i : reaching) addByMap(gpu, scene, i);
-    } else {
-        glEnable(GL_STENCIL_TEST);
-        for (const std::size_t i : reaching) addByVolumes(gpu, s, scene, i);
+    for (const std::size_t i : reaching) {
+        if (byMaps)
+            addByMap(gpu, scene, i);
+        else
+            addByVolumes(gpu, s, scene, i);
     }
 }
 
@@ -68,6 +68,7 @@ void addByMap(Gpu& gpu, const Scene& scene, std::size_t i) {
 
 // Add a light where the stencil buffer counts none of its volumes.
 void addByVolumes(Gpu& gpu, const Settings& s, const Scene& scene, std::size_t i) {
+    glEnable(GL_STENCIL_TEST);
     countVolumes(gpu, s, scene, i);
     glStencilFunc(GL_EQUAL, 0, ~0U);
     glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
@@ -116,14 +117,12 @@ void drawMap(Gpu& gpu, const Settings& s, const Scene& scene, std::size_t i) {
     if (!isStale && s.keep) return;
     ++gpu.remade;
 
-    if (shadow.map.size() != s.resolution) shadow.map = DepthMap(s.resolution, "map of light " + std::to_string(i));
-    shadow.map.bindForDrawing();
+    shadow.map.begin(s.resolution, "map of light " + std::to_string(i));
     glClear(GL_DEPTH_BUFFER_BIT);
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(2, 4);  // by two texels of its slope, so that no surface shades itself
     gpu.plain.use();
-    for (const auto& [object, mesh] : gpu.meshes.of(scene)) {
-        if (!object.casts) continue;
+    for (const auto& [object, mesh] : gpu.meshes.castersOf(scene)) {
         gpu.plain.set("clipFromObject", shadow.view.clipFromWorld() * object.worldFromObject);
         mesh.draw();
     }

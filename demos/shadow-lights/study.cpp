@@ -1,4 +1,4 @@
-// What measures shadow-lights: which part of the lights reaches each pixel, against rays.
+// The study of shadow-lights: which part of the lights reaches each pixel, against rays.
 #include <numeric>
 #include <string>
 #include <vector>

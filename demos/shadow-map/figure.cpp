@@ -1,4 +1,4 @@
-// What is shown in shadow-map, and what is drawn over it: the frustum, rays, the map in the corner.
+// The scene of shadow-map, and the figures over it: the frustum, rays, the map in the corner.
 #include "mv/demo/seen.h"
 #include "mv/geometry/shapes.h"
 #include "mv/math/projection.h"

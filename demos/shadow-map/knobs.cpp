@@ -1,4 +1,4 @@
-// What can be set in shadow-map, and what is said of it.
+// The settings of shadow-map: rows, presets, controls and declaration.
 #include "mv/demo/lesson.h"
 #include "shadow-map.h"
 #include "shared/orbit_rows.h"

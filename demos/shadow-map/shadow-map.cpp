@@ -1,4 +1,4 @@
-// shadow-map: a depth buffer seen from the light. What is farther away than its depth is in shadow.
+// shadow-map: a depth buffer seen from the light. Points farther away than its depth are in shadow.
 #include "shadow-map.h"
 
 #include <algorithm>
@@ -33,8 +33,7 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
 
 // Pass 1: draw the scene as the light sees it, and keep only the depths.
 void drawMap(Gpu& gpu, const Settings& s, const Scene& scene, const LightView& light) {
-    if (gpu.map.size() != s.resolution) gpu.map = DepthMap(s.resolution, "shadow map");
-    gpu.map.bindForDrawing();
+    gpu.map.begin(s.resolution, "shadow map");
     glClear(GL_DEPTH_BUFFER_BIT);
 
     // Draw half of the faces, those towards the light or those away from it, or both
@@ -42,7 +41,7 @@ void drawMap(Gpu& gpu, const Settings& s, const Scene& scene, const LightView& l
     if (s.mapFaces == Faces::both) glDisable(GL_CULL_FACE);
     // Push each triangle back by slopeBias times its change of depth over a texel, and by 2 * slopeBias depth steps
     glEnable(GL_POLYGON_OFFSET_FILL);
-    if (s.slopeBias > 0) glPolygonOffset(float(s.slopeBias), float(2 * s.slopeBias));
+    glPolygonOffset(float(s.slopeBias), float(2 * s.slopeBias));
 
     gpu.depthProgram.use();
     for (const auto& [object, mesh] : gpu.meshes.of(scene)) {
@@ -51,8 +50,8 @@ void drawMap(Gpu& gpu, const Settings& s, const Scene& scene, const LightView& l
         mesh.draw();
     }
     glDisable(GL_POLYGON_OFFSET_FILL);
-    if (s.mapFaces == Faces::back) glCullFace(GL_BACK);
-    if (s.mapFaces == Faces::both) glEnable(GL_CULL_FACE);
+    glCullFace(GL_BACK);
+    glEnable(GL_CULL_FACE);
 }
 
 // The cosines of the cone's outer limit, and of its inner limit 10 degrees within. Without a cone all points are inside both.

@@ -1,4 +1,4 @@
-// What measures shadow-map: its shadows against rays.
+// The study of shadow-map: its shadows against rays.
 #include <array>
 #include <string>
 #include <vector>

@@ -1,4 +1,4 @@
-// What can be set in shadow-methods, and what is said of it.
+// The settings of shadow-methods: rows, presets, controls and declaration.
 #include "mv/demo/lesson.h"
 #include "shadow-methods.h"
 #include "shared/orbit_rows.h"

@@ -99,8 +99,7 @@ void drawFlattened(Gpu& gpu, const Scene& scene) {
         const mat4 clipFromFlat = scene.clipFromWorld() * translate(origin) * flat;
         glStencilFunc(GL_EQUAL, place, ~0U);
         program.set("color", plane.color);
-        for (const auto& [object, mesh] : gpu.meshes.of(scene)) {
-            if (!object.casts) continue;
+        for (const auto& [object, mesh] : gpu.meshes.castersOf(scene)) {
             program.set("clipFromObject", clipFromFlat * translate(-origin) * object.worldFromObject);
             mesh.draw();
         }
@@ -147,20 +146,19 @@ void drawByMap(Gpu& gpu, const Scene& scene, Method by) {
     }
 }
 
-// Draw the map as the light sees the scene. It is kept while neither the light nor a caster moves.
+// Draw the map as the light sees the scene. The map is kept while neither the light nor a caster moves.
 bool makeMap(Gpu& gpu, const Settings& s, const Scene& scene) {
     const bool isStale = gpu.mapFor.changed(s.scene, s.ballHeight, s.resolution, s.receiver, s.slopeBias);
     if (!isStale && s.keep) return false;
-    if (gpu.map.size() != s.resolution) gpu.map = DepthMap(s.resolution, "shadow map");
     if (gpu.lightViewFor.changed(s.scene, s.ballHeight))
         gpu.lightView = fitLightView(scene.lights[0].position, casterPoints(scene));
-    gpu.map.bindForDrawing();
+    gpu.map.begin(s.resolution, "shadow map");
     glClear(GL_DEPTH_BUFFER_BIT);
 
     // Without the receiver draw only back faces: they bound the shadow as well, and no lit face is there to shade itself
     if (!s.receiver) glCullFace(GL_FRONT);
     glEnable(GL_POLYGON_OFFSET_FILL);
-    if (s.slopeBias > 0) glPolygonOffset(float(s.slopeBias), float(2 * s.slopeBias));
+    glPolygonOffset(float(s.slopeBias), float(2 * s.slopeBias));
     gpu.flat->use();
     for (const auto& [object, mesh] : gpu.meshes.of(scene)) {
         if (!s.receiver && !object.casts) continue;
@@ -168,7 +166,7 @@ bool makeMap(Gpu& gpu, const Settings& s, const Scene& scene) {
         mesh.draw();
     }
     glDisable(GL_POLYGON_OFFSET_FILL);
-    if (!s.receiver) glCullFace(GL_BACK);
+    glCullFace(GL_BACK);
     return true;
 }
 

@@ -1,4 +1,4 @@
-// What measures shadow-methods: the lit fraction by every method, against rays.
+// The study of shadow-methods: the lit fraction by every method, against rays.
 #include <cmath>
 #include <string>
 

@@ -1,4 +1,4 @@
-// What can be set in shadow-volume, and what is said of it.
+// The settings of shadow-volume: rows, presets, controls and declaration.
 #include "mv/demo/lesson.h"
 #include "shadow-volume.h"
 #include "shared/orbit_rows.h"

@@ -10,7 +10,7 @@
 namespace mv::shadow_volume {
 
 // Seven bits count one group of casters after the other. The eighth notes that a count was not 0.
-static constexpr GLuint inOneGroup = 0x7F, inSomeGroup = 0x80;
+static constexpr GLuint wholeCount = 0xFF, inOneGroup = 0x7F, inSomeGroup = 0x80;
 
 void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     const Scene scene = seen(sceneOf(s, frame), frame);
@@ -27,18 +27,20 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
 
     // Count for each pixel the volumes round its surface. Colours and depths stay as they are
     const std::size_t casters = gpu.volumes.casters().size();
-    const bool inGroups = needsGroups(s, casters);
     glEnable(GL_STENCIL_TEST);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     glDepthMask(GL_FALSE);
-    if (inGroups)
+    GLuint inShadow = wholeCount;  // the bits of the stencil buffer that tell
+    if (needsGroups(s, casters)) {
         countInGroups(gpu, s, scene);
-    else
+        inShadow = inSomeGroup;
+    } else {
         countVolumes(gpu, s, scene, 0, casters);
+    }
 
     // Draw the scene again without the light, where the count is not 0
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    glStencilFunc(GL_NOTEQUAL, 0, inGroups ? inSomeGroup : 0xFF);
+    glStencilFunc(GL_NOTEQUAL, 0, inShadow);
     glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
     glDepthFunc(GL_EQUAL);
     gpu.program.use();

@@ -1,4 +1,4 @@
-// What measures shadow-volume: its shadows against rays, and what its stencil buffer holds.
+// The study of shadow-volume: its shadows against rays, and what its stencil buffer holds.
 #include <algorithm>
 #include <cmath>
 

@@ -1,4 +1,4 @@
-// What is drawn over shadow: the light, and its rays through the square's corners.
+// The figures over shadow: the light, and its rays through the square's corners.
 #include "shadow.h"
 #include "shared/light_rays.h"
 

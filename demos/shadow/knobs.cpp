@@ -1,4 +1,4 @@
-// What can be set in shadow, and what is said of it.
+// The settings of shadow: rows, presets, controls and declaration.
 #include "mv/demo/lesson.h"
 #include "shadow.h"
 

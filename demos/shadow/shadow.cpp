@@ -58,7 +58,7 @@ vec4 lightOf(const Settings& s, const FrameInfo& frame) {
 
 mat4 worldFromModelOf(const Settings& s) { return translate(0, s.squareHeight, 0) * rotateZ(s.tilt); }
 
-// A parallel projection. It widens with the picture, so the square stays square.
+// A parallel projection. The view widens with the picture, so the square stays square.
 mat4 clipFromViewOf(const FrameInfo& frame) { return ortho(-2 * frame.aspect(), 2 * frame.aspect(), -2, 2, -4, 4); }
 
 // The square's corners, in world space.

@@ -1,4 +1,4 @@
-// What shadow tells in numbers.
+// The readouts of shadow.
 #include <cmath>
 #include <vector>
 

@@ -7,8 +7,8 @@
 
 namespace mv {
 
-// Where the cube -0.5..0.5 goes for the body and for the cabin. The car looks along +x with z up; it is 10 long, 3 wide and
-// 4 high, and stands on z = 0.
+// The matrices that take the cube -0.5..0.5 to the body and to the cabin. The car looks along +x with z up; it is 10
+// long, 3 wide and 4 high, and stands on z = 0.
 std::array<mat4, 2> carFromCubes();
 
 // Both as one mesh with normals and colours, of that size times `size`, for who looks along -z with y up, as a camera and a

@@ -1,5 +1,6 @@
 // Which part of the light a smooth surface reflects, by Fresnel's equations: what shaders/include/fresnel.glsl computes in
-// float, here in double. Light is unpolarized: the mean of both polarizations. Where it goes is mv/math/reflect.h's to say.
+// float, here in double. Light is unpolarized: the mean of both polarizations. Its directions are mv/math/reflect.h's
+// to say.
 //
 // `cosine` is that of the angle between the light and the normal, 0..1; what is outside is refused, and NaN.
 #pragma once
@@ -37,7 +38,7 @@ vec3 fresnelOfMetal(double cosine, const Metal& metal);
 // "An inexpensive BRDF model for physically-based rendering" (1994).
 double schlick(double cosine, double headOn);
 
-// What a body's surface is made of.
+// The material of a body's surface.
 struct Coating {
     enum class Kind { mirror, metal, glass };
     Kind kind = Kind::mirror;

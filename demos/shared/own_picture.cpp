@@ -33,7 +33,7 @@ std::vector<Cover> covers(int from, int to) {
     return all;
 }
 
-// What of a byte is averaged.
+// The value of a byte that is averaged.
 using Meaning = std::array<double, 256>;
 
 // Means over the texels' areas, lower row first, alpha 1.

@@ -1,4 +1,4 @@
-// What demos make of a picture of the user's own: a texture, a height map, surroundings.
+// A picture of the user's own, as demos use it: a texture, a height map, surroundings.
 #pragma once
 #include <array>
 
@@ -9,8 +9,8 @@
 namespace mv {
 
 // The picture in width x height texels of linear light, 0..1, four channels with alpha 1, the lower row first as textures have it.
-// Each texel is the mean of exactly the area that it covers, parts of pixels counted as parts; proportions give way. What is
-// stored is taken for sRGB, and its alpha is left out. Error: sides that no picture has.
+// Each texel is the mean of exactly the area that it covers, parts of pixels counted as parts; proportions give way.
+// The stored numbers are taken for sRGB, and their alpha is left out. Error: sides that no picture has.
 FloatPicture ownTexels(const Picture& picture, int width, int height);
 
 // The same as a height map: heights, 0 black to 1 white, are in alpha, and red, green and blue that of grey stone. Heights are

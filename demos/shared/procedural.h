@@ -10,8 +10,8 @@ namespace mv {
 
 enum class Pattern { brick, wood, marble, noise };
 
-// Where a pattern is looked at: points are centre + offset. Octaves have frequencies 2^k from `first` on; where that is no
-// whole number (a zoom that goes on), the first fades out while one more fades in.
+// The place at which a pattern is looked at: points are centre + offset. Octaves have frequencies 2^k from `first` on;
+// where that is no whole number (a zoom that goes on), the first fades out while one more fades in.
 struct PatternPlace {
     Pattern pattern;
     int octaves;   // 1..8
@@ -19,8 +19,8 @@ struct PatternPlace {
     vec3 centre;
 
     static constexpr std::size_t most = 9;
-    // Of each octave: the cell that the centre lies nearest to, and how far from its corner it is, -0.5..0.5 cells. Both
-    // exact, since a double is a sum of powers of two.
+    // For each octave: the cell that the centre lies nearest to, and how far from its corner it is, -0.5..0.5 cells.
+    // Both exact, since a double is a sum of powers of two.
     struct Octave {
         double frequency, weight;
         std::array<std::int64_t, 3> cell;

@@ -40,7 +40,7 @@ struct PixelBox {
 PixelBox boxOf(const std::array<vec2, 3>& corners, int width, int height) {
     PixelBox box{width, 0, height, 0};
     for (const vec2& corner : corners) {
-        // By half a pixel more than the corner, which snapping moves by 1/512
+        // Wider by half a pixel than the corner, which snapping moves by 1/512
         const auto least = [](double x, int most) {
             return static_cast<int>(std::clamp(std::floor(x - 0.51), 0.0, double(most)));
         };

@@ -21,7 +21,7 @@ enum class FillMethod {
     tiles,        // of tiles of 8 x 8 those that no edge leaves wholly outside; whole ones without asking their pixels
     floats,       // as box, but A x + B y + C in floats
 };
-// Of a middle that lies on an edge.
+// The rule for a middle that lies on an edge.
 enum class EdgeRule { bottomLeft, inside, outside };
 
 // A x + B y + C, positive on the inner side, in units of 1/256 pixel and their products.
@@ -38,7 +38,7 @@ struct Covered {
     std::vector<PixelStep> pixels;  // in the order in which they are set
     std::int64_t asked = 0;         // edge functions evaluated, or added up
 };
-// Of a grid of width x height pixels.
+// The pixels of a grid of width x height.
 Covered coveredPixels(const std::array<vec2, 3>& corners, int width, int height, FillMethod method,
                       EdgeRule rule = EdgeRule::bottomLeft);
 

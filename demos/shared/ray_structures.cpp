@@ -26,7 +26,7 @@ struct Box {
         low = glm::min(low, glm::min(triangle.a, glm::min(triangle.b, triangle.c)));
         high = glm::max(high, glm::max(triangle.a, glm::max(triangle.b, triangle.c)));
     }
-    // By more than the roundings of whoever asks which box a point is in.
+    // Wider by more than the roundings of whoever asks which box a point is in.
     void grow(const vec3& by) {
         low -= by;
         high += by;
@@ -118,7 +118,7 @@ class Grid final : public TriangleFinder {
             const std::size_t cell = number(place);
             for (std::uint32_t i = first_[cell]; i < first_[cell + 1]; ++i) search.ask(triangles_[inCells_[i]]);
             const int axis = leaves.x <= leaves.y && leaves.x <= leaves.z ? 0 : leaves.y <= leaves.z ? 1 : 2;
-            // What lies in a later cell is met later
+            // A triangle in a later cell is met later
             if (search.nearest && search.nearest->hit.t < leaves[axis]) return search.nearest;
             place[static_cast<std::size_t>(axis)] += ray.direction[axis] < 0 ? -1 : 1;
             if (place[static_cast<std::size_t>(axis)] < 0 ||

@@ -1,5 +1,5 @@
-// Many triangles, and four ways to find the first that a ray meets. They differ in time only: the answer is the same, bit
-// for bit.
+// Many triangles, and four ways to find the first that a ray meets. The structures differ in time only: the answer is
+// the same, bit for bit.
 #pragma once
 #include <memory>
 #include <optional>

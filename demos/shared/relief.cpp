@@ -36,7 +36,7 @@ vec2 riseAcross(double at, double length) {
     return {rise.x, (within < length / 2 ? 1 : -1) * rise.y / bevel};
 }
 
-// Of its row, 0 or 1/2: by how much bricks are moved.
+// The shift of the bricks of its row, 0 or 1/2.
 double shiftOf(double row) { return 0.5 * (row - 2 * std::floor(row / 2)); }
 
 double brickHeight(double x, double y) {
@@ -133,7 +133,8 @@ ReliefPoint ownAt(const FloatPicture& map, ReliefBody body, const vec3& near) {
     const vec2 at = texCoordOf(body, near), texel = 1.0 / vec2(map.width, map.height);
     const vec3 smooth = isRound ? glm::normalize(near) : vec3(near.x, near.y, 0);
     const vec3 out = isRound ? smooth : vec3(0, 0, 1);
-    // By the difference of the two neighbours, as normalMap() has it; at a pole all ways lead along u, and the slope is 0
+    // The slope is by the difference of the two neighbours, as normalMap() has it; at a pole all ways lead along u, and
+    // the slope is 0
     const vec2 change =
         vec2(heightIn(map, at + vec2(texel.x, 0), isRound) - heightIn(map, at - vec2(texel.x, 0), isRound),
              heightIn(map, at + vec2(0, texel.y), isRound) - heightIn(map, at - vec2(0, texel.y), isRound)) /

@@ -16,8 +16,8 @@ struct Relief {
     ReliefBody body = ReliefBody::wall;
     double depth = 0.08;      // from height 1, on the smooth surface, down to height 0, in units
     bool isMirrored = false;  // the wall's part with x < 0 is the other one's mirror image
-    // Where there is one, its heights stand for the bricks or the peel: a map as paintedMap() makes them, which is read between its
-    // texels as a GPU reads it. It is the caller's, and outlives this.
+    // Its heights, where there is one, stand for the bricks or the peel: a map as paintedMap() makes them, which is
+    // read between its texels as a GPU reads it. The map is the caller's, and outlives this.
     const FloatPicture* own = nullptr;
 };
 
@@ -56,8 +56,8 @@ vec2 unitsOfRepeat(ReliefBody body);
 inline constexpr double flattestSight = 0.05;  // 87 degrees from the normal
 vec2 parallaxShift(const vec3& view, double depth, double height);
 
-// What is sent to the eye: a share of ambient light, Lambert's diffuse light, and a highlight by Blinn's half vector. All
-// vectors have unit length. The same in shaders/include/relief.glsl.
+// The light that is sent to the eye: a share of ambient light, Lambert's diffuse light, and a highlight by Blinn's half
+// vector. All vectors have unit length. The same in shaders/include/relief.glsl.
 vec3 reliefLight(const vec3& color, const vec3& normal, const vec3& light, const vec3& view);
 
 }  // namespace mv

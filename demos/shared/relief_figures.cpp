@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "mv/formatted.h"
 #include "mv/gl/text.h"
 #include "mv/math/color.h"
 
@@ -28,7 +29,7 @@ void SightFigure::draw(Drawing& drawing, double degrees, int wordHeight) const {
     for (int i = 0; i <= 20; ++i) arc.push_back(foot + 0.35 * size * way(degrees * i / 20));
     drawing.line(arc, {blue, 1});
     if (wordHeight > 0)
-        drawing.text(foot + vec2(-0.2 * size, size + 1.5 * wordHeight), rounded("eye at %.0f°", degrees),
+        drawing.text(foot + vec2(-0.2 * size, size + 1.5 * wordHeight), formatted("eye at %.0f°", degrees),
                      {wordHeight, blue, vec4(0)});
 }
 

@@ -11,7 +11,7 @@ namespace mv {
 struct SightFigure {
     vec2 foot;
     double size;
-    // Where the way to the eye ends.
+    // The end of the way to the eye.
     vec2 tip(double degrees) const;
     void draw(Drawing& drawing, double degrees, int wordHeight) const;
 };
@@ -20,7 +20,7 @@ struct SightFigure {
 struct LampDial {
     vec2 middle;
     double radius;
-    // Where the unit vector to the lamp is marked.
+    // The mark of the unit vector to the lamp.
     vec2 at(const vec3& towardsLamp) const { return middle + radius * vec2(towardsLamp); }
     void draw(Drawing& drawing, const vec3& towardsLamp, int wordHeight) const;
 };

@@ -16,8 +16,8 @@ double gapAt(const Relief& relief, const vec3& point) {
     return up + relief.depth * (1 - reliefHeight(relief, point));
 }
 
-// Marches from `start` up to `end`, both along the line, while the gap is above 0. It shrinks at most `fastest` times as
-// fast as the line goes on.
+// Marches from `start` up to `end`, both along the line, while the gap is above 0. The gap shrinks
+// at most `fastest` times as fast as the line goes on.
 std::optional<ReliefPoint> march(const Relief& relief, const vec3& from, const vec3& way, double start, double end,
                                  double fastest) {
     double t = start;

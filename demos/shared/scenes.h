@@ -1,6 +1,6 @@
 // Small scenes for shadows, each with its light and its camera: so that demos, studies and tests look at the same thing.
 //
-// Lengths are metres where that makes sense, y is up, and the floor is y = 0. What casts is closed; floor and wall only
+// Lengths are metres where that makes sense, y is up, and the floor is y = 0. Casters are closed; floor and wall only
 // receive. The camera suits a picture of this aspect, width/height: everything is in view at any, and composed for 4:3.
 // Refused: an aspect that is not above 0 and finite.
 #pragma once
@@ -36,7 +36,7 @@ inline constexpr ObjectId topOfTheTable{1};
 
 // The course's cube, of side 2 about the origin and with a colour on each face, or the still life's things in its place,
 // before a floor at z = -1.0125 and a wall at x = -3 that meet in an edge. Here z is up, and there is neither light nor
-// camera. Of floor and wall, column 1 of worldFromObject is the unit normal and column 3 the middle of that edge, so
+// camera. For floor and wall, column 1 of worldFromObject is the unit normal and column 3 the middle of that edge, so
 // that worldFromObject * rotateX(-angle) leans them back. Objects: cube, floor, wall; pawn, ring, sphere, box, floor, wall.
 Scene cubeInRoom();
 Scene stillLifeInRoom();
@@ -48,9 +48,9 @@ inline constexpr ObjectId pawn{0}, ring{1}, sphere{2}, box{3}, floor{4}, wall{5}
 }
 
 // A small house, 8 m wide and 6 m deep, with a garage on its right (+x), a chimney behind the ridge and its door on the
-// left of the front (+z): no two of its six sides look alike. It stands on y = 0, with its ridge along x; there is
-// neither floor nor light nor camera. All of it lies within 8 m of (1.5, 3, 0). Objects: walls, roof front, roof back,
-// chimney, garage, gate, door, window 1 to window 3.
+// left of the front (+z): no two of its six sides look alike. The house stands on y = 0, with its ridge along x; there
+// is neither floor nor light nor camera. All of it lies within 8 m of (1.5, 3, 0). Objects: walls, roof front, roof
+// back, chimney, garage, gate, door, window 1 to window 3.
 Scene house();
 
 // That house at (-1.5, 0, -20), and on either side of it two rows of trees 5 m high, from z = -4 to z = -40, 6 m apart:

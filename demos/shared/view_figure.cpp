@@ -125,8 +125,8 @@ void drawViewFigure(Drawing& drawing, const Program& program, const Mesh& cube, 
     for (const auto& [z, color] : {std::pair(-1.0, nearColor), std::pair(1.0, farColor)})
         drawing.point(outsideFromClip, {0, 0, z}, 9, color);
     drawing.text({6, volume.height - 4.0}, figure.isPerspective ? "the pyramid of view" : "the box of view", words);
-    drawing.text({6, 1.6 * size}, "near " + rounded("%.3g", figure.near), {size, nearColor, vec4(0)});
-    drawing.text({8.0 * size, 1.6 * size}, "far " + rounded("%.3g", figure.far), {size, farColor, vec4(0)});
+    drawing.text({6, 1.6 * size}, "near " + formatted("%.3g", figure.near), {size, nearColor, vec4(0)});
+    drawing.text({8.0 * size, 1.6 * size}, "far " + formatted("%.3g", figure.far), {size, farColor, vec4(0)});
 
     drawing.in(clip);
     drawEdges(drawing, fromClip);
@@ -142,7 +142,7 @@ void drawViewFigure(Drawing& drawing, const Program& program, const Mesh& cube, 
     for (int row = 0; row < 4; ++row) {
         for (int i = 0; i < 4; ++i)
             drawing.text({6 + column * i, picture.height - (2.4 + 1.7 * row) * size},
-                         rounded("%.3g", figure.clipFromView[i][row] + 0.0),
+                         formatted("%.3g", figure.clipFromView[i][row] + 0.0),
                          {size, row == 2 ? farColor : ink, vec4(0)});
     }
     drawing.text({6, picture.height - 9.6 * size}, "near and far are in the third row", {size, farColor, vec4(0)});

@@ -1,5 +1,6 @@
-// What can be set in soft-shadows, and what is said of it.
+// The settings of soft-shadows: rows, presets, controls and declaration.
 #include "mv/demo/lesson.h"
+#include "mv/gl/beyond_es.h"
 #include "soft-shadows.h"
 
 namespace mv::soft_shadows {
@@ -25,12 +26,19 @@ constexpr Declaration about{
 bool isByLooks(const Settings& s) { return !isByPoints(s); }
 bool hasMap(const Settings& s) { return s.method != Method::matrix; }
 
+// Add up in 8 bits where the context adds up no floats.
+Settings fallback(Settings s) {
+    if (s.accumulate == Sum::floats && !(has(beyond_es::floatTargets) && has(beyond_es::floatBlending)))
+        s.accumulate = Sum::bytes;
+    return s;
+}
+
 void check(const Settings& s) {
     // A light's view and a shadow's matrix need the whole lamp, at its largest, well above all that casts
     if (s.scene == Which::table && s.casterHeight > 0.65)
         throw Error("--caster-height", "must be at most 0.65 in scene table, to stay below the lamp",
                     numberText(s.casterHeight));
-    if (isByPoints(s) && s.lights > 256 && !addsInFloats(s))
+    if (isByPoints(s) && s.lights > 256 && fallback(s).accumulate != Sum::floats)
         throw Error("--lights",
                     "must be at most 256 where shadows are added up in 8 bits, whose step is 1/255: a share of less "
                     "than half a step rounds to nothing (--accumulate float has finer ones)",
@@ -96,6 +104,7 @@ const bool added = addLesson(about, Lesson<Settings, Gpu>{
                                         .draw = draw,
                                         .figure = drawFigure,
                                         .check = check,
+                                        .fallback = fallback,
                                         .scene = sceneOf,
                                     });
 

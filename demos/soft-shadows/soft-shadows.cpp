@@ -2,7 +2,6 @@
 #include "soft-shadows.h"
 
 #include "mv/demo/seen.h"
-#include "mv/gl/beyond_es.h"
 #include "mv/gl/gl.h"
 #include "mv/math/shadow.h"
 #include "mv/math/transform.h"
@@ -21,29 +20,21 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     glEnable(GL_DEPTH_TEST);
     glBlendFunc(GL_ONE, GL_ONE);
     if (!isByPoints(s)) keepMap(gpu, s, scene);
-    const Target& darkness = clearDarkness(gpu, s, scene, frame);
-    switch (s.method) {
-        case Method::matrix:
-            addByMatrix(gpu, scene, points);
-            break;
-        case Method::maps:
-            addByMaps(gpu, s, scene, points, darkness);
-            break;
-        case Method::pcf:
-            addByMap(gpu, scene, points.front(), 1, s.taps);
-            break;
-        case Method::pcss:
-            addByPcss(gpu, s, scene);
-            break;
-        case Method::blur:
-            addByMap(gpu, scene, points.front(), 1, 1);
-            break;
-    }
+    clearDarkness(gpu, s, scene, frame);
+    const bool blursPicture = s.method == Method::blur;
+    if (s.method == Method::matrix)
+        addByMatrix(gpu, scene, points);
+    else if (s.method == Method::maps)
+        addByMaps(gpu, s, scene, points);
+    else if (s.method == Method::pcss)
+        addByPcss(gpu, s, scene);
+    else
+        addByMap(gpu, scene, points.front(), 1, blursPicture ? 1 : s.taps);
 
     // Shade the scene by the part of the lamp that reaches each pixel. Only a blur in the picture reads neighbouring pixels
     frame.bindTarget();
-    darkness.bindColor(0);
-    shade(gpu, scene, s.method == Method::blur ? s.taps : 1);
+    gpu.darkness.bindColor(0);
+    shade(gpu, scene, blursPicture ? s.taps : 1);
 }
 
 static void drawPlain(Gpu& gpu, const mat4& clipFromWorld, const SceneObject& object, const Mesh& mesh) {
@@ -52,32 +43,30 @@ static void drawPlain(Gpu& gpu, const mat4& clipFromWorld, const SceneObject& ob
 }
 
 // Clear the darkness, and draw the depths of the visible surfaces, so that only these are darkened.
-const Target& clearDarkness(Gpu& gpu, const Settings& s, const Scene& scene, const Frame& frame) {
-    Target& darkness = frame.measuring() ? gpu.darknessMeasured : gpu.darknessShown;
-    const bool made = darkness.fit(frame.width(), frame.height(),
-                                   {.depth = true,
-                                    .stencil = s.method == Method::matrix,
-                                    .color = addsInFloats(s) ? GLenum(GL_R32F) : GLenum(GL_R8),
-                                    .texture = true},
-                                   "darkness");
-    if (!made) darkness.bind();
+void clearDarkness(Gpu& gpu, const Settings& s, const Scene& scene, const Frame& frame) {
+    gpu.darkness.begin(frame.width(), frame.height(),
+                       {.depth = true,
+                        .stencil = s.method == Method::matrix,
+                        .color = s.accumulate == Sum::floats ? GLenum(GL_R32F) : GLenum(GL_R8),
+                        .texture = true},
+                       "darkness");
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     gpu.plain.use();
     for (const auto& [object, mesh] : gpu.meshes.of(scene)) drawPlain(gpu, scene.clipFromWorld(), object, mesh);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    return darkness;
 }
 
-// Flatten the casters onto the floor, once for each point. Where two shadows of a point overlap, the floor is darkened once:
-// the stencil counts down from 255, by one a point, and lets darkness through only where it is still higher.
+// Flatten the casters onto the floor, once for each point. The floor is darkened once where two shadows of a point
+// overlap: the stencil counts down from 255, by one a point, and lets darkness through only where it is still higher.
 void addByMatrix(Gpu& gpu, const Scene& scene, const std::vector<vec3>& points) {
     constexpr vec4 floor(0, 1, 0, 0);
     glEnable(GL_BLEND);
     glEnable(GL_STENCIL_TEST);
     glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
     glDepthMask(GL_FALSE);
-    const auto objects = gpu.meshes.of(scene);
+    const auto& [ground, groundMesh] = gpu.meshes.of(scene).front();
+    const auto casters = gpu.meshes.castersOf(scene);
     for (std::size_t i = 0; i < points.size(); ++i) {
         const auto turn = static_cast<GLint>(i % 254);
         if (turn == 0) {
@@ -85,15 +74,13 @@ void addByMatrix(Gpu& gpu, const Scene& scene, const std::vector<vec3>& points) 
             glDepthFunc(GL_EQUAL);
             glStencilFunc(GL_ALWAYS, 255, 255);
             gpu.plain.set("color", vec4(0));
-            drawPlain(gpu, scene.clipFromWorld(), objects.front().first, objects.front().second);
+            drawPlain(gpu, scene.clipFromWorld(), ground, groundMesh);
             glDepthFunc(GL_ALWAYS);
             gpu.plain.set("color", vec4(1.0 / double(points.size())));
         }
         glStencilFunc(GL_LESS, 254 - turn, 255);
         const mat4 clipFromShadow = scene.clipFromWorld() * shadowProjection(vec4(points[i], 1), floor);
-        for (const auto& [object, mesh] : objects) {
-            if (object.casts) drawPlain(gpu, clipFromShadow, object, mesh);
-        }
+        for (const auto& [caster, mesh] : casters) drawPlain(gpu, clipFromShadow, caster, mesh);
     }
     glDepthMask(GL_TRUE);
     glDepthFunc(GL_LESS);
@@ -102,12 +89,11 @@ void addByMatrix(Gpu& gpu, const Scene& scene, const std::vector<vec3>& points) 
 }
 
 // Draw a map from each point, one after the other, into the same texture.
-void addByMaps(Gpu& gpu, const Settings& s, const Scene& scene, const std::vector<vec3>& points,
-               const Target& darkness) {
+void addByMaps(Gpu& gpu, const Settings& s, const Scene& scene, const std::vector<vec3>& points) {
     for (const vec3& point : points) {
         gpu.lightOfMap = viewFrom(scene, point);
         drawMap(gpu, s, scene);
-        darkness.bind();
+        gpu.darkness.bind();
         addByMap(gpu, scene, point, 1.0 / double(points.size()), 1);
     }
     gpu.mapFor.forget();
@@ -182,16 +168,14 @@ void keepMap(Gpu& gpu, const Settings& s, const Scene& scene) {
 }
 
 void drawMap(Gpu& gpu, const Settings& s, const Scene& scene) {
-    if (gpu.map.size() != s.resolution) gpu.map = DepthMap(s.resolution, "map");
-    gpu.map.bindForDrawing();
+    gpu.map.begin(s.resolution, "map");
     glClear(GL_DEPTH_BUFFER_BIT);
     // Push what casts back by two texels of its slope, so that no surface shades itself
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(2, 4);
     gpu.plain.use();
-    for (const auto& [object, mesh] : gpu.meshes.of(scene)) {
-        if (object.casts) drawPlain(gpu, gpu.lightOfMap.clipFromWorld(), object, mesh);
-    }
+    for (const auto& [caster, mesh] : gpu.meshes.castersOf(scene))
+        drawPlain(gpu, gpu.lightOfMap.clipFromWorld(), caster, mesh);
     glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
@@ -201,9 +185,5 @@ LightView viewFrom(const Scene& scene, const vec3& point) {
 }
 
 bool isByPoints(const Settings& s) { return s.method == Method::matrix || s.method == Method::maps; }
-
-bool addsInFloats(const Settings& s) {
-    return s.accumulate == Sum::floats && has(beyond_es::floatTargets) && has(beyond_es::floatBlending);
-}
 
 }  // namespace mv::soft_shadows

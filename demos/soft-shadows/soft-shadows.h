@@ -38,8 +38,7 @@ struct Gpu {
     Program shading{"soft-shadows"}, plain{"soft-shadows", "plain"};
     OnDemand<Program> byMap{"soft-shadows", "map"}, byPcss{"soft-shadows", "pcss"};
     SceneMeshes meshes;
-    // The darkness of each pixel: 0 where it sees the whole lamp, 1 where it sees none. A measured picture has another size.
-    Target darknessShown, darknessMeasured;
+    Target darkness;  // of each pixel: 0 where it sees the whole lamp, 1 where it sees none
     DepthMap map;
     LightView lightOfMap;
     MadeFor<Which, int, mat4, std::vector<mat4>> mapFor;
@@ -48,10 +47,9 @@ struct Gpu {
 
 // The technique: soft-shadows.cpp.
 void draw(Gpu& gpu, const Settings& s, const Frame& frame);
-const Target& clearDarkness(Gpu& gpu, const Settings& s, const Scene& scene, const Frame& frame);
+void clearDarkness(Gpu& gpu, const Settings& s, const Scene& scene, const Frame& frame);
 void addByMatrix(Gpu& gpu, const Scene& scene, const std::vector<vec3>& points);
-void addByMaps(Gpu& gpu, const Settings& s, const Scene& scene, const std::vector<vec3>& points,
-               const Target& darkness);
+void addByMaps(Gpu& gpu, const Settings& s, const Scene& scene, const std::vector<vec3>& points);
 void addByMap(Gpu& gpu, const Scene& scene, const vec3& point, double share, int side);
 void addByPcss(Gpu& gpu, const Settings& s, const Scene& scene);
 void shade(Gpu& gpu, const Scene& scene, int side);
@@ -59,7 +57,6 @@ void keepMap(Gpu& gpu, const Settings& s, const Scene& scene);
 void drawMap(Gpu& gpu, const Settings& s, const Scene& scene);
 LightView viewFrom(const Scene& scene, const vec3& point);
 bool isByPoints(const Settings& s);
-bool addsInFloats(const Settings& s);
 
 // The method's name, and a section through the lamp: figure.cpp.
 void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame);

@@ -1,4 +1,4 @@
-// What measures soft-shadows: the part of the lamp that is seen, against rays, and the width of a penumbra.
+// The study of soft-shadows: the part of the lamp that is seen, against rays, and the width of a penumbra.
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <string>

@@ -24,7 +24,7 @@ struct Classic {
     };
     std::vector<Curve> curves;
 };
-// Of odeCases(), by its place there. Refused: a place that there is not.
+// A case of odeCases(), by its place there. Refused: a place that there is not.
 Classic classic(std::size_t which);
 
 struct ClassicSolution {

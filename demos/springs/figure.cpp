@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "mv/formatted.h"
 #include "mv/motion/ode_stability.h"
 
 namespace mv {
@@ -107,7 +108,7 @@ void drawEnergy(Drawing& drawing, const Pane& pane, const SpringGame& game) {
     std::vector<vec2> energies, balances;
     for (const EnergySample& sample : samples) {
         if (sample.time < from) continue;
-        // What is beyond the axis is drawn just beyond, and cut off there
+        // Draw points beyond the axis just beyond it, and cut them off there
         const auto within = [&](double energy) { return std::clamp(energy, joules.low - most, joules.high + most); };
         energies.emplace_back(sample.time, within(sample.energy));
         balances.emplace_back(sample.time, within(sample.balance));
@@ -118,7 +119,7 @@ void drawEnergy(Drawing& drawing, const Pane& pane, const SpringGame& game) {
     drawing.curve(plot, energies, {springBlue, 2});
     paneWords(drawing, pane, {box.low.x, pane.height - 1.0}, "energy", springBlue);
     const std::string off =
-        largestDrift < 1e3 ? rounded("off by up to %.1e", largestDrift) : "off by 1000 times and more";
+        largestDrift < 1e3 ? formatted("off by up to %.1e", largestDrift) : "off by 1000 times and more";
     paneWords(drawing, pane, {box.low.x, pane.height - 22.0}, "energy + dissipated - work: " + off, color);
 }
 

@@ -17,7 +17,8 @@ inline const vec4 springRed(0.75, 0.15, 0.1, 1), springBlue(0.1, 0.3, 0.7, 1), s
 // The pixel of a place of the scene in its pane, seen from a little above and from the left.
 vec2 springPixel(const Pane& pane, const vec3& place);
 
-// Masses, springs coloured by their stretch, and the hand. What is more than 100 m away is left out; how many that are.
+// Masses, springs coloured by their stretch, and the hand. Masses more than 100 m away are left out; returns how many
+// that are.
 int drawSprings(Drawing& drawing, const Pane& pane, const SpringSetup& setup, std::span<const double> state);
 
 // The one spring's place (across) and speed (upwards), in units of its first swing: two hands, which turn.

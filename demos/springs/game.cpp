@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mv/formatted.h"
 #include "mv/gl/text.h"
 
 namespace mv {
@@ -62,7 +63,7 @@ void SpringGame::advance(const SpringRule& rule, int index) {
         } else {
             const std::string& why = stepper_->failure();
             failure_ = "stopped at step " + std::to_string(steps_ + 1) + ", " +
-                       rounded("%.3f s: ", (index - 1 + double(i) / rule.substeps) * frameTime) +
+                       formatted("%.3f s: ", (index - 1 + double(i) / rule.substeps) * frameTime) +
                        why.substr(why.find("because ") + 8);
         }
     }

@@ -16,7 +16,7 @@ struct EnergySample {
     double time, energy, balance;
 };
 
-// What somebody may change while it plays.
+// The settings that somebody may change while it plays.
 struct SpringRule {
     SpringSettings springs = {};
     std::optional<OdeMethod> method = {};  // none: energy-momentum
@@ -35,7 +35,7 @@ class SpringGame {
     // At frame 0. Refused: as by makeSprings, and by the method.
     explicit SpringGame(const SpringRule& rule);
 
-    // From frame index - 1 to frame `index`. Where the rule is another, the energy that this puts in is work. Nothing is
+    // From frame index - 1 to frame `index`. The energy that another rule puts in is work. Nothing is
     // computed where nothing moves, or where a step has failed.
     void advance(const SpringRule& rule, int index);
 
@@ -47,7 +47,7 @@ class SpringGame {
     // "stopped at step 7, 0.117 s: WHY", or "".
     const std::string& failure() const { return failure_; }
     int stepsNow() const { return stepsNow_; }  // tried for this frame
-    // Of the steps since the rule was last another; and in all, those that Newton's method could not do.
+    // The steps since the rule was last another; and in all, those that Newton's method could not do.
     const OdeCounts& counts() const { return stepper_->counts(); }
     std::int64_t halved() const { return halvedBefore_ + counts().rejected; }
 
@@ -62,7 +62,7 @@ class SpringGame {
     // The last ten seconds at least.
     const std::vector<EnergySample>& graph() const { return graph_; }
 
-    // Of the one spring: place and speed by its formula, which go on where the computed ones rest; and how far it turned
+    // Place and speed of the one spring by its formula, which go on where the computed ones rest; and how far it turned
     // in its last step, as computed, rad.
     const vec2& exact() const { return exact_; }
     double turned() const { return turned_; }

@@ -1,4 +1,4 @@
-// What can be set in springs, and what is said of it.
+// The settings of springs: rows, presets, controls and declaration.
 #include "figure.h"
 #include "mv/demo/lesson.h"
 #include "mv/motion/ode_adaptive.h"

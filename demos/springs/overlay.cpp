@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "figure.h"
+#include "mv/formatted.h"
 #include "springs.h"
 
 namespace mv::springs {
@@ -72,7 +73,7 @@ void drawCurves(Gpu& gpu, const Settings& s, const Frame& frame) {
     std::string told = gpu.known->ode.name + " by " + nameOf(s.method) + ", " + std::to_string(result.counts.accepted) +
                        " steps, " + std::to_string(result.counts.evaluations) + " evaluations";
     if (gpu.solution.error)
-        told += rounded("; off by %.1e at the end (rings: the published values)", *gpu.solution.error);
+        told += formatted("; off by %.1e at the end (rings: the published values)", *gpu.solution.error);
     drawing.text({12, pane.height - 8.0}, told, {15, springInk, vec4(0)});
     double top = pane.height - 26.0;
     const auto tell = [&](const std::string& words, const vec4& ink) {
@@ -86,8 +87,8 @@ void drawCurves(Gpu& gpu, const Settings& s, const Frame& frame) {
         tell(why, springRed);
         frame.say(why);
     } else if (confirmed) {
-        tell(rounded("confirmed: by a tenth of the tolerance no component differs by more than %.1e of its size",
-                     confirmed->difference),
+        tell(formatted("confirmed: by a tenth of the tolerance no component differs by more than %.1e of its size",
+                       confirmed->difference),
              springInk);
     }
 }

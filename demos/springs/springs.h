@@ -19,7 +19,7 @@ namespace mv::springs {
 
 // The first five are played, in the order of SpringScene. The classics follow in the order of odeCases().
 enum class Problem { chain, net, cloth, threeMasses, spring, classics, robertson = classics + 3 };
-// The last method. It is for springs alone, the others are for all problems.
+// The last method, for springs alone; the others are for all problems.
 inline constexpr auto energyMomentum = static_cast<OdeMethod>(odeMethods.size());
 
 // Settings of the game.

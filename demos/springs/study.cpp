@@ -1,4 +1,4 @@
-// What springs tells in numbers, and what measures it: where the net is after half a second, by method and step, and how its
+// The readouts of springs, and its study: where the net is after half a second, by method and step, and how its
 // energy is off.
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "mv/demo/lesson.h"
-#include "mv/demo/number.h"
+#include "mv/demo/read_number.h"
+#include "mv/formatted.h"
 #include "mv/motion/ode_adaptive.h"
 #include "springs.h"
 
@@ -58,7 +59,7 @@ std::vector<std::pair<std::string, double>> valueCounts(const Settings& s) {
     const OdeCounts& counts = now.counts();
     // Less than 1e-11 is roundings and what Newton's method leaves, which another compiler has otherwise
     double off = 0;
-    if (now.largestDrift() >= 1e-11) readNumber(rounded("%.2e", 1e6 * now.largestDrift()), off);
+    if (now.largestDrift() >= 1e-11) readNumber(formatted("%.2e", 1e6 * now.largestDrift()), off);
     return {{"energy off (ppm)", off},
             {"evaluations", double(counts.evaluations)},
             {"factorizations", double(counts.factorizations)},

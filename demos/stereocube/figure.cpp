@@ -5,12 +5,13 @@
 #include <string>
 #include <vector>
 
+#include "mv/formatted.h"
 #include "mv/gl/functions.h"
 #include "stereocube.h"
 
 namespace mv::stereocube {
 
-// Of the corners that are before both eyes' near planes, in pixels of an eye's picture.
+// Parallaxes of the corners that are before both eyes' near planes, in pixels of an eye's picture.
 std::optional<Parallax> parallaxOf(const Settings& s, const FrameInfo& frame) {
     const Lens lens = lensOf(s, frame);
     const Eye left = leftEye(s, lens), right = rightEye(s, lens);
@@ -41,7 +42,7 @@ void figure(Gpu& gpu, const Settings& s, const Frame& frame) {
     gpu.drawing.draw(frame);
     if (here && here->most > betweenPupils)
         frame.say("eyes that are 63.5 mm apart would have to turn outwards: the parallax here is up to " +
-                  rounded("%.3g mm", here->most));
+                  formatted("%.3g mm", here->most));
 }
 
 static vec4 inkOf(const Settings& s) { return vec4(vec3(s.background == Paper::white ? 0.25 : 0.75), 1); }
@@ -54,7 +55,7 @@ void drawRuler(Gpu& gpu, const Settings& s, const FrameInfo& frame, const OnScre
     const auto bar = [&](double row, double mm, const std::string& words, const vec4& color) {
         const double y = row * 1.9 * size, end = 10 + std::min(mm * pixelsPerMm, 2.0 * frame.width());
         gpu.drawing.line({10, y}, {end, y}, {color, 3});
-        gpu.drawing.text({12, y + 1.35 * size}, words + rounded(": %.4g mm", mm), {size, color, vec4(0)});
+        gpu.drawing.text({12, y + 1.35 * size}, words + formatted(": %.4g mm", mm), {size, color, vec4(0)});
     };
     bar(0.5, betweenPupils, "between two eyes", ink);
     if (here.most > 0) bar(1.6, here.most, "largest parallax", isTooFar ? red : ink);
@@ -105,7 +106,7 @@ void drawPlan(Gpu& gpu, const Settings& s, const FrameInfo& frame) {
                                          right.clipFromEye * right.eyeFromWorld, frame.width(), frame.height(), near);
     if (parallax)
         above(place(0, std::max(ahead, s.convergence) / 2) - vec2(0, 0.115 * frame.height()),
-              "seen from above: parallax of a corner " + rounded("%.3g px", parallax->mostAcross),
+              "seen from above: parallax of a corner " + formatted("%.3g px", parallax->mostAcross),
               {size, mark, vec4(0)});
 }
 

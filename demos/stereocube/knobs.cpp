@@ -1,4 +1,4 @@
-// What can be set in stereocube, and what is said of it.
+// The settings of stereocube: rows, presets, controls and declaration.
 #include "mv/demo/lesson.h"
 #include "mv/geometry/in_view.h"
 #include "stereocube.h"

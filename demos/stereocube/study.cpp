@@ -1,4 +1,4 @@
-// What stereocube tells in numbers, and what measures its anaglyphs: what each eye sees through its glass, against what it ought to.
+// The readouts of stereocube, and the study of its anaglyphs: what each eye sees through its glass, against what it ought to see.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "mv/formatted.h"
 #include "mv/gl/gl.h"
 #include "texture-filter.h"
 
@@ -88,12 +89,12 @@ void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
     program.set("level", 0);
     drawTexels(gpu, {x, frame.height() - half, width, half}, part, s.size, lookup, corners);
     drawWords(drawing, "level 0: what the pixel covers",
-              rounded("%.3g", lookup.longer) + rounded(" x %.3g texels", lookup.shorter), half);
+              formatted("%.3g", lookup.longer) + formatted(" x %.3g texels", lookup.shorter), half);
     if (read > 0) program.set("level", read);
     drawTexels(gpu, {x, 0, width, half}, part, std::max(1, s.size >> read), lookup, corners);
     drawWords(drawing, "level " + std::to_string(read) + ": what is read",
-              between          ? rounded("and %.0f %% of the next", 100 * (clamped - read))
-              : isMipmapped(s) ? rounded("the footprint's is %.2f", lookup.level)
+              between          ? formatted("and %.0f %% of the next", 100 * (clamped - read))
+              : isMipmapped(s) ? formatted("the footprint's is %.2f", lookup.level)
                                : std::string("the only level"),
               half);
 

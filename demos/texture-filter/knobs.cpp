@@ -1,5 +1,6 @@
-// What can be set in texture-filter, and what is said of it.
+// The settings of texture-filter: rows, presets, controls and declaration.
 #include "mv/demo/lesson.h"
+#include "mv/gl/beyond_es.h"
 #include "texture-filter.h"
 
 namespace mv::texture_filter {
@@ -65,6 +66,15 @@ constexpr Declaration about{
                            {"anisotropic filtering", "the anisotropic filter is trilinear"}}},
 };
 
+// Look once a pixel without an anisotropic filter, and make mipmaps of floats here where the driver does not draw into
+// floats.
+Settings fallback(Settings s) {
+    const bool looksAlong = s.filter == Filter::anisotropic && s.anisotropy > 1;
+    if (looksAlong && !has(beyond_es::anisotropicFiltering)) s.anisotropy = 1;
+    if (isByDriver(s) && s.texels == Kept::floats && !has(beyond_es::floatTargets)) s.mipmapsBy = MadeBy::program;
+    return s;
+}
+
 std::vector<SettingsPreset<Settings>> presets() {
     return {
         {"trilinear", "Near the horizon trilinear is grey long before the squares are smaller than pixels."},
@@ -98,6 +108,7 @@ const bool added =
                          .draw = draw,
                          .figure = drawFigure,
                          .readOut = readOut,
+                         .fallback = fallback,
                      });
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What texture-filter tells in numbers, and what measures it: its floor against the mean of each pixel's part of the texture.
+// The readouts of texture-filter, and its study: its floor against the mean of each pixel's part of the texture.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -92,7 +92,7 @@ Reference areaMean(const Demo& demo, const ReferenceFrame& frame, const std::fun
     return reference;
 }
 
-// Of the picture that is shown, in fewer pixels.
+// The error of the picture that is shown, in fewer pixels.
 std::vector<double> errorNow(Probing& probing) {
     constexpr int width = 160, height = 120;
     const std::vector<float> shown = probing.measured(width, height);

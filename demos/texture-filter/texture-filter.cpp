@@ -5,7 +5,6 @@
 #include <array>
 #include <glm/common.hpp>
 
-#include "mv/gl/beyond_es.h"
 #include "mv/gl/gl.h"
 #include "mv/image/mipmap.h"
 #include "mv/math/color.h"
@@ -65,8 +64,7 @@ GLenum magnifying(Filter filter) {
 }
 bool isMipmapped(const Settings& s) { return s.filter >= Filter::nearestMipNearest; }
 int looks(const Settings& s) {
-    const bool looksAlong = s.filter == Filter::anisotropic && s.anisotropy > 1;
-    return looksAlong && has(beyond_es::anisotropicFiltering) ? std::min(s.anisotropy, largestAnisotropy()) : 1;
+    return s.filter == Filter::anisotropic ? std::min(s.anisotropy, largestAnisotropy()) : 1;
 }
 
 // Turn light into the encoded values of sRGB. Averages are of light, or of encoded values.
@@ -99,12 +97,9 @@ std::vector<FloatPicture> levelsOf(const Settings& s) {
 }
 bool areColored(const Settings& s) { return isMipmapped(s) && s.showLevels; }
 // The driver draws into the levels that it makes.
-bool isByDriver(const Settings& s) {
-    return isMipmapped(s) && !areColored(s) && s.mipmapsBy == MadeBy::driver &&
-           (s.texels == Kept::bytes || has(beyond_es::floatTargets));
-}
+bool isByDriver(const Settings& s) { return isMipmapped(s) && !areColored(s) && s.mipmapsBy == MadeBy::driver; }
 Texels formatOf(const Settings& s) {
-    if (s.texels == Kept::floats) return has(beyond_es::floatFiltering) ? Texels::floats : Texels::halfFloats;
+    if (s.texels == Kept::floats) return filteredFloats();
     return s.average == Average::linear ? Texels::srgb : Texels::bytes;
 }
 

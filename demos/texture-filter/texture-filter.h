@@ -60,7 +60,7 @@ bool isByDriver(const Settings& s);
 bool areColored(const Settings& s);
 int looks(const Settings& s);
 
-// What OpenGL computes of a pixel's footprint in the texture: footprint.cpp.
+// A pixel's footprint in the texture, as OpenGL computes it: footprint.cpp.
 struct Lookup {
     mat3 repeats{1};
     vec2 pixel{0};  // its lower left corner, in pixels of the floor's pane

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "mv/formatted.h"
 #include "mv/gl/gl.h"
 #include "perspective_quad.h"
 #include "texture-map.h"
@@ -52,7 +53,8 @@ void drawQuad(Drawing& drawing, const Settings& s, const Frame& frame, const Tex
     drawing.curve(plot, curve, {blue, 2});
     if (most.pixels >= 0.01) drawing.point(plot.pixel({s.surface.divisions, most.pixels}), 9, red);
     drawing.text({plot.box.low.x, plot.box.high.y + 3.2 * words.height},
-                 rounded("affine, W = %.3g:", ratio) + rounded(" %.3g px", most.pixels), {words.height, blue, vec4(0)});
+                 formatted("affine, W = %.3g:", ratio) + formatted(" %.3g px", most.pixels),
+                 {words.height, blue, vec4(0)});
     drawing.text(plot.pixel({8, 600}), curve.empty() ? "nothing slips" : "grey: as 1/n²", {words.height, ink, vec4(0)});
 }
 
@@ -87,9 +89,9 @@ std::vector<std::string> formulaOf(const Settings& s) {
     }
     const TexturedTriangle corners = cornersOf(s.triangle);
     return {s.triangle.map == Map::matrix ? "(u, v, 1) = P⁻¹ p" : "(u, v) = G (p - p₁) + t₁",
-            rounded("plane %.3g from the origin", s.triangle.distance),
-            rounded("det P = %.3g", glm::determinant(pointFromTexture(corners))),
-            rounded("corners off by %.2g", errorInFloats(planeMap(s.triangle), corners))};
+            formatted("plane %.3g from the origin", s.triangle.distance),
+            formatted("det P = %.3g", glm::determinant(pointFromTexture(corners))),
+            formatted("corners off by %.2g", errorInFloats(planeMap(s.triangle), corners))};
 }
 
 void drawFormula(Drawing& drawing, const Settings& s, const FrameInfo& frame, const TextStyle& words) {

@@ -1,4 +1,4 @@
-// What can be set in texture-map, and what is said of it.
+// The settings of texture-map: rows, presets, controls and declaration.
 #include "mv/demo/lesson.h"
 #include "perspective_quad.h"
 #include "texture-map.h"

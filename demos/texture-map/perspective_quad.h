@@ -26,7 +26,7 @@ struct Slip {
 // coordinates are interpolated along the picture. In a triangle two of whose corners have the same w it lies on the longer
 // of the two edges that lead to the third, where
 //     pixels = length (sqrt(r) - 1) / (sqrt(r) + 1),
-// r the ratio of the w's at its ends. Of all rows of cells the first has the largest: its edges are the longest, and so is
+// r the ratio of the w's at its ends. The first row of cells has the largest: its edges are the longest, and so is
 // its r. Refused: n below 1, a ratio below 1.
 Slip largestSlip(double ratio, int n, const Pane& pane);
 

@@ -1,4 +1,4 @@
-// What texture-map tells in numbers, and what measures it: how far from its place each pixel's texture lies on the square.
+// The readouts of texture-map, and its study: how far from its place each pixel's texture lies on the square.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -24,7 +24,7 @@ void readOut(Gpu&, const Settings& s, const Frame& frame, Numbers& numbers) {
     numbers.set("off", errorInFloats(planeMap(s.triangle), corners));
 }
 
-// What has the texture, for those who count its triangles.
+// The surface with the texture, for those who count its triangles.
 Scene sceneOf(const Settings& s, const FrameInfo&) {
     Scene scene;
     scene.objects = {{.name = "surface", .mesh = meshOf(s)}};

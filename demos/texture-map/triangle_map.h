@@ -11,7 +11,7 @@ struct TexturedTriangle {
     std::array<vec2, 3> texture;
 };
 
-// (u, v) = linear (p - corner) + atCorner. What linear's third row gives is not used.
+// (u, v) = linear (p - corner) + atCorner. The third row of linear is not used.
 struct PlaneMap {
     mat3 linear{0};
     vec3 corner{0};
@@ -23,8 +23,8 @@ struct PlaneMap {
 mat3 pointFromTexture(const TexturedTriangle& triangle);
 // Map by the inverse of P, from the point itself. Refused: a plane that contains the origin, for which P has no inverse.
 PlaneMap mapByMatrix(const TexturedTriangle& triangle);
-// By how u and v change along the plane from the first corner on: nothing here asks where the origin is, and any texture
-// coordinates do. Refused: a triangle without area.
+// Made from the changes of u and v along the plane from the first corner on: nothing here asks where the origin is, and
+// any texture coordinates do. Refused: a triangle without area.
 PlaneMap mapByEdges(const TexturedTriangle& triangle);
 
 // How far the map, its numbers and products rounded to float, misses the texture coordinates of a corner, at most.

@@ -1,8 +1,9 @@
-// What can be set in view-volume, and what is said of it.
+// The settings of view-volume: rows, presets, controls and declaration.
 #include <cmath>
 #include <glm/matrix.hpp>
 
 #include "mv/demo/lesson.h"
+#include "mv/formatted.h"
 #include "mv/gl/text.h"
 #include "view-volume.h"
 
@@ -15,7 +16,7 @@ void check(const Settings& s) {
         cameraPlanes(s);
     } catch (const Error& error) {
         throw Error("--closer", std::string("must leave the matrix its planes; ") + error.what(),
-                    rounded("1e%.0f", std::log10(s.closer)));
+                    formatted("1e%.0f", std::log10(s.closer)));
     }
 }
 
@@ -90,7 +91,7 @@ std::vector<SettingsPreset<Settings>> presets() {
     };
 }
 
-// Where the left pane shows the middle of a plane across the view.
+// The pixel of the left pane for the middle of a plane across the view.
 std::optional<vec2> middleAt(const Settings& s, const FrameInfo& frame, double distance) {
     const Pane pane = frame.panes(2)[0];
     return pictureFromPane(pane, outsideFromWorld(s, pane) * glm::inverse(cameraFromWorld(s)), {0, 0, -distance});

@@ -1,4 +1,4 @@
-// What view-volume tells in numbers, and what measures it: its six planes, against planes made without a matrix.
+// The readouts of view-volume, and its study: its six planes, against planes made without a matrix.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -33,7 +33,7 @@ namespace {
 
 using namespace mv::claims;
 
-// By another way, without a matrix: planes through three corners of the volume, in long double.
+// The planes by another way, without a matrix: planes through three corners of the volume, in long double.
 Reference planesByCorners(const Settings& s) {
     using real = long double;
     using real3 = glm::vec<3, real>;

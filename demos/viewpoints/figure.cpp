@@ -6,6 +6,7 @@
 #include <glm/matrix.hpp>
 #include <string>
 
+#include "mv/formatted.h"
 #include "mv/gl/functions.h"
 #include "mv/gl/text_column.h"
 #include "mv/math/projection.h"
@@ -21,8 +22,8 @@ static const vec4 grey(0.45, 0.45, 0.45, 1), ink(0.1, 0.1, 0.1, 1);
 // A number with so many decimals, or with none where they are 0.
 static std::string cell(double value, int decimals) {
     const double scale = std::pow(10, decimals), nearest = std::round(value * scale) / scale;
-    if (nearest == std::round(nearest)) return rounded("%.0f", nearest + 0.0);  // 0 instead of -0
-    return rounded(decimals == 2 ? "%.2f" : "%.3f", nearest);
+    if (nearest == std::round(nearest)) return formatted("%.0f", nearest + 0.0);  // 0 instead of -0
+    return formatted(decimals == 2 ? "%.2f" : "%.3f", nearest);
 }
 
 // Write a row of a matrix, with each number ending at its place.

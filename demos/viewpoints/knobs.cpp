@@ -1,4 +1,4 @@
-// What can be set in viewpoints, and what is said of it.
+// The settings of viewpoints: rows, presets, controls and declaration.
 #include "mv/demo/lesson.h"
 #include "viewpoints.h"
 

@@ -1,4 +1,4 @@
-// What viewpoints tells in numbers.
+// The readouts of viewpoints.
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>

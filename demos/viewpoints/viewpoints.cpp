@@ -14,10 +14,10 @@
 namespace mv::viewpoints {
 
 void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
-    // Let near things hide far ones, and draw into the lower half if cameras are shown above it
+    // Let near things hide far ones, and draw below the figure of the camera
     glEnable(GL_DEPTH_TEST);
     const Pane pane = lowerPane(s, frame);
-    if (s.camera != Outside::off) glViewport(pane.x, pane.y, pane.width, pane.height);
+    glViewport(pane.x, pane.y, pane.width, pane.height);
 
     // Place the car, and look from the chosen view
     const Car car = carAt(frame.index());
@@ -33,10 +33,13 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     setSun(gpu, s, viewFromWorld);
     if (s.lit) drawSkyAndGround(gpu, viewFromWorld, infinitePerspective(50, pane.aspect(), 1));
     gpu.program.set("clipFromView", clipFromView);
-    const bool carFirst = gazeOf(s, car).space == Space::car;
-    if (carFirst) drawCar(gpu, viewFromCar);
-    drawScenery(gpu, clipFromView, viewFromWorld);
-    if (!carFirst) drawCar(gpu, viewFromCar);
+    if (gazeOf(s, car).space == Space::car) {
+        drawCar(gpu, viewFromCar);
+        drawScenery(gpu, clipFromView, viewFromWorld);
+    } else {
+        drawScenery(gpu, clipFromView, viewFromWorld);
+        drawCar(gpu, viewFromCar);
+    }
 }
 
 // Drive clockwise, seen from above, by 3 degrees a frame.
@@ -51,7 +54,7 @@ Look lookFrom(const Settings& s, const Car& car) {
     const Gaze gaze = gazeOf(s, car);
     const mat4 look = lookAt(gaze.eye, gaze.at, gaze.up);
     if (gaze.space == Space::world) return {look, look * car.worldFromCar};
-    // By the slide, view 5 looks from a car that is not turned, and then turns the picture
+    // The slide's view 5 looks from a car that is not turned, and then turns the picture
     const mat4 viewFromCar = s.view == View::house ? rotateY(-car.direction) * look : look;
     return {viewFromCar * car.carFromWorld, viewFromCar};
 }

@@ -16,9 +16,9 @@ float windowDepth(const fmat4& clipFromView, float distance, bool zeroToOne);
 // The depth that a buffer of this format keeps: cut to 0..1, and in 16 or 24 bits rounded to the nearest step.
 double keptDepth(DepthFormat format, float depth);
 
-// Of `count` pairs of points, one at z and one at z (1 + separation), in equal ratios between near and far: 1 for each that
-// `depthOf` gives equal depths or a larger one for the nearer, 0 for the rest. Refused: near not above 0, far not above
-// near (1 + separation), a negative separation, a count below 1.
+// Judges `count` pairs of points, one at z and one at z (1 + separation), in equal ratios between near and far: 1 for
+// each that `depthOf` gives equal depths or a larger one for the nearer, 0 for the rest. Refused: near not above 0, far
+// not above near (1 + separation), a negative separation, a count below 1.
 std::vector<double> misorderedPairs(double near, double far, double separation, int count,
                                     const std::function<double(float distance)>& depthOf);
 

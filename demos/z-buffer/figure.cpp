@@ -1,4 +1,4 @@
-// What is drawn over z-buffer: in which order the bars are drawn, and the depth of each distance.
+// The figures over z-buffer: the order in which the bars are drawn, and the depth of each distance.
 #include <algorithm>
 #include <glm/common.hpp>
 #include <string>
@@ -12,7 +12,7 @@ namespace mv::z_buffer {
 static void drawOrder(Gpu& gpu, const Settings& s, const Frame& frame) {
     const int size = std::clamp(frame.height() / 32, 8, 22);
     const vec4 ink(0.1, 0.1, 0.1, 1), white(1, 1, 1, 0.85);
-    const mat4 clip = clipFromView(s, frame.aspect(), hasZeroToOne(s));
+    const mat4 clip = clipFromView(s, frame.aspect());
     const std::array<Plate, 3> plates = platesOf(s);
     gpu.drawing.begin(frame);
     int number = 0;
@@ -34,11 +34,8 @@ static void drawOrder(Gpu& gpu, const Settings& s, const Frame& frame) {
 void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
     if (s.shown == Shown::colors && s.scene == Which::cycle) drawOrder(gpu, s, frame);
     if (s.shown != Shown::curve) return;
-    const bool zeroToOne = hasZeroToOne(s);
-    const mat4 clip = clipFromView(s, frame.aspect(), zeroToOne);
-    const auto kept = [&](double distance) {
-        return keptDepth(s.format, depthOf(s, clip, float(distance), zeroToOne));
-    };
+    const mat4 clip = clipFromView(s, frame.aspect());
+    const auto kept = [&](double distance) { return keptDepth(s.format, depthOf(s, clip, float(distance))); };
     const vec2 size(frame.width(), frame.height());
     const Plot plot{{size * vec2(0.12, 0.14), size * 0.9}, {s.near, s.far, "distance", true}, {0, 1, "depth"}};
 

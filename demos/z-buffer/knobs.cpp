@@ -1,5 +1,6 @@
-// What can be set in z-buffer, and what is said of it.
+// The settings of z-buffer: rows, presets, controls and declaration.
 #include "mv/demo/lesson.h"
+#include "mv/gl/beyond_es.h"
 #include "z-buffer.h"
 
 namespace mv::z_buffer {
@@ -16,6 +17,13 @@ constexpr Declaration about{
     .needs = {.beyondEs = {{"clip control", "clip space has depths within -1..1, reversed as with --mapping flipped"}}},
     .waste = {{"repeated-pass", "pass into 'scene'", "what the depth test costs in every frame is the lesson"}},
 };
+
+// Keep the depths within -1..1 where the context has no other range.
+Settings fallback(Settings s) {
+    if (!hasZeroToOne(s) || has(beyond_es::clipControl)) return s;
+    s.mapping = s.mapping == Mapping::reversed ? Mapping::flipped : Mapping::standard;
+    return s;
+}
 
 bool turns(const Settings& s) { return s.scene != Which::road; }
 bool isSeparated(const Settings& s) { return s.scene != Which::cycle; }
@@ -94,6 +102,7 @@ const bool added = addLesson(
         .draw = draw,
         .figure = drawFigure,
         .readOut = readOut,
+        .fallback = fallback,
         .values = values,
     });
 

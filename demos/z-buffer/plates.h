@@ -40,7 +40,7 @@ struct PlateView {
 
 // The colour that a ray in double precision through the middle of each pixel finds, the upper row first: each plate laid
 // over what is behind it. Nothing where two plates are met within 1e-12 of the same distance. A plate seen edge-on is
-// not seen. By each plate's own plane: no depth is stored or compared in less than double.
+// not seen. Judged by each plate's own plane: no depth is stored or compared in less than double.
 std::vector<std::optional<vec3>> colorsByRays(std::span<const Plate> plates, const PlateView& view);
 
 // The part, 0..1, of the picture's pixels that differ by more than two levels of 255 from those colours (three blends of

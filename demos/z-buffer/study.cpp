@@ -1,4 +1,4 @@
-// What z-buffer tells in numbers, and what measures it: how many pairs of points the depths of each format and mapping put in
+// The readouts of z-buffer, and its study: how many pairs of points the depths of each format and mapping put in
 // order.
 #include <cctype>
 #include <limits>
@@ -13,20 +13,19 @@ namespace mv::z_buffer {
 
 using namespace claims;
 
-// Of pairs of points, one the part `separation` farther away: 1 for each whose depths are equal or the wrong way round.
+// Judges pairs of points, one the part `separation` farther away: 1 for each whose depths are equal or the wrong way
+// round.
 static constexpr int pairCount = 100000;
-static std::vector<double> misorderedAmong(const Settings& s, bool zeroToOne) {
-    const mat4 clip = clipFromView(s, 1, zeroToOne);
+std::vector<double> values(const Settings& s) {
+    const mat4 clip = clipFromView(s, 1);
     return misorderedPairs(s.near, s.far, s.separation, pairCount, [&](float distance) {
-        return (nearIsOne(s) ? -1 : 1) * keptDepth(s.format, depthOf(s, clip, distance, zeroToOne));
+        return (nearIsOne(s) ? -1 : 1) * keptDepth(s.format, depthOf(s, clip, distance));
     });
 }
-std::vector<double> values(const Settings& s) { return misorderedAmong(s, asksForZeroToOne(s)); }
 
 void readOut(Gpu& gpu, const Settings& s, const Frame& frame, Numbers& numbers) {
     // Compare the colours with what rays find
-    const bool zeroToOne = hasZeroToOne(s);
-    const mat4 clip = clipFromView(s, frame.aspect(), zeroToOne);
+    const mat4 clip = clipFromView(s, frame.aspect());
     const double end = s.mapping == Mapping::infinite ? std::numeric_limits<double>::infinity() : s.far;
     const auto wrong =
         wrongPart(gpu.drawn.read(), colorsByRays(platesOf(s), {.tangents = {1 / clip[0][0], 1 / clip[1][1]},
@@ -39,7 +38,7 @@ void readOut(Gpu& gpu, const Settings& s, const Frame& frame, Numbers& numbers) 
     frame.bindTarget();  // the figure is drawn next
     if (wrong) numbers.set("wrong-pixels", 100 * *wrong);
 
-    const std::vector<double> pairs = misorderedAmong(s, zeroToOne);
+    const std::vector<double> pairs = values(s);
     numbers.set("misordered", 100 * std::accumulate(pairs.begin(), pairs.end(), 0.0) / pairCount);
 }
 

@@ -3,9 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
-#include "mv/gl/beyond_es.h"
 #include "mv/gl/functions.h"
 #include "mv/math/depth_range.h"
 #include "mv/math/projection.h"
@@ -14,7 +12,7 @@
 namespace mv::z_buffer {
 
 void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
-    const mat4 clip = clipFromView(s, frame.aspect(), hasZeroToOne(s));
+    const mat4 clip = clipFromView(s, frame.aspect());
     frame.show("clipFromView", clip);
 
     // Draw into a target with a depth buffer of the format under test. The buffer that is shown is a texture. The picture's own
@@ -25,7 +23,7 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
                                   .texture = !showsDepth,
                                   .depthFormat = formats[static_cast<std::size_t>(s.format)],
                                   .depthTexture = showsDepth};
-    if (!gpu.drawn.fit(frame.width(), frame.height(), buffers, "scene")) gpu.drawn.bind();
+    gpu.drawn.begin(frame.width(), frame.height(), buffers, "scene");
     drawPlates(gpu, s, clip);
 
     // Show the colours, or the depths
@@ -63,19 +61,15 @@ void drawPlates(Gpu& gpu, const Settings& s, const mat4& clipFromView) {
     const std::array<Plate, 3> plates = platesOf(s);
     const std::vector<double> cuts = cutsOf(s);
     if (gpu.plateFor.changed(cuts)) gpu.plate = Mesh(plateMesh(cuts), "plate");
-    std::optional<std::size_t> current;
     for (const Part& part : partsInOrder(s.order, plates, cuts)) {
-        if (part.plate != current) {
-            program.set("viewFromPlate", plates[part.plate].viewFromPlate);
-            program.set("color", vec4(plates[part.plate].color, s.opacity));
-        }
-        current = part.plate;
+        program.set("viewFromPlate", plates[part.plate].viewFromPlate);
+        program.set("color", vec4(plates[part.plate].color, s.opacity));
         gpu.plate.draw(6 * part.first, 6 * part.count);
     }
 
     // Restore the state: the draw that follows is not of this scene
-    if (s.depthTest) glDisable(GL_DEPTH_TEST);
-    if (s.opacity < 1) glDisable(GL_BLEND);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_BLEND);
     if (hasZeroToOne(s)) glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
 }
 
@@ -100,22 +94,21 @@ std::vector<Part> partsInOrder(Order order, const std::array<Plate, 3>& plates, 
 }
 
 // The mappings differ in the third row of the matrix alone.
-mat4 clipFromView(const Settings& s, double aspect, bool zeroToOne) {
+mat4 clipFromView(const Settings& s, double aspect) {
     if (s.mapping == Mapping::infinite) return infinitePerspective(50, aspect, s.near);
-    if (nearIsOne(s))
-        return perspective(50, aspect, s.near, s.far, zeroToOne ? DepthRange::oneToZero : DepthRange::oneToMinusOne);
-    if (zeroToOne) return perspective(50, aspect, s.near, s.far, DepthRange::zeroToOne);
+    if (s.mapping == Mapping::reversed) return perspective(50, aspect, s.near, s.far, DepthRange::oneToZero);
+    if (s.mapping == Mapping::flipped) return perspective(50, aspect, s.near, s.far, DepthRange::oneToMinusOne);
+    if (s.mapping == Mapping::zeroToOne) return perspective(50, aspect, s.near, s.far, DepthRange::zeroToOne);
     return perspective(50, aspect, s.near, s.far);
 }
 
 // The depth that is written for a distance.
-float depthOf(const Settings& s, const mat4& clipFromView, float distance, bool zeroToOne) {
+float depthOf(const Settings& s, const mat4& clipFromView, float distance) {
     if (s.mapping == Mapping::logarithmic) return std::log2(1 + distance) / std::log2(1 + float(s.far));
-    return windowDepth(fmat4(clipFromView), distance, zeroToOne);
+    return windowDepth(fmat4(clipFromView), distance, hasZeroToOne(s));
 }
 
-bool asksForZeroToOne(const Settings& s) { return s.mapping == Mapping::reversed || s.mapping == Mapping::zeroToOne; }
-bool hasZeroToOne(const Settings& s) { return asksForZeroToOne(s) && has(beyond_es::clipControl); }
+bool hasZeroToOne(const Settings& s) { return s.mapping == Mapping::reversed || s.mapping == Mapping::zeroToOne; }
 bool nearIsOne(const Settings& s) { return s.mapping == Mapping::reversed || s.mapping == Mapping::flipped; }
 
 std::array<Plate, 3> platesOf(const Settings& s) {

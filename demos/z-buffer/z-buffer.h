@@ -52,14 +52,13 @@ struct Gpu {
     Drawing drawing;
 };
 
-// The technique: z-buffer.cpp. `zeroToOne`: clip space has depths from 0 to 1, by glClipControl.
+// The technique: z-buffer.cpp.
 void draw(Gpu& gpu, const Settings& s, const Frame& frame);
 void drawPlates(Gpu& gpu, const Settings& s, const mat4& clipFromView);
 std::vector<Part> partsInOrder(Order order, const std::array<Plate, 3>& plates, std::span<const double> cuts);
-mat4 clipFromView(const Settings& s, double aspect, bool zeroToOne);
-float depthOf(const Settings& s, const mat4& clipFromView, float distance, bool zeroToOne);
-bool asksForZeroToOne(const Settings& s);
-bool hasZeroToOne(const Settings& s);
+mat4 clipFromView(const Settings& s, double aspect);
+float depthOf(const Settings& s, const mat4& clipFromView, float distance);
+bool hasZeroToOne(const Settings& s);  // clip space has depths from 0 to 1, by glClipControl
 bool nearIsOne(const Settings& s);
 std::array<Plate, 3> platesOf(const Settings& s);
 std::vector<double> cutsOf(const Settings& s);

@@ -1,4 +1,4 @@
-// What a study asks for is which pixels the surface covers.
+// A study asks which pixels the surface covers.
 #include "displaced.glsl"
 
 void main() { show(srgbFromLinear(litHere()), 1.0, true); }

@@ -1,4 +1,4 @@
-// The lit surface, and on it the edges of its triangles. What the geometry shader hands on has names of its own.
+// The lit surface, and on it the edges of its triangles. The geometry shader hands on values under names of its own.
 #define point onPoint
 #define facing onFacing
 #define place onPlace

@@ -27,7 +27,7 @@ bool isOutsideView() {
     return any(equal(beyond, ivec3(8))) || any(equal(before, ivec3(8)));
 }
 
-// Of the edge between two corners. Where patches do not agree, it is that of a line across the patch.
+// The level of the edge between two corners. The level is that of a line across the patch where patches do not agree.
 float levelOf(int a, int b) {
     if (!byDistance) return levelInRange(fixedLevel);
     if (agrees) return edgeLevel(corner[a], corner[b], eye, fineness);

@@ -19,8 +19,8 @@ vec3 lightFrom(vec3 from, vec3 way) {
     return texture(cube, lookup == 1 ? wallAlong(from, way) : way).rgb;
 }
 
-// What comes through the glass, of which each surface reflects `back` and lets the rest pass: in a sphere, light meets it at
-// the same angle each time.
+// The light that comes through the glass, of which each surface reflects `back` and lets the rest pass: in a sphere,
+// light meets it at the same angle each time.
 vec3 lightThrough(vec3 point, vec3 v, vec3 n, float back) {
     vec3 way = refracted(-v, n, index), light = vec3(0.0);
     int ways = isSphere && isExact() ? 5 : waysOut;
@@ -36,7 +36,7 @@ vec3 lightThrough(vec3 point, vec3 v, vec3 n, float back) {
     return light;
 }
 
-// Where the line of sight meets the sphere, of which the mesh has corners only. v points to the eye.
+// The point where the line of sight meets the sphere, of which the mesh has corners only. v points to the eye.
 vec3 onSphere(vec3 v) {
     vec3 miss = cross(eye, v);
     return normalize(eye - (dot(eye, v) - sqrt(max(1.0 - dot(miss, miss), 0.0))) * v);

@@ -1,4 +1,5 @@
-// Compute shader: no primitive and no rasterizer. It is started so many times, 8 x 8 to a group, and stores where it likes.
+// Compute shader: no primitive and no rasterizer. The shader is started so many times, 8 x 8 to a group, and stores
+// where it likes.
 #include "ripples.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0, rgba8) uniform writeonly image2D image;

@@ -1,5 +1,5 @@
-// Vertex shader: once for each vertex, or for each control point of a patch. It bends the sheet, which costs 16 points here,
-// however finely the patch is cut afterwards.
+// Vertex shader: once for each vertex, or for each control point of a patch. The shader bends the sheet, which costs 16
+// points here, however finely the patch is cut afterwards.
 #include "vertex.glsl"
 uniform mat4 clipFromWorld;
 uniform float bend;

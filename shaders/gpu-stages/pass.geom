@@ -1,4 +1,4 @@
-// Geometry shader: it gives each triangle as it was given it. That is all a stage needs to be there.
+// Geometry shader: it gives each triangle as it was given it. A stage needs no more to be there.
 layout(triangles) in;
 layout(triangle_strip, max_vertices = 3) out;
 #include "primitive.glsl"

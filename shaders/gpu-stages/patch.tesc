@@ -1,5 +1,5 @@
-// Tessellation control shader: once for each control point it gives, all of a patch knowing each other. It says how finely
-// the patch is cut.
+// Tessellation control shader: once for each control point it gives, all of a patch knowing each other. The shader says
+// how finely the patch is cut.
 #include "tessellation.glsl"
 layout(vertices = 16) out;
 uniform float inner, outer;

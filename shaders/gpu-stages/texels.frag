@@ -1,4 +1,4 @@
-// What the compute shader has stored, texel by pixel.
+// The picture that the compute shader has stored, texel by pixel.
 uniform sampler2D image;
 uniform vec2 corner;
 out vec4 fragColor;

@@ -1,5 +1,5 @@
-// Tessellation evaluation shader: once for each point (u, v) that the tessellator has made. It says where that is: on the
-// bicubic Bezier surface of the 16 control points.
+// Tessellation evaluation shader: once for each point (u, v) that the tessellator has made. The shader says where that
+// is: on the bicubic Bezier surface of the 16 control points.
 uniform mat4 clipFromWorld;
 in Vertex {
     vec3 place, facing;

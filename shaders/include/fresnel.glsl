@@ -9,13 +9,14 @@ uniform vec3 metalAbsorption;
 // ratio^2 cos^2 of the angle behind a surface with this ratio of indices; not above 0 where all is reflected.
 float squareBehind(float cosine, float ratio) { return (ratio - 1.0) * (ratio + 1.0) + cosine * cosine; }
 
-// Where light that travels along `way` goes behind it, where it does. Unlike refract() it has no 0 vector for an answer.
+// The direction behind the surface of light that travels along `way`, where there is one. Unlike refract() it has no 0
+// vector for an answer.
 vec3 refracted(vec3 way, vec3 normal, float ratio) {
     float cosine = -dot(way, normal);
     return way / ratio + normal * ((cosine - sqrt(max(squareBehind(cosine, ratio), 0.0))) / ratio);
 }
 
-// Where there is light behind the surface.
+// Whether there is light behind the surface.
 float fresnelOfGlass(float cosine) {
     if (index == 1.0) return 0.0;  // no surface
     float behind = sqrt(squareBehind(cosine, index)), dense = index * index * cosine;

@@ -15,8 +15,8 @@ vec3 shade(vec3 color, vec3 point, vec3 normal, vec4 light, float lit) {
     return color * (ambientShare + (1.0 - ambientShare) * lit * diffuse(point, normal, light));
 }
 
-// In a fragment shader: whether the front of the triangle it belongs to faces the light. By the triangle's own normal, not
-// the smooth one that shades it.
+// In a fragment shader: whether the front of the triangle it belongs to faces the light. Decided by the triangle's own
+// normal, not the smooth one that shades it.
 bool facesLight(vec3 point, vec4 light) {
     vec3 normal = cross(dFdx(point), dFdy(point));  // towards the eye
     bool seenSide = dot(normal, towardsLight(point, light)) > 0.0;

@@ -3,7 +3,7 @@
 uniform bool measuring;
 out vec4 fragColor;
 
-// What is seen of a surface: its colour, and its quantity (the lit fraction, say) where it `counts`.
+// The look of a surface: its colour, and its quantity (the lit fraction, say) where it `counts`.
 void show(vec3 color, float quantity, bool counts) {
     fragColor = measuring ? vec4(counts ? quantity : -1.0) : vec4(color, 1.0);
 }

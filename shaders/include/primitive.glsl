@@ -1,4 +1,4 @@
-// What a geometry shader is given: all corners of a primitive.
+// The input of a geometry shader: all corners of a primitive.
 uniform mat4 clipFromWorld;
 in Vertex {
     vec3 place, facing;

@@ -10,7 +10,7 @@ uniform vec3 baseLow, baseHigh, inBase;                    // the same at freque
 uniform vec3 octaves[mostOctaves];                         // frequency, weight, and 1 where it is there at all
 uniform vec3 ringsAt;    // wood: direction from the axis to the centre, and 1/distance (0: the centre is near the axis)
 uniform float ringBase;  // and the rings up to the centre, whole ones left out
-uniform vec3 ringCentre; // and, where it is near, the centre itself
+uniform vec3 ringCentre; // and the centre itself, read where it is near
 uniform int pattern;     // 0 brick, 1 wood, 2 marble, 3 noise
 
 // Three numbers of 32 bits that look random. Source: Jarzynski and Olano, "Hash functions for GPU rendering" (2020), pcg3d.

@@ -14,7 +14,7 @@ float lobePower(float cosine) { return cosine > 0.0 ? pow(cosine, exponent) : 0.
 
 float phong(vec3 n, vec3 l, vec3 v) { return lobePower(dot(reflect(-l, n), v)); }
 
-// Where light and eye are opposite each other there is no half vector, and no highlight.
+// Light and eye opposite each other have no half vector, and give no highlight.
 float blinn(vec3 n, vec3 l, vec3 v) {
     vec3 both = l + v;
     return dot(both, both) > 0.0 ? lobePower(dot(n, normalize(both))) : 0.0;

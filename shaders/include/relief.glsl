@@ -8,7 +8,7 @@ in vec3 point;
 in vec3 facing;            // the smooth surface's normal
 in vec2 place;
 
-// What is sent to the eye, as linear light.
+// The light that is sent to the eye, as linear light.
 vec3 litRelief(vec3 color, vec3 normal) {
     float cosine = max(dot(normal, light), 0.0);
     vec3 both = light + view;

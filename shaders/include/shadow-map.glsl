@@ -4,14 +4,15 @@
 // 0..1 at which the light sees the point. The map holds the depths of what the light sees first. A point that is farther,
 // by more than `bias` in units of that depth, is in shadow: 0; else the light reaches it: 1.
 // The sampler compares by itself: with DepthLookup::compareNearest it looks at one texel, with compareLinear at four,
-// and weights their four answers by distance. What the map does not hold is lit, and so is what lies behind the light.
+// and weights their four answers by distance. Points that the map does not hold are lit, and so are those behind the
+// light.
 
 bool isOnMap(vec4 onMap) {
     // 0 <= x/w <= 1 without dividing; it holds for no w below 0.
     return onMap.w > 0.0 && all(greaterThanEqual(onMap.xy, vec2(0.0))) && all(lessThanEqual(onMap.xy, onMap.ww));
 }
 
-// The depth to compare with. What is beyond the map's end is at its end, where the map has nothing: compared as it is,
+// The depth to compare with. Points beyond the map's end are at its end, where the map has nothing: compared as it is,
 // one driver finds it in shadow and another does not.
 float comparedDepth(float depth, float bias) { return min(depth - bias, 1.0); }
 

@@ -1,7 +1,7 @@
 uniform mat4 worldFromModel;
 uniform mat4 cameraFromWorld;
 uniform mat4 clipFromCamera;
-uniform int wanted;  // 0 world, 1 camera, 2 clip: clip to draw, the others to read back
+uniform int wanted;  // 0 clip, to draw; to read back also 1 world, 2 camera
 in vec4 position;
 in vec4 color;
 out vec4 vertexColor;
@@ -11,6 +11,6 @@ void main() {
     vec4 camera = cameraFromWorld * world;
     vec4 clip = clipFromCamera * camera;
     vertexColor = color;
-    gl_Position = wanted == 0 ? world : wanted == 1 ? camera : clip;
+    gl_Position = wanted == 0 ? clip : wanted == 1 ? world : camera;
     gl_PointSize = 9.0;
 }

@@ -10,7 +10,7 @@ uniform bool byMap;        // else the stencil test has left out what is in shad
 uniform bool shaded;       // a lamp with a shade, which darkens all that its map does not hold
 uniform sampler2DShadow map;
 uniform vec3 color;
-// What is measured is the mean over the lights of the lit fraction:
+// A study measures the mean over the lights of the lit fraction:
 uniform float share;       // of one light in that mean
 uniform vec4 firstLight;   // that decides which pixels count
 in vec3 worldPoint;

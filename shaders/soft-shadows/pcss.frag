@@ -8,8 +8,8 @@ uniform int side;                          // looks at side x side places of the
 in vec4 onMap;
 out vec4 fragColor;
 
-// What this surface's depth gains by a step of the map's two coordinates: a plane in the world is one on the map too, so
-// two neighbouring pixels tell.
+// The gain of this surface's depth by a step of the map's two coordinates: a plane in the world is one on the map too,
+// so two neighbouring pixels tell.
 vec2 slopeOf(vec3 at) {
     vec3 right = dFdx(at), up = dFdy(at);
     return vec2(up.y * right.z - right.y * up.z, right.x * up.z - up.x * right.z) / (right.x * up.y - right.y * up.x);
@@ -35,7 +35,8 @@ void main() {
     vec2 slope = slopeOf(onMap.xyz / onMap.w);
     float here = onMap.w;  // the distance from the lamp's plane
 
-    // 1. Search: how far from the lamp are, on average, the casters in the pyramid? It is cut where the map begins.
+    // 1. Search: how far from the lamp are, on average, the casters in the pyramid? The search is cut where the map
+    // begins.
     float sum = 0.0, found = 0.0;
     for (int j = 0; j < side; ++j) {
         for (int i = 0; i < side; ++i) {

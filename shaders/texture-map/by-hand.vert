@@ -1,4 +1,4 @@
-// What may be interpolated along the picture: u/w, v/w and 1/w.
+// The values that may be interpolated along the picture: u/w, v/w and 1/w.
 #include "along-picture.glsl"
 uniform mat4 clipFromModel;
 in vec4 position;

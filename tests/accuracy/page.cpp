@@ -10,6 +10,7 @@
 #include <sstream>
 #include <thread>
 
+#include "mv/formatted.h"
 #include "mv/error.h"
 #include "mv/study/study.h"
 
@@ -87,12 +88,6 @@ std::vector<double> leading(const Arguments& input) {
     std::size_t count = input.size();
     while (count > 1 && input[count - 1] == 0) --count;
     return {input.begin(), input.begin() + static_cast<std::ptrdiff_t>(count)};
-}
-
-std::string formatted(const char* format, double value) {
-    char text[64];
-    std::snprintf(text, sizeof text, format, value);
-    return text;
 }
 
 }  // namespace

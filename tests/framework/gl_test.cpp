@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -17,6 +18,7 @@
 #include "mv/geometry/shapes.h"
 #include "mv/gl/audit.h"
 #include "mv/gl/beyond_es.h"
+#include "mv/gl/depth_map.h"
 #include "mv/gl/editing.h"
 #include "mv/gl/shader_source.h"
 #include "mv/gl/state.h"
@@ -614,6 +616,32 @@ TEST_F(Gl, a_target_is_made_anew_only_where_it_would_be_another) {
     EXPECT_EQ(liveObjects(), objects + 1);  // the depth buffer; of the old one nothing is left
 }
 
+TEST_F(Gl, a_target_and_a_map_begin_by_being_bound) {
+    Target target;
+    DepthMap map;
+    GLint bound = 0;
+    const auto boundAfter = [&](const auto& begin) {
+        glBindFramebuffer(GL_FRAMEBUFFER, 0);
+        begin();
+        glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+        return bound;
+    };
+    std::array<GLint, 4> viewport{};
+    const GLint made = boundAfter([&] { target.begin(3, 2, {.color = GL_R32F}); });
+    EXPECT_NE(made, 0);
+    EXPECT_EQ(boundAfter([&] { target.begin(3, 2, {.color = GL_R32F}); }), made) << "the same one again";
+    glGetIntegerv(GL_VIEWPORT, viewport.data());
+    EXPECT_EQ(viewport, (std::array<GLint, 4>{0, 0, 3, 2}));
+    const GLint mapMade = boundAfter([&] { map.begin(8); });
+    EXPECT_NE(mapMade, 0);
+    const long objects = liveObjects();
+    EXPECT_EQ(boundAfter([&] { map.begin(8); }), mapMade) << "the same one again";
+    EXPECT_NE(boundAfter([&] { map.begin(16); }), 0);
+    EXPECT_EQ(map.size(), 16);
+    EXPECT_EQ(liveObjects(), objects) << "nothing is left of the small one";
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
 // Beyond the map's end is the map's end, where nothing is: lit. A float depth is compared as it is where nobody says so.
 TEST_F(Gl, what_is_beyond_a_shadow_maps_end_is_lit) {
     const Target map(2, 2, {.depth = true, .depthFormat = GL_DEPTH_COMPONENT32F, .depthTexture = true}, "map");
@@ -767,6 +795,10 @@ TEST_F(Gl, clip_control_is_called_only_where_it_was_asked_for) {
     EXPECT_TRUE(mv::has(beyond_es::floatBlending));
     EXPECT_EQ(takeMissing(), std::set<std::string>{beyond_es::clipControl});
     EXPECT_TRUE(takeMissing().empty()) << "taken once";
+    EXPECT_EQ(filteredFloats(), Texels::floats);
+    withhold({beyond_es::floatFiltering});
+    EXPECT_EQ(filteredFloats(), Texels::halfFloats);
+    EXPECT_EQ(takeMissing(), std::set<std::string>{beyond_es::floatFiltering});
     withhold({});
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     restoreInitialState();

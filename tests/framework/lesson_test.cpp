@@ -198,6 +198,27 @@ TEST(Lessons, functions_are_called_where_a_demo_would_be) {
     EXPECT_THROW((void)demo.values(), Error);
 }
 
+// Knobs and check() keep what was asked for; what draws gets what the context can.
+TEST(Lessons, fallback_changes_what_is_drawn_and_no_knob) {
+    static double drawn, told;
+    Lesson<Settings, Gpu> lesson = kettle();
+    lesson.fallback = [](Settings s) {
+        s.water = 0.25;
+        return s;
+    };
+    lesson.draw = [](Gpu&, const Settings& s, const Frame&) { drawn = s.water; };
+    lesson.figure = {};
+    lesson.readOut = [](Gpu&, const Settings& s, const Frame&, Numbers&) { told = s.water; };
+    LessonDemo<Settings, Gpu, NothingKept> demo(std::make_shared<const Lesson<Settings, Gpu>>(lesson));
+    FrameNotes notes;
+    demo.init();
+    demo.draw(Frame({1, 4, 4}, notes, {.readouts = true}));
+    EXPECT_EQ(drawn, 0.25);
+    EXPECT_EQ(told, 0.25);
+    EXPECT_EQ(demo.number("water"), 0.5);
+    EXPECT_EQ(demo.settings().water, 0.5);
+}
+
 // What a lesson remembers is copied, and comes back: the framework steps to any frame.
 TEST(Lessons, memory_is_the_frameworks_to_keep) {
     struct Sum {

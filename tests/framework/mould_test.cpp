@@ -162,6 +162,8 @@ TEST(SceneMeshes, upload_what_has_changed_and_nothing_else) {
     EXPECT_EQ(uploads(), one);
     EXPECT_EQ(meshes.of(scene).size(), 3U);
     EXPECT_EQ(&meshes.of(scene)[1].first, &scene.objects[1]);
+    ASSERT_EQ(meshes.castersOf(scene).size(), 2U) << "the two cubes; the plane only receives";
+    EXPECT_EQ(&meshes.castersOf(scene)[1].first, &scene.objects[2]);
     scene.objects.erase(scene.objects.begin());
     EXPECT_THROW((void)meshes.of(scene), Error);
     meshes.follow(scene);

@@ -10,7 +10,7 @@
 #include <random>
 #include <string>
 
-#include "mv/demo/number.h"
+#include "mv/demo/read_number.h"
 
 namespace {
 

@@ -8,6 +8,7 @@
 #include <optional>
 #include <sstream>
 
+#include "mv/formatted.h"
 #include "mv/error.h"
 #include "mv/study/claims.h"
 #include "mv/study/study.h"
@@ -23,12 +24,6 @@ const std::vector<std::string> countNames{"evaluations",       "jacobians", "fac
 constexpr const char* timesTolerance = "error by tolerance";
 const std::string best = "the best of ours", cvodeName = "CVODE", odeintName = "Odeint";
 const std::vector<std::string> ourChoosers{"Dormand-Prince 5(4)", "RODAS 4(3)", "Radau IIA 5"};
-
-std::string formatted(const char* format, double value) {
-    char text[64];
-    std::snprintf(text, sizeof text, format, value);
-    return text;
-}
 
 double count(const StudyRow& row, const std::string& name) {
     for (const auto& [counted, amount] : row.counts) {

@@ -1,11 +1,11 @@
-// What a study says: claims, sentences that the rows of its table must bear out, and notes, which explain.
+// The statements of a study: claims, sentences that the rows of its table must bear out, and notes, which explain.
 //
 //   study.says = {claim("half-for-twice", "A map twice as large misjudges half as many pixels.",
 //                       {slope(Of::error, rows("maps"), -1.1, -0.9)}),
 //                 note("Texels finer than pixels are not seen.")};
 //
-// mv/study/claims.h evaluates them. The bounds of a predicate are those of its sentence, rounded as the sentence rounds. Where
-// noise is to be expected, in times above all, the sentence is as wide as the noise.
+// mv/study/claims.h evaluates them. The bounds of a predicate are those of its sentence, rounded as the sentence
+// rounds. A sentence about noisy numbers, times above all, is as wide as the noise.
 #pragma once
 #include <cmath>
 #include <string>
@@ -32,7 +32,7 @@ struct StudyRows {
     StudyRows upTo(double p) const { return {methods, scene, low, p}; }
 };
 
-// What can be evaluated.
+// A predicate that can be evaluated.
 struct Predicate {
     enum class Kind { slope, value, ratio, settled, unbeaten, fails } kind;
     StudyNumber number;
@@ -52,7 +52,7 @@ struct Saying {
     bool isClaim() const { return !id.empty(); }
 };
 
-// What a study file writes them with.
+// The functions by which a study file writes them.
 namespace claims {
 
 // The numbers of a row, by name.
@@ -63,7 +63,7 @@ inline constexpr StudyNumber max{StudyNumber::Kind::max};
 inline constexpr StudyNumber wrong{StudyNumber::Kind::wrong};                            // percent
 inline constexpr StudyNumber wrongAwayFromEdges{StudyNumber::Kind::wrongAwayFromEdges};  // percent
 inline constexpr StudyNumber time{StudyNumber::Kind::time};                              // milliseconds
-// What a frame counts, by its name in the table "Work of a frame".
+// A number that a frame counts, by its name in the table "Work of a frame".
 constexpr StudyNumber count(const char* name) { return {StudyNumber::Kind::count, name}; }
 }  // namespace of
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "mv/demo/chapters.h"
-#include "mv/demo/number.h"
+#include "mv/demo/read_number.h"
 
 namespace mv {
 
@@ -175,7 +175,7 @@ std::vector<DemoInfo>& demos() {
     return all;
 }
 
-// What study files have added so far, by the name of the demo, which may come later.
+// The studies added so far, by the name of the demo, which may come later.
 struct Measures {
     std::optional<Study> study;
     std::vector<Probe> probes;

@@ -36,8 +36,8 @@ class Demo {
     // Makes the lesson's Gpu; a context is current. Called once, before the first draw.
     virtual void init() = 0;
     // Draws frame.index(): a pure function of the knobs and the index. OpenGL is in its initial state; the picture is the
-    // target, all of it the viewport, and cleared where the demo declares its background. What draw() changes is undone
-    // after it.
+    // target, all of it the viewport, and cleared where the demo declares its background. The framework undoes after
+    // draw() what it has changed.
     virtual void draw(const Frame& frame) = 0;
     // Draws over that what only people need: a legend, the light's own ball, glass to look through. OpenGL's state is as
     // draw() left it. Left out where a quantity is measured instead of a picture.
@@ -56,16 +56,16 @@ class Demo {
     // one, and in a window after each, so that a pass should take no longer than a frame may. 0: the picture has no passes.
     virtual int passes(const FrameInfo&) const { return 0; }
     // Makes pass `pass`, from 0, of that picture by the present knobs: 0 begins it anew, another one follows the one before.
-    // What is left after the last is a function of knobs, frame number and size. Asks nothing of OpenGL.
+    // The result of the last pass is a function of knobs, frame number and size. Asks nothing of OpenGL.
     virtual void refine(const FrameInfo& /*frame*/, int /*pass*/) {}
 
     // For a demo that draws a Scene: what it is at the present settings, in the picture that `frame` describes. The one
     // answer for draw(), check(), references and probes.
     virtual Scene scene(const FrameInfo& frame) const;
-    // For a study of values: computes them for the present settings, without GL. This is what is timed.
+    // For a study of values: computes them for the present settings, without GL. The framework times this call.
     virtual std::vector<double> values() const;
-    // What else is to be said of these values, by name, and does not depend on the machine: steps, evaluations, energy
-    // lost. They stand beside the errors.
+    // Further numbers of these values, by name, that do not depend on the machine: steps, evaluations, energy lost.
+    // Tables show them beside the errors.
     virtual std::vector<std::pair<std::string, double>> valueCounts() const { return {}; }
 
     // For a lesson (mv/demo/lesson.h): its settings, if they are of the type that has this tag.
@@ -125,7 +125,7 @@ struct BeyondEs {
     Literal otherwise;  // what the demo does without it, a clause
 };
 
-// What a demo needs of the context and of its framebuffer. What is not asked for is not made.
+// The needs of a demo: of the context and of its framebuffer. The stage makes no buffer that is not asked for.
 struct Needs {
     bool depth = false;
     bool stencil = false;
@@ -142,7 +142,7 @@ struct DeclaredWaste {
     Literal reason;  // one clause
 };
 
-// What a demo says of itself, a constant: its lists stand in the program, and whoever keeps a copy of it has those.
+// A demo's declaration, a constant: its lists stand in the program, and whoever keeps a copy of it has those.
 struct Declaration {
     Literal name = {};              // kebab-case; the program, the page and the shaders have the same name
     Literal sentence = {};          // what it shows
@@ -158,13 +158,13 @@ struct Declaration {
     std::initializer_list<DeclaredWaste> waste = {};
 };
 
-// What is known of a demo before one is made.
+// The facts about a demo that are known before one is made.
 struct DemoInfo : Declaration {
     // Two to six settings worth a look. The first has none of its own: it is the knobs' initial values, which are to teach
-    // at first sight. Where there is an original, `original` is its first picture.
+    // at first sight. The preset `original`, where there is an original, is its first picture.
     std::vector<Preset> presets = {};
     std::string page = {};  // "demos/cube-cull/cube-cull.md"
-    // What is to be measured, error against run time (--study), and read out: added by the demo's study.cpp.
+    // The measurements, error against run time (--study), and the probes: added by the demo's study.cpp.
     std::optional<Study> study = {};
     std::vector<Probe> probes = {};
     std::function<std::unique_ptr<Demo>()> make = {};

@@ -1,4 +1,4 @@
-// What a demo is told about the picture it draws, and what it may tell back.
+// Facts for a demo about the picture that it draws, and what the demo may tell back.
 #pragma once
 #include <functional>
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace mv {
 
-// What draw() left for the panel and the report, beside the picture.
+// The notes that draw() left for the panel and the report, beside the picture.
 struct FrameNotes {
     std::vector<std::pair<std::string, mat4>> matrices;
     std::vector<std::string> messages;
@@ -19,7 +19,7 @@ struct FrameNotes {
     std::vector<std::string> needless;
 };
 
-// What a picture is seen by.
+// The camera of a picture.
 struct Camera {
     mat4 viewFromWorld{1}, clipFromView{1};
 };
@@ -39,7 +39,8 @@ struct Pane {
     double aspect() const { return double(width) / height; }
 };
 
-// Which picture it is: its number and its size in pixels. What a scene, a reference or words in a picture need to know.
+// Which picture it is: its number and its size in pixels. The facts that a scene, a reference or words in a picture
+// need.
 class FrameInfo {
   public:
     FrameInfo(int index, int width, int height) : index_(index), width_(width), height_(height) {}

@@ -22,7 +22,7 @@ void setAll(const std::vector<Coordinate>& coordinates, const std::vector<double
     for (std::size_t i = 0; i < values.size(); ++i) coordinates[i].set(values[i]);
 }
 
-// By how much the place moves for each coordinate, in pixels a unit; towards the inside of its range.
+// The movement of the place for each coordinate, in pixels a unit; towards the inside of its range.
 std::vector<vec2> slopes(const std::vector<Coordinate>& coordinates,
                          const std::function<std::optional<vec2>()>& place) {
     std::vector<vec2> slopes;
@@ -75,7 +75,7 @@ std::vector<double> changeInRange(const std::vector<Coordinate>& coordinates, st
     }
 }
 
-// To the grid, or to a ten thousandth of the range, by a power of ten.
+// Rounds to the grid, or to a ten thousandth of the range, by a power of ten.
 double rounded(const Coordinate& coordinate) {
     const double range = coordinate.high - coordinate.low;
     const double scale = coordinate.grid > 0 ? 1 / coordinate.grid : std::pow(10.0, std::ceil(4 - std::log10(range)));

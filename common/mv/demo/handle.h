@@ -32,8 +32,8 @@ struct Handle {
     std::function<bool(std::size_t)> add = {}, remove = {};
 
     // Moves one as near to that pixel of the picture as its coordinates allow. These stop at the ends of their ranges, and
-    // are rounded: to their grid, or to as few digits as leave the place within about a pixel. Of several ways it takes
-    // the shortest, with all coordinates measured alike: a place with three of them moves across the line of sight.
+    // are rounded: to their grid, or to as few digits as leave the place within about a pixel. The shortest of several
+    // ways is taken, with all coordinates measured alike: a place with three of them moves across the line of sight.
     // Returns whether a knob has moved.
     bool drag(const FrameInfo& frame, std::size_t which, const vec2& pixel) const;
 };

@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <utility>
 
-#include "mv/demo/number.h"
 #include "mv/demo/own_file.h"
+#include "mv/demo/read_number.h"
 
 namespace mv {
 namespace {
@@ -384,7 +384,7 @@ std::vector<vec2> Knob::pointsIn(std::string_view text) const {
             !readNumber(pair.substr(comma + 1), point.y))
             throw refused(text);
         for (int axis = 0; axis < 2; ++axis) {
-            // To a rounding of the text: 0.3 is no exact multiple of 0.1
+            // Equal up to a rounding of the text: 0.3 is no exact multiple of 0.1
             const double allowed = onGrid(point[axis], axis);
             if (std::abs(allowed - point[axis]) > 1e-6 * row_.limits.grid) throw refused(text);
             point[axis] = allowed;

@@ -35,8 +35,8 @@ struct Option {
 enum class Scale { linear, logarithmic };
 
 // The numbers that a knob allows. A logarithmic one steps by factors, of 10 to the power of the step, and its slider has all decades at
-// the same length; its range lies above 0. Where 0 is allowed all the same, as an end of its own below the low one, `orZero` says
-// so: {1e-7, 0.1, Scale::logarithmic, true}.
+// the same length; its range lies above 0. `orZero` allows 0 all the same, as an end of its own below the low one:
+// {1e-7, 0.1, Scale::logarithmic, true}.
 struct NumberRange {
     double low, high;
     Scale scale = Scale::linear;
@@ -108,18 +108,18 @@ class Knob {
     bool isInitial() const { return text() == initialText(); }
     void reset() { parse(initialText()); }
 
-    // What is allowed, for people: "0.05 .. 10", "none | back | front | both".
+    // The allowed values, for people: "0.05 .. 10", "none | back | front | both".
     std::string range() const;
     // The same with its unit, and with "logarithmic" where the knob goes by factors.
     std::string rangeInFull() const;
     Scale scale() const { return row_.range.scale; }
     // The settings a test tries, as texts: the ends of the range and the initial one, or every choice. A logarithmic range
-    // adds its middle, and one that allows 0 begins with it. Of points: as few as there may be, in the low corner, the initial ones, and
-    // as many as there may be, from corner to corner.
+    // adds its middle, and one that allows 0 begins with it. Points have as few as there may be, in the low corner, the
+    // initial ones, and as many as there may be, from corner to corner.
     std::vector<std::string> sweep() const;
     // Moves the value by `amount` (a key, a drag, a wheel notch); points all along x. False where the range ends: nothing moved.
     bool step(double amount);
-    // What a step by `amount` does, for people: "+0.5 m"; of a logarithmic knob its factor.
+    // The effect of a step by `amount`, for people: "+0.5 m"; of a logarithmic knob its factor.
     std::string stepText(double amount, const std::string& unit) const;
     // Whether its change begins a remembered lesson anew.
     bool doesBeginAnew() const { return row_.startsOver; }
@@ -128,8 +128,8 @@ class Knob {
 
     // ---- For widgets. A value that a hand has chosen stops at the ends.
 
-    // Of a number, an angle or a whole number. A whole one that ends earlier in the present settings (AnyRow::most) goes to there, and
-    // is set to its highest value there, which stands for that.
+    // For a number, an angle or a whole number. A whole one that ends earlier in the present settings (AnyRow::most)
+    // goes to there, and is set to its highest value there, which stands for that.
     double number() const;
     void setNumber(double value);
     NumberRange numbers() const;
@@ -138,13 +138,13 @@ class Knob {
     std::vector<Option> options() const;  // of a word, or of one of a few numbers; else none
     int index() const;                    // among these
     void choose(int index);
-    // Of a file: Error, with the flag before it: one is set, and is missing or of another kind. And whether a file of this
-    // name is of the knob's kind, by its ending alone.
+    // For a file: Error, with the flag before it: one is set, and is missing or of another kind. And whether a file of
+    // this name is of the knob's kind, by its ending alone.
     void checkFile() const;
     bool takes(std::string_view file) const;
     // The endings of these names, as a page's field lists them: ".png,.jpg,.jpeg".
     std::string endings() const;
-    // Of points; x (0) or y (1) of one, for a handle, and of a number the number itself.
+    // For points: x (0) or y (1) of one, for a handle; for a number the number itself.
     std::span<const vec2> points() const;
     bool isFixedNumber() const { return row_.limits.least == row_.limits.most; }
     bool canAddPoint() const { return points().size() < row_.limits.most; }

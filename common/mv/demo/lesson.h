@@ -7,7 +7,8 @@
 //
 //     const bool added = addLesson(about, Lesson<Settings, Gpu>{.rows = {...}, .presets = {...}, .draw = draw});
 //
-// What is said of a Demo's functions of these names (mv/demo/demo.h) holds for a lesson's; addLesson() makes a Demo of it.
+// The comments on a Demo's functions of these names (mv/demo/demo.h) hold for a lesson's; addLesson() makes a Demo of
+// it.
 #pragma once
 #include <memory>
 #include <optional>
@@ -56,8 +57,8 @@ inline Control wheel(Literal knob, double perNotch) {
     return {.gesture = Gesture::wheel, .knob = knob, .amount = perNotch};
 }
 
-// What is dragged in the picture: numbers by their names, or the points of one setting. `where` is the place of it in the
-// picture, in pixels from the lower left corner; nothing where these settings have no such place.
+// Handles, which are dragged in the picture: numbers by their names, or the points of one setting. `where` is the place
+// of it in the picture, in pixels from the lower left corner; nothing where these settings have no such place.
 template <class Settings>
 struct LessonHandle {
     Literal name;
@@ -66,7 +67,7 @@ struct LessonHandle {
     std::optional<vec2> (*wherePoint)(const Settings&, const FrameInfo&, const vec2& value) = {};
 };
 
-// Of a lesson that remembers nothing.
+// The memory of a lesson that remembers nothing.
 struct NothingKept {};
 
 namespace lesson_detail {
@@ -103,6 +104,9 @@ struct Lesson {
     typename Functions::Draw figure = {};      // over the picture, what only people need: Demo::annotate
     typename Functions::ReadOut readOut = {};  // right after draw, where somebody reads the readouts
     void (*check)(const Settings&) = {};
+    // These settings as the context can draw them, where it may lack one of needs.beyondEs: draw, figure and readOut
+    // get what this returns. A context is current, and has() notes what it lacks.
+    Settings (*fallback)(Settings) = {};
     Scene (*scene)(const Settings&, const FrameInfo&) = {};
     // A lesson that remembers: what it does at frame 0, and from frame index - 1 to index.
     Kept (*start)(const Settings&) = {};
@@ -137,9 +141,9 @@ class LessonDemo final : public Demo {
         if (!lesson_->readOut || !frame.readouts()) return;
         Numbers numbers(*this);
         if constexpr (remembers)
-            lesson_->readOut(*gpu_, settings_, kept(), frame, numbers);
+            lesson_->readOut(*gpu_, drawable(), kept(), frame, numbers);
         else
-            lesson_->readOut(*gpu_, settings_, frame, numbers);
+            lesson_->readOut(*gpu_, drawable(), frame, numbers);
     }
     void annotate(const Frame& frame) override {
         if (lesson_->figure) paint(lesson_->figure, frame);
@@ -183,10 +187,11 @@ class LessonDemo final : public Demo {
     const Kept& kept() const { return remembered_ ? **remembered_ : made_; }
     void paint(typename Of::Functions::Draw function, const Frame& frame) {
         if constexpr (remembers)
-            function(*gpu_, settings_, kept(), frame);
+            function(*gpu_, drawable(), kept(), frame);
         else
-            function(*gpu_, settings_, frame);
+            function(*gpu_, drawable(), frame);
     }
+    Settings drawable() const { return lesson_->fallback ? lesson_->fallback(settings_) : settings_; }
     void addHandle(const LessonHandle<Settings>& handle) {
         if (handle.where) {
             addPlace(handle.name, handle.knobs,

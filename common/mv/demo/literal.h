@@ -1,5 +1,6 @@
-// Texts that a program declares between quotes: a demo's name, a knob's sentence. They stand in the program already, so that
-// declaring them makes no copy: on a page of the browser, which loads all demos, copies are a tenth of the module.
+// Texts that a program declares between quotes: a demo's name, a knob's sentence. Literals stand in the program
+// already, so that declaring them makes no copy: on a page of the browser, which loads all demos, copies are a tenth of
+// the module.
 #pragma once
 #include <concepts>
 #include <iosfwd>
@@ -8,8 +9,7 @@
 
 namespace mv {
 
-// One such text. It is made while the program is compiled, which refuses any other, so whoever keeps it need not ask how long
-// it lives.
+// One such text. The compiler makes it and refuses any other, so whoever keeps it need not ask how long it lives.
 class Literal {
   public:
     constexpr Literal() = default;  // no text

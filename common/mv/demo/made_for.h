@@ -1,4 +1,4 @@
-// What something was last made for, so that it is made anew only for something else.
+// The settings that something was last made for, so that it is made anew only for others.
 #pragma once
 #include <optional>
 #include <tuple>

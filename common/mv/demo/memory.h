@@ -1,4 +1,4 @@
-// What a demo remembers from frame to frame.
+// The memory of a demo from frame to frame.
 //
 // Most demos need none: their picture is a function of knobs and frame number. One whose next frame follows from the last
 // (masses on springs, a clock that sums up) keeps all that it remembers in one copyable struct:
@@ -18,7 +18,7 @@ namespace mv {
 
 class Demo;
 
-// What the framework knows of a demo's memory: how to keep it, and how to bring it back.
+// A demo's memory as the framework knows it: how to keep it, and how to bring it back.
 class AnyMemory {
   public:
     explicit AnyMemory(Demo* owner);

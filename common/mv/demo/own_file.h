@@ -21,14 +21,14 @@ struct OwnFile {
     std::string name = "none";
 
     bool isSet() const { return name != "none"; }
-    // What is in the file as it is now; the last two that were read are kept, since a window draws two settings that are
-    // compared in turn. Error: none is set; as loadPicture, or as meshFromObj.
+    // The contents of the file as it is now; the last two that were read are kept, since a window draws two settings
+    // that are compared in turn. Error: none is set; as loadPicture, or as meshFromObj.
     std::shared_ptr<const Content> content() const;
     // Another number for each content that was read; 0 where none is set. Error: as content().
     int version() const;
 };
 
-// What a knob says of the files that it takes.
+// A knob's words about the files that it takes.
 struct FileKind {
     Literal range;                           // for people: "none or a PNG or JPEG file"
     std::vector<Literal> endings;            // of their names, in small letters: ".png"

@@ -25,7 +25,7 @@
 
 namespace mv {
 
-// Where in its settings a row's value is: a member, a coordinate of one, or a member of a part.
+// The place of a row's value in its settings: a member, a coordinate of one, or a member of a part.
 template <class Settings, class Value>
 struct Place {
     using Owner = Settings;

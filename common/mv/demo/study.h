@@ -1,4 +1,4 @@
-// What measures a demo, and stands beside it in its study.cpp: its study, error against run time, and its probes.
+// The measurements of a demo, beside it in its study.cpp: its study, error against run time, and its probes.
 //
 // A demo that shows an approximation has a study: the settings to try, the quantity that is compared, and a reference made
 // by a different and far more exact method. mv/study/study.h runs it. A study file asks the demo for its settings
@@ -41,13 +41,13 @@ struct ReferenceFrame : FrameInfo {
     bool ownError;  // Reference::ownError is asked for, too, which costs more than the reference itself
 };
 
-// What is right, by the demo's other method. Other values of the settings that it reads (Study::reads: the number of
+// The right answer, by the demo's other method. Other values of the settings that it reads (Study::reads: the number of
 // lights, say) get a reference of their own; the knobs that it does not read are what is under study.
 struct Reference {
     // One for each number compared: for a picture one a pixel, the upper row first.
     std::vector<double> values;
-    // What the root mean square and the maximum are measured against, where that is not `values` (a pixel's average
-    // instead of its centre, say); empty: `values`.
+    // The values against which the root mean square and the maximum are measured, where that is not `values` (a pixel's
+    // average instead of its centre, say); empty: `values`.
     std::vector<double> averages = {};
     // For a picture, what is seen in each pixel: -1 where nothing counts. A pixel one of whose eight neighbours has
     // another region, or a value that differs by more than Study::wrongBeyond, is in the edge band, where rounding
@@ -77,21 +77,22 @@ struct Study {
     double wrongBeyond = 0.5;
     int width = 640, height = 480;  // of the picture measured
     int frame = 1;
-    // What the study says, for its page: a test evaluates its claims on the committed rows.
+    // The study's statements, for its page: a test evaluates its claims on the committed rows.
     std::vector<Saying> says = {};
     // True: the demo's values() are compared and timed, without GL. False: pictures, drawn with frame.measuring().
     bool ofValues = false;
     // The knobs that the reference depends on: it is kept while these are as they were, and a test holds it to them. Empty: it is made
     // anew for each row.
     std::vector<std::string> reads = {};
-    // What is right for the demo's present settings, in the picture that `frame` describes (its size and index; not drawn
-    // into); made by a method that shares nothing with the one under study. Slow ones report the part that is done.
+    // The right answer for the demo's present settings, in the picture that `frame` describes (its size and index; not
+    // drawn into); made by a method that shares nothing with the one under study. Slow ones report the part that is
+    // done.
     std::function<Reference(const Demo& demo, const ReferenceFrame& frame,
                             const std::function<void(double part)>& progress)>
         makeReference = {};
 };
 
-// What a probe may ask.
+// The questions that a probe may ask.
 class Probing {
   public:
     Probing(const Demo& demo, const FrameInfo& frame) : demo_(demo), frame_(frame) {}

@@ -24,7 +24,7 @@ vec3 curve(std::array<vec3, N> p, double t) {
     }
     return p[0];
 }
-// Its derivative, which has one point less. What is one point in the net is exactly 0 here.
+// Its derivative, which has one point less. A derivative between coinciding points of the net is exactly 0 here.
 template <std::size_t N>
 std::array<vec3, N - 1> derivative(const std::array<vec3, N>& p) {
     std::array<vec3, N - 1> d;

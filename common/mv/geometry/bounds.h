@@ -28,7 +28,7 @@ struct Bounds {
     }
 };
 
-// Of a mesh's positions, each taken through the matrix (affine) first.
+// The bounds of a mesh's positions, each taken through the matrix (affine) first.
 inline Bounds boundsOf(const MeshData& mesh, const mat4& spaceFromModel = mat4(1)) {
     Bounds bounds;
     for (const fvec3& position : mesh.positions) bounds.add(vec3(spaceFromModel * vec4(vec3(position), 1)));

@@ -27,7 +27,7 @@ bool comesBefore(const SceneTriangle& one, const SceneTriangle& other) {
 }  // namespace
 
 Bvh::Bvh(std::vector<SceneTriangle> triangles) {
-    // What has no area is met by no ray; left in, rounding could make a hit of it
+    // A ray meets no triangle without area; left in, rounding could make a hit of it
     std::erase_if(triangles, [](const SceneTriangle& t) { return areOnOneLine(t.a, t.b, t.c); });
     const BvhBuild build(triangles);
     triangles_.reserve(triangles.size());
@@ -91,7 +91,7 @@ struct Bvh::RayBoxes {
         const vec3 size = glm::abs(ray.direction), origin = (ray.origin - middle) * scale;
         const double largest = std::max({size.x, size.y, size.z});
         const auto aside = static_cast<float>(std::min(room * scale, 1e37));
-        // Where float has no room for it, no box is left out but those that are not there.
+        // No box is left out where float has no room for it, but those that are not there.
         const bool isFar =
             !(std::max({std::abs(origin.x), std::abs(origin.y), std::abs(origin.z), double(aside)}) < 1e30);
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -99,7 +99,7 @@ struct Bvh::RayBoxes {
             const bool backwards = std::signbit(ray.direction[i]);
             const float at = isFar ? 0 : static_cast<float>(origin[i]);
             const float off = isFar ? 1e37F : aside + slack * (std::abs(at) + aside) + FLT_MIN;
-            // Where it would be more, the ray is as good as parallel: t up to 1e38 times the room is beyond all boxes.
+            // A ray for which it would be more is as good as parallel: t up to 1e38 times the room is beyond all boxes.
             const auto inverse = static_cast<float>(std::clamp(largest / ray.direction[i], -1e38, 1e38));
             entry[axis] = backwards ? at - off : at + off;
             exit[axis] = backwards ? at + off : at - off;
@@ -117,7 +117,7 @@ struct Bvh::RayBoxes {
         return end < 1e30 ? static_cast<float>(end) * (1 + slack) + FLT_MIN : HUGE_VALF;
     }
 
-    // Where the boxes are entered, at least 0; infinity where they are missed or lie beyond `end`.
+    // The entries into the boxes, at least 0; infinity for boxes that are missed or lie beyond `end`.
     std::array<float, lanes> operator()(const Children& node, float end) const {
         std::array<float, lanes> near{}, far{end, end, end, end};
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -146,7 +146,7 @@ double Bvh::room(const vec3& origin) const {
 }
 
 // Calls visitTriangle with each triangle whose boxes the ray meets before `end`, the nearer box first, until it returns
-// true. It may lower `end`.
+// true. The call may lower `end`.
 template <typename Visit>
 void Bvh::visit(const Ray& ray, double& end, const Visit& visitTriangle) const {
     if (nodes_.empty()) return;

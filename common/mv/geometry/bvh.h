@@ -23,9 +23,9 @@ struct BvhHit {
 
 struct BvhBuild;
 
-// A bounding volume hierarchy of four boxes a node, split where the surface area heuristic finds it cheapest. What it finds
-// is what a loop over all triangles finds, to the last bit: the four boxes are tested at once in float, with room for every
-// rounding, and what lies in them in double.
+// A bounding volume hierarchy of four boxes a node, split where the surface area heuristic finds it cheapest. The tree
+// finds what a loop over all triangles finds, to the last bit: the four boxes are tested at once in float, with room
+// for every rounding, and what lies in them in double.
 class Bvh {
   public:
     explicit Bvh(std::vector<SceneTriangle> triangles);

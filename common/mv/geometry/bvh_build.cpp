@@ -65,7 +65,8 @@ class Sort {
         fill(children + 1, second, last, depth + 1);
     }
 
-    // Where count times area, summed over both sides, is least: about how many triangles a ray has to be tested with.
+    // The cut at which count times area, summed over both sides, is least: about how many triangles a ray has to be
+    // tested with.
     Iterator cheapestSplit(Iterator begin, Iterator end, const Bounds& middles) const {
         double least = HUGE_VAL;
         int leastAxis = -1, leastBin = 0;

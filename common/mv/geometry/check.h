@@ -1,4 +1,4 @@
-// Is this mesh what it claims to be: well formed, closed, facing outwards?
+// Is this mesh what it should be: well formed, closed, facing outwards?
 #pragma once
 #include <array>
 #include <cstddef>

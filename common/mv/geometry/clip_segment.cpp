@@ -39,12 +39,13 @@ double alongTo(const Segment& segment, int axis, double value) {
     return from[other] + (to[other] - from[other]) * ((value - from[axis]) / (to[axis] - from[axis]));
 }
 
-// Where a segment that meets the window comes in from an end beyond it.
+// The entry of a segment that meets the window, from an end beyond it.
 vec2 entry(const Segment& segment, const Beyond& end, const Box& window) {
     const vec2 side(end.x < 0 ? window.low.x : window.high.x, end.y < 0 ? window.low.y : window.high.y);
     int axis = end.x != 0 ? 0 : 1;
     if (end.x != 0 && end.y != 0) {
-        // It crosses both sides' lines, and enters at the later one; through the corner it crosses both at once.
+        // The segment crosses both sides' lines, and enters at the later one; through the corner it crosses both at
+        // once.
         const int turn = orientation(segment.a, segment.b, side);
         if (turn == 0) return side;
         const bool sameSigns = (segment.b.x > segment.a.x) == (segment.b.y > segment.a.y);

@@ -17,8 +17,9 @@ vec3 closestOnSegment(const vec3& point, const vec3& a, const vec3& b);
 vec3 closestOnPlane(const vec3& point, const vec4& plane);
 
 // On the triangle: inside of it, on an edge or at a corner. One without area is its longest edge.
-// By areas that are signed products of differences; where these are known to no digit, as of a slender triangle, the nearest of the
-// three edges' points, which is right there. Source: the regions of Ericson, "Real-Time Collision Detection" (2005), section 5.1.5.
+// The method uses areas that are signed products of differences; where these are known to no digit, as of a slender
+// triangle, the nearest of the three edges' points, which is right there. Source: the regions of Ericson, "Real-Time
+// Collision Detection" (2005), section 5.1.5.
 vec3 closestOnTriangle(const vec3& point, const vec3& a, const vec3& b, const vec3& c);
 
 }  // namespace mv

@@ -16,15 +16,16 @@ struct CubePlace {
     vec2 at;
 };
 
-// Where a direction of any length is looked up. Of two faces that it lies between, and of the three of a corner, it is the
-// first in the order x, y, z: OpenGL leaves that open. Refused: the vector 0, which is no direction, and NaN and infinity.
+// The place at which a direction of any length is looked up. A direction between two faces, or at a corner of three, is
+// looked up in the first in the order x, y, z: OpenGL leaves that open. Refused: the vector 0, which is no direction,
+// and NaN and infinity.
 CubePlace cubePlace(const vec3& direction);
 
 // The direction to a place of a face: the point of the cube -1..1 there. Refused: a face outside 0..5, NaN.
 vec3 cubeDirection(const CubePlace& place);
 
 // viewFromWorld of a camera in the origin that looks through this face: with perspective(90, 1, near, far) it draws what
-// is found by cubePlace(). It turns and does not mirror, so fronts stay fronts. Refused: a face outside 0..5.
+// is found by cubePlace(). The matrix turns and does not mirror, so fronts stay fronts. Refused: a face outside 0..5.
 mat4 cubeFaceView(int face);
 
 }  // namespace mv

@@ -7,7 +7,7 @@ namespace mv {
 // Lines along those edges of the triangles where the surface ends, or where two of its faces meet at an angle of more
 // than `crease` degrees between their normals: of a box its twelve edges and no diagonal, of a sphere none. Each edge
 // once; positions only. Vertices at exactly the same position count as one; triangles without area are
-// passed over. Where there is no such edge the mesh has no positions.
+// passed over. A mesh without such an edge gives no positions.
 // Refused: crease outside 0..180, NaN, and what validate refuses.
 MeshData edgesOf(const MeshData& mesh, double crease = 30);
 

@@ -15,11 +15,11 @@ enum class InVolume { outside, crossing, inside };
 // Trap: near an edge of the volume what lies outside of two planes, each crossed, is called crossing; it is drawn for nothing.
 // Refused: NaN and infinity.
 
-// Of a convex body by its corners: of a box the eight, which may be turned. Planes may have normals of any length. Without
-// corners: outside.
+// Judges a convex body by its corners: a box by the eight, which may be turned. Planes may have normals of any length.
+// Without corners: outside.
 InVolume hullInVolume(std::span<const vec3> corners, std::span<const vec4> planes);
 
-// Of a ball; the planes' normals have unit length. Cheaper than a box by six times, and larger than most things.
+// Judges a ball; the planes' normals have unit length. Cheaper than a box by six times, and larger than most things.
 // Refused: a radius below 0.
 InVolume ballInVolume(const vec3& center, double radius, std::span<const vec4> planes);
 

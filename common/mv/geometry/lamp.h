@@ -20,10 +20,10 @@ struct Penumbra {
 };
 
 // For a level lamp, and an edge through the point `edge` that is level too, with the caster on one side and `outwards`
-// (level, of unit length) pointing to the other; a long one: its ends throw penumbrae of their own. By similar triangles
-// the width is the lamp's extent along `outwards`, seen through the edge: extent * y / (lamp's y - y). Along a side of
-// the parallelogram the extent is that side's length.
-// Refused: an edge below the floor or not below the lamp, a light at infinity, a lamp or a direction that is not level.
+// (level, of unit length) pointing to the other; a long one: its ends throw penumbrae of their own. The width, by
+// similar triangles, is the lamp's extent along `outwards`, seen through the edge: extent * y / (lamp's y - y). Along a
+// side of the parallelogram the extent is that side's length. Refused: an edge below the floor or not below the lamp, a
+// light at infinity, a lamp or a direction that is not level.
 Penumbra penumbraOf(const SceneLight& lamp, const vec3& edge, const vec3& outwards);
 
 }  // namespace mv

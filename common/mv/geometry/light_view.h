@@ -1,4 +1,4 @@
-// What a light sees: the view and projection with which a shadow map is drawn and looked up.
+// A light's camera: the view and projection with which a shadow map is drawn and looked up.
 #pragma once
 #include <span>
 #include <vector>
@@ -17,7 +17,8 @@ struct LightView {
     bool atInfinity = false;
 
     mat4 clipFromWorld() const { return clipFromView * viewFromWorld; }
-    // To the map's own coordinates: after division by w, x and y are texture coordinates 0..1 and z the depth 0..1.
+    // Takes points to the map's own coordinates: after division by w, x and y are texture coordinates 0..1 and z the
+    // depth 0..1.
     mat4 mapFromWorld() const;
 };
 

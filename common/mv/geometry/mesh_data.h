@@ -1,4 +1,4 @@
-// What a mesh is made of, before any GL: the shapes make it, gl/Mesh uploads it, the ray caster reads it.
+// The data of a mesh, before any GL: the shapes make it, gl/Mesh uploads it, the ray caster reads it.
 #pragma once
 #include <cstdint>
 #include <utility>

@@ -17,7 +17,7 @@ namespace {
 
 using Corners = std::array<std::uint32_t, 3>;
 
-// What a triangle says at one of its corners: where u grows there, times the angle of the corner.
+// A triangle's contribution at one of its corners: where u grows there, times the angle of the corner.
 struct Saying {
     std::uint32_t vertex;
     vec3 along;
@@ -125,7 +125,7 @@ MeshTangents meshTangents(const MeshData& mesh) {
     const Splitting splitting(made, triangles, growths);
     const std::size_t count = made.mesh.positions.size();
 
-    // What each triangle says at its corners
+    // Each triangle's contributions at its corners
     std::vector<vec3> normals;
     normals.reserve(count);
     for (const fvec3& normal : made.mesh.normals) normals.push_back(unit(vec3(normal)));

@@ -17,7 +17,7 @@
 namespace mv {
 namespace {
 
-// What says something of the picture that is not read, and what is no mesh.
+// The words about the picture that are not read, and those that are no mesh.
 constexpr std::array<std::string_view, 16> notRead{"o",          "g",         "s",     "mg",       "usemtl",   "mtllib",
                                                    "usemap",     "maplib",    "bevel", "c_interp", "d_interp", "lod",
                                                    "shadow_obj", "trace_obj", "csh",   "call"};
@@ -148,7 +148,7 @@ class Reader {
         }
         return fvec3(read);
     }
-    // What is too small for a double is 0.
+    // A number too small for a double is 0.
     static bool readNumber(std::string_view word, double& number) {
         if (portable::readFinite(word, number)) return true;
         const bool looksSmall = word.find("e-") != std::string_view::npos || word.find("E-") != std::string_view::npos;

@@ -19,7 +19,7 @@ struct Axis {
 struct Plot {
     Box box;
     Axis x, y;
-    // Where a value is drawn, and the value that is drawn there; each is the other's inverse. Values beyond an end are
+    // The place of a value, and the value of a place; each is the other's inverse. Values beyond an end are
     // drawn beyond the box. Refused: an axis whose ends are one, and a value or an end that is not above 0 on a
     // logarithmic one.
     vec2 pixel(const vec2& value) const;

@@ -27,7 +27,7 @@ struct Part {
 
 Part common(const Part& a, const Part& b) { return {std::max(a.low, b.low), std::min(a.high, b.high)}; }
 
-// Where low <= from + t along <= high.
+// The part of the ray where low <= from + t along <= high.
 Part slab(double from, double along, double low, double high) {
     if (along == 0) return from >= low && from <= high ? Part{} : Part{0, -1};
     const double first = ((along > 0 ? low : high) - from) / along, last = ((along > 0 ? high : low) - from) / along;

@@ -11,21 +11,21 @@
 
 namespace mv {
 
-// Where the ray is inside the closed cylinder of that radius about the y axis, from y = low to high, its two lids with it.
-// The line's distance from the axis is a product's difference without cancellation, as a sphere's: no false hits and no
-// missed ones far away; in float, t is as good as the coordinates.
+// The part of the ray inside the closed cylinder of that radius about the y axis, from y = low to high, its two lids
+// with it. The line's distance from the axis is a product's difference without cancellation, as a sphere's: no false
+// hits and no missed ones far away; in float, t is as good as the coordinates.
 template <typename T>
 std::optional<RayInterval<T>> intersectCylinder(const RayOf<T>& ray, T radius, T low, T high);
 
-// Where the ray is inside the closed cone whose base is the disk of that radius at y = 0, its tip at y = height. The half behind
-// the tip, which solves the same equation, is left out, and a ray along the side, whose equation is linear, is met. By
-// differences of products as above; the textbook's b*b - 4ac loses all digits where the eye is a thousand heights away.
-// Trap: a ray exactly along the side, or through the tip, is inside or not by rounding.
+// The part of the ray inside the closed cone whose base is the disk of that radius at y = 0, its tip at y = height. The
+// half behind the tip, which solves the same equation, is left out, and a ray along the side, whose equation is linear,
+// is met. Computed by differences of products as above; the textbook's b*b - 4ac loses all digits where the eye is a
+// thousand heights away. Trap: a ray exactly along the side, or through the tip, is inside or not by rounding.
 template <typename T>
 std::optional<RayInterval<T>> intersectCone(const RayOf<T>& ray, T radius, T height);
 
-// Where the ray meets the disk about `center` with that normal, of any length, from either side; t >= 0. None where it runs
-// parallel to it.
+// The meeting of the ray with the disk about `center` with that normal, of any length, from either side; t >= 0. None
+// where it runs parallel to it.
 template <typename T>
 std::optional<T> intersectDisk(const RayOf<T>& ray, const glm::vec<3, T>& center, const glm::vec<3, T>& normal,
                                T radius);

@@ -33,12 +33,12 @@ struct RayInterval {
     T near = 0, far = 0;
 };
 
-// Where the ray meets the plane of the points with dot(plane.xyz, p) + plane.w = 0, from either side, t >= 0. None
-// where it runs parallel to the plane, in it or beside it.
+// The meeting of the ray with the plane of the points with dot(plane.xyz, p) + plane.w = 0, from either side, t >= 0.
+// None where it runs parallel to the plane, in it or beside it.
 template <typename T>
 std::optional<T> intersectPlane(const RayOf<T>& ray, const glm::vec<4, T>& plane);
 
-// Where the ray is inside the sphere. The discriminant comes from the line's distance to the centre and the roots
+// The part of the ray inside the sphere. The discriminant comes from the line's distance to the centre and the roots
 // without a difference of near numbers, so that a small or distant sphere is neither missed nor hit beside itself;
 // from b*b - 4ac in float every ray that comes within some radii of a unit sphere 1e4 away is a hit or a miss by chance.
 // Needs a radius above 0; with another one the answer is none. Trap: for a huge sphere under the eye (the earth) in
@@ -48,7 +48,7 @@ std::optional<T> intersectPlane(const RayOf<T>& ray, const glm::vec<4, T>& plane
 template <typename T>
 std::optional<RayInterval<T>> intersectSphere(const RayOf<T>& ray, const glm::vec<3, T>& center, T radius);
 
-// Where the ray is inside the closed box lo..hi along the axes; a box may be flat. A ray in the plane of a face
+// The part of the ray inside the closed box lo..hi along the axes; a box may be flat. A ray in the plane of a face
 // (a direction with zeros) is inside as long as it is within the face. Source: Kay and Kajiya's slabs (1986).
 template <typename T>
 std::optional<RayInterval<T>> intersectBox(const RayOf<T>& ray, const glm::vec<3, T>& lo, const glm::vec<3, T>& hi);
@@ -60,14 +60,14 @@ struct TriangleHit {
 };
 
 // One ray against many triangles, from either side, t > 0. Watertight: of two triangles with a common edge, by the same
-// coordinates, at least one is hit by a ray towards the edge, and so at a corner. Where a triangle has no area rounding
-// decides whether it is hit, and where: leave out before what areOnOneLine(), as the ray caster does. So it is with one
-// that is seen exactly from the side; there its neighbours are hit. Coordinates whose products would leave the range of T
-// are not supported.
-// A triangle in whose plane the ray begins, but for a few roundings of the ways to its corners, is not met: so a ray that begins
-// besideSurface() does not meet what it leaves, however slender that is.
-// Source: Woop, Benthin, Wald, "Watertight ray/triangle intersection", JCGT 2(1), 2013; a bound on t as of Pharr, Jakob and
-// Humphreys, "Physically based rendering" (2023), "Avoiding intersections behind ray origins", but on the distance from the plane.
+// coordinates, at least one is hit by a ray towards the edge, and so at a corner. Rounding decides for a triangle
+// without area whether it is hit, and where: leave out before what areOnOneLine(), as the ray caster does. So it is
+// with one that is seen exactly from the side; there its neighbours are hit. Coordinates whose products would leave the
+// range of T are not supported. A triangle in whose plane the ray begins, but for a few roundings of the ways to its
+// corners, is not met: so a ray that begins besideSurface() does not meet what it leaves, however slender that is.
+// Source: Woop, Benthin, Wald, "Watertight ray/triangle intersection", JCGT 2(1), 2013; a bound on t as of Pharr, Jakob
+// and Humphreys, "Physically based rendering" (2023), "Avoiding intersections behind ray origins", but on the distance
+// from the plane.
 template <typename T>
 class TriangleTest {
   public:
@@ -98,12 +98,12 @@ std::optional<TriangleHit<T>> intersectTriangle(const RayOf<T>& ray, const glm::
     return hit;
 }
 
-// Where a ray in `direction` begins that leaves a surface at `point`: off it along the unit vector `normal`, to the side that the
-// direction leads to, by that many roundings of the largest coordinate in `size`, along each axis. That is how far the point, and
-// what the next ray computes, may be off the true surface; no fixed epsilon, so it serves at every scale. For a triangle: 8, and
-// the largest sizes of its corners' coordinates; TriangleTest then meets neither it again nor a neighbour in its plane.
-// Trap: roundings of the coordinates along the normal alone, which are 0 in the plane y = 0, are not enough: the next ray's
-// test mixes all three.
+// The start of a ray in `direction` that leaves a surface at `point`: off it along the unit vector `normal`, to the
+// side that the direction leads to, by that many roundings of the largest coordinate in `size`, along each axis. So far
+// may the point, and what the next ray computes, be off the true surface; no fixed epsilon, so it serves at every
+// scale. For a triangle: 8, and the largest sizes of its corners' coordinates; TriangleTest then meets neither it again
+// nor a neighbour in its plane. Trap: roundings of the coordinates along the normal alone, which are 0 in the plane y =
+// 0, are not enough: the next ray's test mixes all three.
 inline vec3 besideSurface(const vec3& point, const vec3& normal, const vec3& direction, const vec3& size,
                           double roundings) {
     const double rounding = std::numeric_limits<double>::epsilon() * largestComponent(size);

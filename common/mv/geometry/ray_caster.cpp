@@ -105,8 +105,9 @@ Sight sightThrough(const mat4& worldFromClip, double x, double y) {
 
 void requireSide(const char* name, int value, int most) { requireRange("lit", name, value, 1, most); }
 
-// What a thread keeps from one point to the next. It counts each ray, and so stands alone in its cache lines (processors
-// fetch two of 64 bytes at once): beside what the other threads read, each count would cost them a fetch.
+// The things that a thread keeps from one point to the next. The thread counts each ray here, so this stands alone in
+// its cache lines (processors fetch two of 64 bytes at once): beside what the other threads read, each count would cost
+// them a fetch.
 struct alignas(128) Scratch {
     std::vector<const SceneTriangle*> near;
     long rays = 0;
@@ -166,8 +167,8 @@ std::optional<SceneHit> RayCaster::State::nearest(const Ray& ray, double end) co
     const auto found = all.nearest(ray, end);
     if (!found) return {};
     const SceneTriangle& corners = *found->triangle;
-    // By the corners' weights, not by t: the point is then as near the triangle as its coordinates, however far the
-    // ray came.
+    // Computed by the corners' weights, not by t: the point is then as near the triangle as its coordinates, however
+    // far the ray came.
     const vec3 point = found->hit.a * corners.a + found->hit.b * corners.b + found->hit.c * corners.c;
     const auto object = static_cast<std::size_t>(corners.object), triangle = static_cast<std::size_t>(corners.triangle);
     return SceneHit{found->hit.t, corners.object, corners.triangle, point, surfaces[object][triangle].normal};
@@ -182,8 +183,8 @@ vec3 RayCaster::State::startOf(const SceneHit& hit, const vec3& direction) const
     return besideSurface(hit.point, hit.normal, direction, size, 8);
 }
 
-// The part of the light that reaches the point. What may stand in the way of an area light is asked for at once: often
-// it is nothing, and seldom much.
+// The part of the light that reaches the point. All triangles that may stand in the way of an area light are asked for
+// at once: often it is nothing, and seldom much.
 double RayCaster::State::litPart(const SceneHit& hit, const LightPoints& light, Scratch& scratch) const {
     const vec3 start = startOf(hit, hit.normal);
     const bool few = light.hasShaft() && casters.mayMeet(start, light.bounds.low - hit.point,

@@ -1,4 +1,4 @@
-// What is lit and what is in shadow, found by rays: exact up to double precision, and by a method that shares nothing
+// Light and shadow, found by rays: exact up to double precision, and by a method that shares nothing
 // with those that GL uses. The reference that every shadow picture is judged by.
 #pragma once
 #include <functional>
@@ -35,15 +35,15 @@ struct LitPicture {
     int width = 0, height = 0;
     // The part of the light that reaches the surface, 0..1, seen in the pixel; 0 where the surface faces away from the
     // light, and where nothing is seen. Averaged over those of the pixel's points that see `object`; where none of them
-    // does, that of its middle. What does not receive is never in shadow.
+    // does, that of its middle. An object that does not receive is never in shadow.
     std::vector<double> lit;
     // The object seen in the middle of the pixel, as an index in Scene::objects; -1: none.
     std::vector<int> object;
     // Whether the triangle seen there has its front towards the (middle of the) light: where it has not, a shadow does
     // not matter.
     std::vector<bool> faces;
-    // That were asked: one for each point seen, and from there one for each point of the light that it faces, also where
-    // one look at the whole light answered many at once.
+    // The rays that were asked: one for each point seen, and from there one for each point of the light that it faces,
+    // also where one look at the whole light answered many at once.
     long rays = 0;
 };
 

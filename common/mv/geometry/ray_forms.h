@@ -19,7 +19,8 @@
 
 namespace mv {
 
-// Where a ray meets what has two coordinates of its own: a plane corner + u along + v up, a surface r(u, v).
+// The meeting of a ray with a surface that has two coordinates of its own: a plane corner + u along + v up, a surface
+// r(u, v).
 template <typename T>
 struct SurfaceHit {
     T t = 0, u = 0, v = 0;
@@ -31,8 +32,9 @@ bool isAhead(T t) {
     return t >= 0 && t <= std::numeric_limits<T>::max();
 }
 
-// Where the ray meets the plane through `point` with that normal, of any length; t >= 0. None where it runs parallel to it.
-// The points are subtracted first, which keeps the digits that dot(n, q) - dot(n, p) loses far from the origin.
+// The meeting of the ray with the plane through `point` with that normal, of any length; t >= 0. None where it runs
+// parallel to it. The points are subtracted first, which keeps the digits that dot(n, q) - dot(n, p) loses far from the
+// origin.
 template <typename T>
 std::optional<T> intersectPlane(const RayOf<T>& ray, const glm::vec<3, T>& point, const glm::vec<3, T>& normal) {
     const T t = glm::dot(normal, point - ray.origin) / glm::dot(normal, ray.direction);
@@ -40,8 +42,8 @@ std::optional<T> intersectPlane(const RayOf<T>& ray, const glm::vec<3, T>& point
     return t;
 }
 
-// Where the ray meets the plane corner + u along + v up: the system of three equations, by Cramer's rule; t >= 0, any u
-// and v. None where the ray runs parallel to it, or `along` parallel to `up`.
+// The meeting of the ray with the plane corner + u along + v up: the system of three equations, by Cramer's rule; t >=
+// 0, any u and v. None where the ray runs parallel to it, or `along` parallel to `up`.
 template <typename T>
 std::optional<SurfaceHit<T>> intersectPlane(const RayOf<T>& ray, const glm::vec<3, T>& corner,
                                             const glm::vec<3, T>& along, const glm::vec<3, T>& up) {
@@ -84,9 +86,9 @@ bool isInside(std::span<const glm::vec<2, T>> corners, const glm::vec<2, T>& poi
     return inside;
 }
 
-// Where the ray meets a plane polygon of up to 16 corners, from either side; t >= 0. Its plane is that of the largest
-// normal that the sum of cross products has (Newell), through the first corner. None for fewer than 3 corners, more than
-// 16, or no area.
+// The meeting of the ray with a plane polygon of up to 16 corners, from either side; t >= 0. Its plane is that of the
+// largest normal that the sum of cross products has (Newell), through the first corner. None for fewer than 3 corners,
+// more than 16, or no area.
 template <typename T>
 std::optional<T> intersectPolygon(const RayOf<T>& ray, std::span<const glm::vec<3, T>> corners) {
     std::array<glm::vec<2, T>, 16> flat;
@@ -123,9 +125,9 @@ struct SurfaceAt {
     glm::vec<3, T> point, alongU, alongV;
 };
 
-// Newton's method for r(u, v) = origin + t direction, from a guess: quadratic near a hit, and anywhere else no promise. It
-// ends where a step moves the point by less than 8 units in the last place of the larger coordinates. None where that does not
-// come in 16 steps, the matrix has no inverse, or it ends outside of u, v = 0..1 or at t < 0.
+// Newton's method for r(u, v) = origin + t direction, from a guess: quadratic near a hit, and anywhere else no promise.
+// The iteration ends where a step moves the point by less than 8 units in the last place of the larger coordinates.
+// None where that does not come in 16 steps, the matrix has no inverse, or it ends outside of u, v = 0..1 or at t < 0.
 template <typename T, class Surface>
 std::optional<SurfaceHit<T>> intersectSurface(const RayOf<T>& ray, const Surface& surface, SurfaceHit<T> guess) {
     constexpr T unit = 8 * std::numeric_limits<T>::epsilon();
@@ -148,7 +150,7 @@ std::optional<SurfaceHit<T>> intersectSurface(const RayOf<T>& ray, const Surface
 }
 
 // The nearest of those that Newton's method finds from the triangles of a grid of `cells` x `cells`, 1 to 64, that the ray
-// meets, made larger by a third each. Where the grid is too coarse a part that bulges beyond these triangles is missed.
+// meets, made larger by a third each. A grid that is too coarse misses a part that bulges beyond these triangles.
 template <typename T, class Surface>
 std::optional<SurfaceHit<T>> intersectSurfaceFromGrid(const RayOf<T>& ray, const Surface& surface, int cells) {
     std::optional<SurfaceHit<T>> nearest;

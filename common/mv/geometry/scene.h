@@ -49,7 +49,8 @@ struct Scene {
     bool operator==(const Scene&) const = default;
 };
 
-// Where what casts stands: with the light's place, all that the shadow map or the shadow volumes of a scene are made for.
+// The places of the casters: with the light's place, all that the shadow map or the shadow volumes of a scene are made
+// for.
 std::vector<mat4> casterPlaces(const Scene& scene);
 
 // A scene's perspective from other depths on: from `near` to `far`, which may be infinity, for shadow volumes, which a far

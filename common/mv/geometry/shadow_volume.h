@@ -46,7 +46,7 @@ class ClosedMesh {
 std::vector<bool> facesLight(const ClosedMesh& mesh, const vec4& light);
 
 // The edges at which a triangle that faces the light meets one that does not, from vertex[0] to vertex[1] as the facing
-// one, triangle[0], runs them. They form closed loops. Refuses what facesLight refuses.
+// one, triangle[0], runs them. The edges form closed loops. Refuses what facesLight refuses.
 std::vector<ClosedMesh::Edge> silhouette(const ClosedMesh& mesh, const vec4& light);
 
 // Which edges a volume is drawn out from: those of the silhouette, or all three of each triangle that faces the light.
@@ -79,8 +79,8 @@ struct ShadowVolume {
 ShadowVolume shadowVolume(const ClosedMesh& mesh, const vec4& light, Extrude extrude = Extrude::silhouette);
 
 // How often the volume that the mesh keeps from the light winds round a point: the number of facing triangles between
-// the point and the light. Where an eye is in so many volumes, z-pass starts counting there. A point exactly on the
-// volume's surface may get either answer. Refuses what facesLight refuses.
+// the point and the light. The number of volumes that an eye is in is the one at which z-pass starts counting. A point
+// exactly on the volume's surface may get either answer. Refuses what facesLight refuses.
 int volumesAround(const ClosedMesh& mesh, const vec4& light, const vec3& point);
 
 }  // namespace mv

@@ -95,7 +95,7 @@ void fillConvex(Painted& painted, std::span<const vec2> corners, double depth, c
     }
     if (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
     const std::size_t count = ring.size();
-    // Of differences: far from the origin, products of coordinates would round a thin polygon's area away.
+    // Computed from differences: far from the origin, products of coordinates would round a thin polygon's area away.
     double area = 0;
     for (std::size_t i = 2; i < count; ++i) {
         const vec2 one = ring[i - 1] - ring[0], other = ring[i] - ring[0];

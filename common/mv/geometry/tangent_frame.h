@@ -1,5 +1,5 @@
-// What a surface's texture needs besides its points: a frame along it, a normal between corners, and coordinates that floats
-// still tell apart.
+// The needs of a surface's texture besides its points: a frame along it, a normal between corners, and coordinates that
+// floats still tell apart.
 #pragma once
 #include <array>
 
@@ -14,10 +14,11 @@ struct TangentFrame {
     double sign;  // 1, or -1 where the texture is mirrored: bitangent = sign cross(normal, tangent)
 };
 
-// Of a triangle, counter-clockwise seen from outside. The tangent is the direction in which u grows and v stays; where the
-// texture coordinates lie on a line and have no such direction, that in which u grows fastest along the surface with
-// v's part left out, and where they are all equal any direction: that of the longest edge. Trap: the usual form divides by
-// the area in the texture, which is then 0. Refused: a triangle without area, and what is not finite.
+// The frame of a triangle, counter-clockwise seen from outside. The tangent is the direction in which u grows and v
+// stays; where the texture coordinates lie on a line and have no such direction, that in which u grows fastest along
+// the surface with v's part left out, and where they are all equal any direction: that of the longest edge. Trap: the
+// usual form divides by the area in the texture, which is then 0. Refused: a triangle without area, and what is not
+// finite.
 TangentFrame tangentFrame(const std::array<vec3, 3>& points, const std::array<vec2, 3>& texCoords);
 
 // The corners' normals by these weights, as a unit vector; `face`, the flat normal, where they cancel each other to within

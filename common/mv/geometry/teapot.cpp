@@ -18,7 +18,7 @@ constexpr std::array<Profile, 6> profiles{{
     {{{1.5, 0.15}, {1.5, 0.075}, {1.425, 0}, {0, 0}}},  // bottom
 }};
 
-// Where Newell puts the inner control points of a quarter of a circle; 0.5523 would be nearest to a circle.
+// Newell's place for the inner control points of a quarter of a circle; 0.5523 would be nearest to a circle.
 constexpr double quarter = 0.56;
 
 // A tube in the plane z = 0 whose section is two patches: its inner line, its outer line, and half its width.

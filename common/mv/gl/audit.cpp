@@ -162,7 +162,7 @@ class Recorder {
     }
     void before_ReadPixels(GLint, GLint, GLsizei, GLsizei, GLenum, GLenum, void*) { readBack(); }
 
-    // ---- Draws. What is drawn within a query of the demo's own is a measurement, as of a probe, and no work of the picture.
+    // ---- Draws. Draws within a query of the demo's own are a measurement, as of a probe, and no work of the picture.
     void before_BeginQuery(GLenum, GLuint) { inQuery_ = true; }
     void after_EndQuery(GLenum) { inQuery_ = false; }
     void before_DrawArrays(GLenum, GLint, GLsizei) { beginDraw(); }
@@ -240,7 +240,7 @@ class Recorder {
         known->second = value;
         pending_.insert(key);
     }
-    // What was uploaded is known by its bytes and by the label of where it went, not by the object's number: an object
+    // An upload is known by its bytes and by the label of where it went, not by the object's number: an object
     // that is made anew in each frame and filled with the same is as needless as one that is filled again. Two objects
     // that live beside each other may well hold the same.
     using Content = std::tuple<std::string, long, std::size_t>;  // where to, how many bytes, and their hash
@@ -600,7 +600,7 @@ std::vector<Finding> Recorder::take() {
     unused(arrays_, GL_VERTEX_ARRAY, "mesh");
     unused(programs_, GL_PROGRAM, "program");
     parts_.unread([&](GLenum kind, GLuint object, const std::string& part) {
-        // Of what is never used at all that is said already.
+        // An object that is never used at all has been named already.
         const Objects& objects = kind == GL_TEXTURE ? textures_ : arrays_;
         const auto found = objects.find(object);
         if (found != objects.end() && found->second) find(waste::unreadPart, part + labelOf(kind, object));

@@ -49,14 +49,14 @@ struct FrameWork {
     long stateChanges = 0;   // calls that set state, the needless ones too
 };
 
-// Begins to watch. What is made from now on is expected to be used.
+// Begins to watch. Objects made from now on are expected to be used.
 void startAudit();
 // A frame begins and ends; the framebuffer bound at its beginning is the picture's. `repeats`: it draws once more what
 // the frame before it drew.
 void beginAuditedFrame(bool repeats);
 FrameWork endAuditedFrame();
-// Ends it, and returns what was needless in all frames, each finding once with its number of times. What was used that ES
-// 3.0 lacks is then left for takeBeyondEs().
+// Ends it, and returns what was needless in all frames, each finding once with its number of times. The features used
+// that ES 3.0 lacks are then left for takeBeyondEs().
 std::vector<Finding> stopAudit();
 bool auditing();
 

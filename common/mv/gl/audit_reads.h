@@ -9,7 +9,7 @@
 
 namespace mv {
 
-// What was made of an object besides what every object has: an attribute of a mesh, the smaller levels of a texture.
+// Parts of an object besides those that every object has: an attribute of a mesh, the smaller levels of a texture.
 // Calls are those of the layer below the audit, so that its own questions are none of the demo's.
 class ReadParts {
   public:

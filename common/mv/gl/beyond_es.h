@@ -1,4 +1,5 @@
-// What a demo uses of OpenGL that ES 3.0, and so WebGL 2, lacks: known from its calls and from the formats it draws into.
+// The features of OpenGL that a demo uses and ES 3.0, and so WebGL 2, lacks: known from its calls and from the formats
+// it draws into.
 //
 // Shaders are not looked at here, since all of them compile as GLSL ES 3.00 (a test holds them to it), but for those of
 // programs with a stage that ES lacks.
@@ -40,9 +41,10 @@ std::optional<Newer> newerThan33(const std::string& feature);
 
 // Whether the context has one of these. OpenGL ES has few of them (clip control by GL_EXT_clip_control); OpenGL 3.3 has all but clip
 // control, which came with 4.5 (or with GL_ARB_clip_control), tessellation (4.0), compute shaders (4.3), and anisotropic filtering,
-// which came with 4.6 (or with GL_EXT_texture_filter_anisotropic). A demo asks at the point where its settings need the feature. Where
-// the answer is no, the framework says so beside the picture, in the words of DemoInfo::needs.beyondEs.
-// Error: clip control, tessellation or compute shaders are there, but the demo did not declare them.
+// which came with 4.6 (or with GL_EXT_texture_filter_anisotropic). A lesson asks in its `fallback` where its settings
+// need the feature. If the answer is no, the framework says so beside the picture, in the words of
+// DemoInfo::needs.beyondEs. Error: clip control, tessellation or compute shaders are there, but the demo did not
+// declare them.
 bool has(const char* feature);
 // The features that has() answered with no since the last call.
 std::set<std::string> takeMissing();

@@ -15,11 +15,11 @@ namespace mv {
 class CubeMap {
   public:
     CubeMap() = default;
-    // To be drawn into: size x size pixels a face, 8 bits a channel, and one depth buffer for whichever face is drawn. Error: a
-    // size that the driver cannot make.
+    // A cube map to be drawn into: size x size pixels a face, 8 bits a channel, and one depth buffer for whichever face
+    // is drawn. Error: a size that the driver cannot make.
     explicit CubeMap(int size, const std::string& label = "cube map");
-    // Of six squares of one size, of four floats a texel, in the order and orientation of mv/geometry/cube_faces.h: the row
-    // of t = 0 first. Kept in 8 bits a channel. Error: other sizes or channels.
+    // A cube map of six squares of one size, of four floats a texel, in the order and orientation of
+    // mv/geometry/cube_faces.h: the row of t = 0 first. Kept in 8 bits a channel. Error: other sizes or channels.
     explicit CubeMap(const std::array<FloatPicture, cubeFaces>& faces, const std::string& label = "cube map");
 
     int size() const { return size_; }

@@ -44,6 +44,11 @@ void DepthMap::bindForDrawing() const {
     glViewport(0, 0, size_, size_);
 }
 
+void DepthMap::begin(int size, const std::string& label) {
+    if (size != size_) *this = DepthMap(size, label);
+    bindForDrawing();
+}
+
 void DepthMap::bind(int unit, DepthLookup lookup) const {
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
     glBindTexture(GL_TEXTURE_2D, texture_.id());

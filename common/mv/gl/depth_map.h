@@ -25,6 +25,8 @@ class DepthMap {
     int size() const { return size_; }
     // Draws go here from now on, the viewport covering all of it; frame.bindTarget() ends that.
     void bindForDrawing() const;
+    // Binds it for drawing, and makes it anew before where it has another size. Error: as the constructor.
+    void begin(int size, const std::string& label = "depth map");
     // Binds it to a texture unit for reading; the shader's sampler is set to the same number.
     void bind(int unit, DepthLookup lookup) const;
 

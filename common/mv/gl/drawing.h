@@ -19,8 +19,8 @@ struct Stroke {
     double width = 1.5;  // px; edges are smooth (mv/geometry/strokes.h)
 };
 
-// A member of a lesson's Gpu. Shapes are collected, and drawn together by one call of draw(), words on top of them. What has
-// not changed since the last draw() is not uploaded again.
+// A member of a lesson's Gpu. Shapes are collected, and drawn together by one call of draw(), words on top of them. The
+// class uploads nothing again that has not changed since the last draw().
 //     drawing.begin(frame);                              // first: what was collected before is forgotten
 //     drawing.in(pane);                                  // only where a picture has panes; before the shapes of the pane
 //     drawing.arrow({20, 20}, {60, 20}, {.color = red});
@@ -29,8 +29,8 @@ class Drawing {
   public:
     // Nothing is collected yet; the pane is the whole picture.
     void begin(const Frame& frame);
-    // What follows is in this pane, x and y in pixels from its lower left corner; what is beyond its edges is cut off,
-    // but for words.
+    // The shapes that follow are in this pane, x and y in pixels from its lower left corner; what is beyond its edges
+    // is cut off, but for words.
     void in(const Pane& pane);
 
     void line(std::span<const vec2> points, const Stroke& stroke = {});
@@ -44,15 +44,15 @@ class Drawing {
     void point(const mat4& clipFromModel, const vec3& at, double size, const vec4& color);
     // Words whose box has its upper left corner there, smaller, down to 6 px, where they would end beyond the pane's right
     // edge. Or words at a point in space, moved so far in pixels from where it is drawn, or whose middle is there: these
-    // keep their size. Of all words draw() leaves out what the picture's edge would cut off, and what would lie over words
-    // of an earlier call: a small picture has its shapes, and the words that fit.
+    // keep their size. draw() leaves out words that the picture's edge would cut off, and those that would lie over
+    // words of an earlier call: a small picture has its shapes, and the words that fit.
     void text(const vec2& upperLeft, const std::string& words, const TextStyle& style = {});
     void text(const mat4& clipFromModel, const vec3& at, const vec2& moved, const std::string& words,
               const TextStyle& style = {});
     void textAround(const vec2& middle, const std::string& words, const TextStyle& style = {});
 
     // A straight line in space, through the pane's projection: cut at near and far, and hidden by what was drawn before
-    // it and is nearer. It writes no depth.
+    // it and is nearer. The draw writes no depth.
     void edge(const mat4& clipFromModel, const vec3& from, const vec3& to, const Stroke& stroke = {});
 
     // The frame of a plot, with a tick for each round number that has room, its number, and the names of its axes:

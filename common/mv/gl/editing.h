@@ -13,8 +13,8 @@ std::vector<std::string> takeUnusedUniforms();
 // The files that the programs which exist now were read from.
 std::vector<std::filesystem::path> filesOfPrograms();
 
-// What the compiler says of a shader file by itself, whether a program uses it or not; "" where it compiles, and of a stage that
-// this context lacks. `file` is a name as "lights/lights.frag". Error: there is no such file.
+// The compiler's message about a shader file by itself, whether a program uses it or not; "" where it compiles, and of
+// a stage that this context lacks. `file` is a name as "lights/lights.frag". Error: there is no such file.
 std::string mistakesOf(const std::string& file);
 
 }  // namespace mv

@@ -1,4 +1,4 @@
-// Where vertices went: gl_Position of each, read back by transform feedback.
+// The way of vertices: gl_Position of each, read back by transform feedback.
 #pragma once
 #include <functional>
 #include <vector>
@@ -13,10 +13,10 @@ namespace mv {
 // Equals glBeginTransformFeedback .. glEndTransformFeedback and mapping the buffer. Error: the driver maps no buffer.
 std::vector<fvec4> transformedPositions(const Mesh& mesh);
 
-// What a query counts of these draws: GL_SAMPLES_PASSED, GL_PRIMITIVES_GENERATED. ES 3.0 counts neither.
+// The count by a query of these draws: GL_SAMPLES_PASSED, GL_PRIMITIVES_GENERATED. ES 3.0 counts neither.
 long countedBy(GLenum query, const std::function<void()>& draw);
 
-// What a draw sends to the rasterizer, whichever stages it goes through, counted three times over.
+// The primitives that a draw sends to the rasterizer, whichever stages it goes through, counted three times over.
 struct Captured {
     long generated = 0;            // primitives, by a query of their number, GL_PRIMITIVES_GENERATED
     long written = 0;              // primitives, by a query of those that transform feedback wrote

@@ -78,6 +78,19 @@ void depthRangeInEs(GLdouble near, GLdouble far) {
     esDepthRange(static_cast<GLfloat>(near), static_cast<GLfloat>(far));
 }
 
+// ES has no such switches: what they turn on in OpenGL is always on there.
+PFNGLENABLEPROC esEnable = nullptr;
+PFNGLDISABLEPROC esDisable = nullptr;
+bool isAlwaysOnInEs(GLenum capability) {
+    return capability == GL_PROGRAM_POINT_SIZE || capability == GL_TEXTURE_CUBE_MAP_SEAMLESS;
+}
+void enableInEs(GLenum capability) {
+    if (!isAlwaysOnInEs(capability)) esEnable(capability);
+}
+void disableInEs(GLenum capability) {
+    if (!isAlwaysOnInEs(capability)) esDisable(capability);
+}
+
 // ---- Counting
 
 void countPrimitives(GLenum mode, GLsizei count) {
@@ -98,7 +111,8 @@ void countedDrawElements(GLenum mode, GLsizei count, GLenum type, const void* in
     driver.DrawElements(mode, count, type, indices);
 }
 
-// What is deleted loses its label, too: drivers give a name only once, and labels of frames long gone would fill the memory.
+// A deleted object loses its label, too: drivers give a name only once, and labels of frames long gone would fill the
+// memory.
 void countDeleted(GLenum kind, GLuint name) {
     if (name == 0) return;  // GL ignores it
     --live;
@@ -190,7 +204,7 @@ void fillIn(Newer what) {
     }
 }
 
-// What may be called now, then what counts, what keeps the state, and what listens.
+// The calls allowed now, then the layers that count, keep the state, and listen.
 void fillTable() {
 #define X(name, TYPE, version)                                                    \
     gl##name = version > allowed ? &Refusal<facts##name, PFNGL##TYPE##PROC>::call \
@@ -266,6 +280,8 @@ void loadFunctions(const std::function<void*(const char*)>& address) {
         esDepthRange = lookUp<PFNGLDEPTHRANGEFPROC>(address, "glDepthRangef");
         driver.ClearDepth = clearDepthInEs;
         driver.DepthRange = depthRangeInEs;
+        esEnable = std::exchange(driver.Enable, enableInEs);
+        esDisable = std::exchange(driver.Disable, disableInEs);
         driver.ClipControl = lookUp<PFNGLCLIPCONTROLPROC>(address, "glClipControlEXT");
         allowVersion(33);
     }

@@ -27,8 +27,8 @@ int contextVersion();
 void allowVersion(int version);
 int allowedVersion();
 
-// What is newer than 3.3, and may be there all the same: glClipControl (OpenGL 4.5, or GL_ARB_clip_control), the stages of
-// tessellation (4.0) and of compute shaders (4.3). OpenGL ES 3.0 has none of them.
+// Features newer than 3.3 that may be there all the same: glClipControl (OpenGL 4.5, or GL_ARB_clip_control), the
+// stages of tessellation (4.0) and of compute shaders (4.3). OpenGL ES 3.0 has none of them.
 enum class Newer { clipControl, tessellation, compute };
 int versionOf(Newer what);  // that brought it, 10 * major + minor
 bool contextHas(Newer what);
@@ -45,7 +45,7 @@ bool isEs();
 // Whether the current context has the extension ("GL_EXT_color_buffer_float").
 bool hasExtension(const char* name);
 
-// What was called since the last resetCounters().
+// The calls since the last resetCounters().
 struct Counters {
     long draws = 0;
     long triangles = 0;  // submitted
@@ -63,20 +63,21 @@ long liveObjects();
 
 // Names a GL object for debuggers and debug messages, where the context has KHR_debug.
 void labelObject(GLenum kind, GLuint id, const std::string& label);
-// That name in quotes, or "unnamed" and the number. It ends with the object.
+// That name in quotes, or "unnamed" and the number. The name ends with the object.
 std::string labelOf(GLenum kind, GLuint id);
 // Names that are kept: never more than there are objects.
 std::size_t labelledObjects();
 
 // ---- What the driver says, and what is wrong
 
-// Whether the driver is asked to speak, by KHR_debug where the context has it; initially not. It costs time in each call, and so is
-// asked for where somebody reads what it says: tests, --audit, --report, --until.
+// Whether the driver is asked to speak, by KHR_debug where the context has it; initially not. Listening costs time in
+// each call, and so is asked for where somebody reads the messages: tests, --audit, --report, --until.
 void listenToDriver(bool on);
 bool listeningToDriver();
 
-// What it said, "performance: ...", each sentence once and with its number of times, oldest first. Only what is no fault: a hint at
-// time, at other drivers, at what is to be removed. Drivers explain themselves so, at any severity but notification's.
+// Its remarks, "performance: ...", each sentence once and with its number of times, oldest first. Only what is no
+// fault: a hint at time, at other drivers, at what is to be removed. Drivers explain themselves so, at any severity but
+// notification's.
 struct DriverRemark {
     std::string text;
     int times = 1;
@@ -86,8 +87,8 @@ struct DriverRemark {
 const std::vector<DriverRemark>& driverRemarks();
 void forgetRemarks();
 
-// What is wrong, since the last call: messages of KHR_debug whose type is error or undefined behavior, whatever their severity,
-// glGetError's codes by name, and what was reported.
+// The faults since the last call: messages of KHR_debug whose type is error or undefined behavior, whatever their
+// severity, glGetError's codes by name, and what was reported.
 std::vector<std::string> takeErrors();
 // For who finds a fault by other means; told once until it is taken.
 void reportFault(const std::string& sentence);

@@ -1,4 +1,4 @@
-// What not every picture needs, made when it is first asked for.
+// An object that not every picture needs, made when it is first asked for.
 #pragma once
 #include <functional>
 #include <optional>

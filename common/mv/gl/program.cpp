@@ -106,7 +106,8 @@ std::map<std::string, Uniform, std::less<>> activeUniforms(GLuint program) {
         GLint size = 0;
         GLenum type = 0;
         glGetActiveUniform(program, static_cast<GLuint>(i), sizeof name, nullptr, &size, &type, name);
-        // OpenGL tells an array by the name of its first element. It is known by that of the array, and by those of its elements.
+        // OpenGL tells an array by the name of its first element. The array is known by its own name, and by those of
+        // its elements.
         const std::string first(name);
         const bool isArray = first.ends_with("[0]");
         const std::string whole = isArray ? first.substr(0, first.size() - 3) : first;

@@ -18,7 +18,7 @@ class Program {
   public:
     Program();
     // Compiles shaders/<stem>[.<variant>].vert and .frag (and .geom, .tesc, .tese where they exist) and links them; or .comp
-    // alone, where there is such a file. Where the demo has a folder of shaders, its files are shaders/<stem>/<variant>.vert
+    // alone, where there is such a file. The files of a demo with a folder of shaders are shaders/<stem>/<variant>.vert
     // ..., without a variant shaders/<stem>/<stem>.vert ... With stages of tessellation all of it is GLSL 4.00, a compute shader is 4.30.
     // Error: "shaders/<stem>.frag:7: message" for each mistake; a stage that the context lacks, or that the demo did not
     // declare: has() in mv/gl/beyond_es.h is to be asked before.
@@ -37,10 +37,9 @@ class Program {
     // Makes it the current program; set() and draws refer to that. Tells it whether to measure, see setMeasuring().
     void use() const;
 
-    // Sets a uniform of the current program. Matrices and vectors are rounded to float here, once. Of an array one element:
-    // "place[3]".
-    // Error: no active uniform of that name, another type, another number of elements, a number that is not finite, or
-    // the program is not in use.
+    // Sets a uniform of the current program. Matrices and vectors are rounded to float here, once. The name may be that
+    // of one element of an array: "place[3]". Error: no active uniform of that name, another type, another number of
+    // elements, a number that is not finite, or the program is not in use.
     void set(const char* name, double value) const;
     void set(const char* name, int value) const;  // also bool and samplers (the texture unit)
     void set(const char* name, bool value) const { set(name, value ? 1 : 0); }
@@ -52,8 +51,8 @@ class Program {
     void set(const char* name, const mat4& value) const;
 
     GLuint id() const;
-    // What the last stage before the rasterizer gives it of a draw with this mode, as transform feedback takes it: GL_POINTS,
-    // GL_LINES or GL_TRIANGLES; strips, fans and patches are those they stand for.
+    // The primitive that the last stage before the rasterizer gives it, of a draw with this mode, as transform feedback
+    // takes it: GL_POINTS, GL_LINES or GL_TRIANGLES; strips, fans and patches are those they stand for.
     GLenum primitiveOut(GLenum mode) const;
 
   private:
@@ -68,7 +67,7 @@ class Program {
 // draw a quantity instead of a picture. Returns what held before. For the framework, which asks a demo for its quantity.
 bool setMeasuring(bool measuring);
 
-// What became of the programs whose files were edited.
+// The results for the programs whose files were edited.
 struct Reloaded {
     int programs = 0;                 // compiled anew
     std::vector<std::string> errors;  // one for each that failed; its last good version stays in use

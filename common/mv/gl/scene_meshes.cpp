@@ -34,4 +34,12 @@ std::vector<std::pair<const SceneObject&, const Mesh&>> SceneMeshes::of(const Sc
     return pairs;
 }
 
+std::vector<std::pair<const SceneObject&, const Mesh&>> SceneMeshes::castersOf(const Scene& scene) const {
+    std::vector<std::pair<const SceneObject&, const Mesh&>> casters;
+    for (const auto& [object, mesh] : of(scene)) {
+        if (object.casts) casters.emplace_back(object, mesh);
+    }
+    return casters;
+}
+
 }  // namespace mv

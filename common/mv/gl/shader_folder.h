@@ -1,4 +1,5 @@
-// Where a built program finds the shader files that are being edited; an installed one has those that were built in.
+// The folder in which a built program finds the shader files that are being edited; an installed one has those that
+// were built in.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -13,8 +14,8 @@ std::filesystem::path libraryFolder();
 // is none: the build writes it, and nothing installs it, so that no program has a path of the machine that built it.
 std::filesystem::path shaderFolder(const std::string& group);
 
-// addShaderFile for a file of that group. Returns true. What the build makes of the shader files calls this; it declares it by itself
-// (cmake/EmbedShaders.cmake).
+// addShaderFile for a file of that group. Returns true. The source that the build makes of the shader files calls this,
+// and declares it by itself (cmake/EmbedShaders.cmake).
 bool addBuiltShader(const char* group, const char* name, const char* text);
 
 }  // namespace mv

@@ -27,8 +27,8 @@ std::map<std::string, ShaderFile>& shaderFiles() {
     return files;
 }
 
-// What GLSL calls the version, and what ES wants said once: the precision of numbers, and of what is looked up. A sampler2D
-// is of low precision there where nobody says otherwise, most others of none at all, which is a mistake.
+// The version in GLSL's words, and what ES wants said once: the precision of numbers, and of what is looked up. A
+// sampler2D is of low precision there where nobody says otherwise, most others of none at all, which is a mistake.
 std::string versionLines(int least) {
     if (!isEs()) return "#version " + std::to_string(std::max(least, allowedVersion())) + "0 core\n";
     std::string lines = "#version 300 es\n";
@@ -66,10 +66,10 @@ std::string takeLine(std::string_view& rest) {
     return line;
 }
 
-// What the compiler's preprocessor makes of the lines so far, as far as it can be told without its macros.
+// The compiler's preprocessor after the lines so far, as far as it can be told without its macros.
 class Reading {
   public:
-    // What a line is, after what comes before it.
+    // The kind of a line, after the lines before it.
     struct Line {
         std::string directive;  // "#include", without what blanks there are after #; "" for a line of code
         std::string rest;       // what comes after it, without comments
@@ -180,7 +180,7 @@ struct LogLine {
 };
 
 // In `form` # is a number, taken in the order file and line, * one that is passed over, a space any spaces or none, and all else
-// itself. What comes after is the message.
+// itself. The rest of the line is the message.
 std::optional<LogLine> logLineOf(std::string_view text, std::string_view form) {
     std::array<unsigned, 2> numbers{};
     std::size_t taken = 0;
@@ -209,7 +209,7 @@ std::optional<LogLine> parseLogLine(std::string_view text) {
     return {};
 }
 
-// Where a line of the text is from; one past the end, at which a compiler misses what should come, is the last.
+// The origin of a line of the text; one past the end, at which a compiler misses what should come, is the last.
 std::optional<ShaderSource::Place> placeOf(std::size_t line, const ShaderSource& source) {
     if (line < 1 || source.lines.empty()) return {};
     const ShaderSource::Place place = source.lines[std::min(line, source.lines.size()) - 1];
@@ -268,7 +268,7 @@ class Assembly {
             append("shaders/" + name, found->second, depth + 1);
             return;
         }
-        // Where the compiler may skip the line, it tells the mistake if it does not.
+        // The compiler tells the mistake if it does not skip the line.
         const std::string rule =
             found != shaderFiles().end() ? "must not include itself" : "includes a file that is not in shaders/include";
         const std::string& shownName = source_.files[place.file];

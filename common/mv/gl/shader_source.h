@@ -26,8 +26,8 @@ struct ShaderSource {
     };
     std::string text;
     std::vector<std::string> files;  // shown names, the first that of the shader itself
-    // Where each line of `text` is from. Drivers count these lines through: #line, which would tell them the file, too, is
-    // forgotten by Mesa in what it says of more than one token.
+    // The origin of each line of `text`. Drivers count these lines through: #line, which would tell them the file, too,
+    // is forgotten by Mesa in what it says of more than one token.
     std::vector<Place> lines;
     // Files on disk that it was read from, and when each had been written: no time where there was none, and what is built
     // in stood for it.

@@ -57,7 +57,7 @@ struct Values {
     std::array<StencilTest, 2> stencilTest{StencilTest(GL_ALWAYS, 0, ~0U), StencilTest(GL_ALWAYS, 0, ~0U)};
     std::array<StencilChange, 2> stencilChange{StencilChange(GL_KEEP, GL_KEEP, GL_KEEP),
                                                StencilChange(GL_KEEP, GL_KEEP, GL_KEEP)};
-    // What differs from the initial value, and nothing else: so that equal states are equal maps.
+    // The values that differ from the initial one, and nothing else: so that equal states are equal maps.
     std::map<GLenum, bool> switches;
     std::map<GLenum, GLint> pixelStore;                    // initially 4, the alignments
     std::map<GLenum, GLuint> buffers;                      // by target; initially 0
@@ -134,7 +134,7 @@ Keeper keeper;
 
 // ---- Putting back
 
-// What is to be set to come from one state to another, gathered before any is: setting changes the map that is asked.
+// The calls that lead from one state to another, gathered before any is: setting changes the map that is asked.
 template <class Map, class Initial>
 Map differences(const Map& from, const Map& to, Initial initial) {
     Map changes = to;
@@ -253,7 +253,7 @@ std::string callText(const std::string& name, const std::tuple<Values...>& value
     return "gl" + name + "(" + text + ")";
 }
 
-// Of one call, for each face where the two differ, else for both.
+// The words of one call, for each face where the two differ, else for both.
 template <class Tuple, class Write>
 void addFaces(std::vector<std::string>& calls, const std::string& name, const std::array<Tuple, 2>& faces,
               const Tuple& initial, const Write& write) {

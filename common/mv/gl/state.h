@@ -23,7 +23,7 @@ void switchOff(unsigned capability);
 enum class Overlay { onTop, hiddenByWhatIsNearer };
 void setOverlayState(Overlay overlay = Overlay::onTop);
 
-// What differs from it now, as calls: "glEnable(GL_DEPTH_TEST)", "glDepthFunc".
+// The differences from it now, as calls: "glEnable(GL_DEPTH_TEST)", "glDepthFunc".
 std::vector<std::string> changedState();
 
 // The same with what it is set to, a draw at a time: "glDepthFunc(GL_LEQUAL)", "glBindTexture(GL_TEXTURE_2D, 'checks') on
@@ -31,7 +31,7 @@ std::vector<std::string> changedState();
 // it is, or tell the next call of that kind where it goes, and change no pixel of a draw.
 std::vector<std::string> stateOfDraw();
 
-// What is set within a scope is undone at its end: for a helper that draws in the midst of somebody else's picture.
+// A scope undoes at its end what was set within it: for a helper that draws in the midst of somebody else's picture.
 class StateScope {
   public:
     StateScope();

@@ -141,7 +141,7 @@ class StepWatch::Listener {
         return step;
     }
 
-    // Of the framebuffer that is bound for drawing.
+    // Asks about the framebuffer that is bound for drawing.
     static GLint attachment(GLenum which, GLenum what) {
         GLint value = GL_NONE;
         below().GetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, which, what, &value);
@@ -177,7 +177,7 @@ class StepWatch::Listener {
         return {static_cast<GLenum>(storageOf(name, GL_RENDERBUFFER_INTERNAL_FORMAT)), name, 0};
     }
 
-    // From now on the frame changes no buffer. What they hold is read at once: the demo may give them up.
+    // From now on the frame changes no buffer. The buffers are read at once: the demo may give them up.
     void stop(GLuint target) {
         stopped_ = true;
         const GLuint drawing = bound(GL_DRAW_FRAMEBUFFER_BINDING), reading = bound(GL_READ_FRAMEBUFFER_BINDING);

@@ -25,8 +25,8 @@ struct DrawStep {
     std::string target;         // the label of its framebuffer
     int width = 0, height = 0;  // of that
     bool inPicture = true;      // it is the frame's picture, not a target of the demo's own
-    // What of OpenGL's state differs from the initial one, see stateOfDraw(); the viewport where it is not the whole target,
-    // and the scissor's box where it cuts.
+    // The part of OpenGL's state that differs from the initial one, see stateOfDraw(); the viewport where it is not the
+    // whole target, and the scissor's box where it cuts.
     std::vector<std::string> state;
     bool operator==(const DrawStep&) const = default;
 };
@@ -55,7 +55,8 @@ class StepWatch {
     StepWatch(const StepWatch&) = delete;
     StepWatch& operator=(const StepWatch&) = delete;
 
-    // The frame begins; the framebuffer that is bound is the picture's. It is stopped after so many draws, or not at all.
+    // The frame begins; the framebuffer that is bound is the picture's. The frame is stopped after so many draws, or
+    // not at all.
     void begin(std::optional<int> stopAfter);
     void end();
 

@@ -139,6 +139,10 @@ bool Target::fit(int width, int height, const Buffers& buffers, const std::strin
     return true;
 }
 
+void Target::begin(int width, int height, const Buffers& buffers, const std::string& label) {
+    if (!fit(width, height, buffers, label)) bind();
+}
+
 void Target::bind() const {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
     glViewport(0, 0, width_, height_);

@@ -44,6 +44,8 @@ class Target {
 
     // Draws go here from now on, the viewport covering all of it.
     void bind() const;
+    // Fits it and binds it, whether it was made anew or not.
+    void begin(int width, int height, const Buffers& buffers, const std::string& label = "target");
     // Binds the colours to a texture unit, for a target made with Buffers::texture; a shader reads them with texelFetch or
     // texture() (nearest texel, edges clamped). Error: made without. Trap: not while draws go into this same target.
     void bindColor(int unit) const;

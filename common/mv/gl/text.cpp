@@ -48,7 +48,7 @@ struct Words {
     std::vector<glm::ivec2> places, sizes;
 };
 
-// What one call has drawn, for as long as calls ask for the same.
+// The lines that one call has drawn, for as long as calls ask for the same.
 struct Drawn {
     std::vector<TextLine> lines;
     glm::ivec2 picture;  // its size
@@ -149,7 +149,7 @@ Mesh rectanglesOf(const FrameInfo& frame, std::span<const TextLine> lines, const
     return Mesh(rectangles, "words");
 }
 
-// What draws these lines: kept from an earlier call, or made.
+// The objects that draw these lines: kept from an earlier call, or made.
 const Drawn& drawnOf(const FrameInfo& frame, std::span<const TextLine> lines) {
     std::vector<Drawn>& all = kept()->drawn;
     const glm::ivec2 picture(frame.width(), frame.height());
@@ -193,12 +193,6 @@ void drawText(const FrameInfo& frame, std::span<const TextLine> lines) {
 }
 
 int textWidth(std::string_view text, const TextStyle& style) { return widthOf(text, style.height); }
-
-std::string rounded(const char* format, double value) {
-    std::array<char, 64> text{};
-    std::snprintf(text.data(), text.size(), format, value);
-    return text.data();
-}
 
 int textHeight(const TextStyle& style) { return style.height + 2 * wordPadding; }
 

@@ -28,12 +28,10 @@ struct TextLine {
     bool operator==(const TextLine&) const = default;
 };
 
-// The same for several lines, in their order; state is set once for all of them. What the last sixteen different calls
-// have drawn is kept: the same lines again are drawn without an upload, the same words elsewhere with that of their places.
+// The same for several lines, in their order; state is set once for all of them. The lines of the last sixteen
+// different calls are kept: the same lines again are drawn without an upload, the same words elsewhere with that of
+// their places.
 void drawText(const FrameInfo& frame, std::span<const TextLine> lines);
-
-// A number as words: printf's format for one double, "%.3f px".
-std::string rounded(const char* format, double value);
 
 // The width in pixels that drawText needs for the text, its box included.
 int textWidth(std::string_view text, const TextStyle& style = {});

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "mv/formatted.h"
+
 namespace mv {
 
 void TextColumn::left(int from, const std::string& text, const vec4& color) {
@@ -13,9 +15,9 @@ void TextColumn::right(int to, const std::string& text, const vec4& color) {
 }
 
 std::string tableNumber(double value) {
-    if (std::abs(value) >= 1000) return rounded("%.9g", value);
-    if (value == std::round(value)) return rounded("%.0f", value + 0.0);  // and -0 is 0
-    return rounded("%.3f", value);
+    if (std::abs(value) >= 1000) return formatted("%.9g", value);
+    if (value == std::round(value)) return formatted("%.0f", value + 0.0);  // and -0 is 0
+    return formatted("%.3f", value);
 }
 
 }  // namespace mv

@@ -15,7 +15,7 @@ class TextColumn {
     // Words that begin there, or end there.
     void left(int from, const std::string& text, const vec4& color = vec4(0.1, 0.1, 0.1, 1));
     void right(int to, const std::string& text, const vec4& color = vec4(0.1, 0.1, 0.1, 1));
-    // To the next line, or further down.
+    // Moves to the next line, or further down.
     void next(int pixels = 0) { y_ += pixels > 0 ? pixels : height_ + 3; }
 
     std::vector<TextLine> lines;  // for drawText

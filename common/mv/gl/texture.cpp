@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mv/error.h"
+#include "mv/gl/beyond_es.h"
 
 namespace mv {
 namespace {
@@ -45,6 +46,8 @@ void upload(GLint level, const FloatPicture& picture, Texels texels) {
 }
 
 }  // namespace
+
+Texels filteredFloats() { return has(beyond_es::floatFiltering) ? Texels::floats : Texels::halfFloats; }
 
 int largestAnisotropy() {
     if (!hasExtension("GL_EXT_texture_filter_anisotropic") && !hasExtension("GL_ARB_texture_filter_anisotropic"))

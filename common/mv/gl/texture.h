@@ -16,9 +16,13 @@ struct TextureFilter {
     int anisotropy = 1;  // looks along the longer axis of a pixel, up to largestAnisotropy()
 };
 
-// What a texel is kept as. Of `srgb` the shader reads linear light. ES 3.0 filters `floats` only with
-// OES_texture_float_linear: has(beyond_es::floatFiltering).
+// The format of a texel. The shader reads linear light from `srgb`. ES 3.0 filters `floats` only with
+// OES_texture_float_linear: filteredFloats() asks for it.
 enum class Texels { bytes, srgb, halfFloats, floats };
+
+// Floats that the driver filters: `floats`, or `halfFloats` where it has no beyond_es::floatFiltering, as has() then
+// notes.
+Texels filteredFloats();
 
 struct TextureOptions {
     Texels texels = Texels::bytes;
@@ -36,10 +40,10 @@ class Texture {
     // RGBA8, edges clamped; `filter` is GL_NEAREST or GL_LINEAR, for both enlarging and reducing. Texture coordinate
     // (0, 0) is the lower left corner, as GL has it: the picture's rows are turned over here.
     explicit Texture(const Picture& picture, GLenum filter = GL_LINEAR, const std::string& label = "texture");
-    // Of four floats a texel, 0..1 for bytes, the lower row FIRST here, as GL has it: they are uploaded as they are, also
-    // for Texels::srgb, which is given what is kept. One level, or more of them (mipmaps() in mv/image/mipmap.h), each half
-    // of the one before. It is bound, and how it is looked up is still to be said: filterBy(). Error: other channels or
-    // sizes; more than one level and driverMipmaps.
+    // A texture of four floats a texel, 0..1 for bytes, the lower row FIRST here, as GL has it: they are uploaded as
+    // they are, also for Texels::srgb, which is given what is kept. One level, or more of them (mipmaps() in
+    // mv/image/mipmap.h), each half of the one before. The texture is bound, and filterBy() is still to say how it is
+    // looked up. Error: other channels or sizes; more than one level and driverMipmaps.
     Texture(std::span<const FloatPicture> levels, const TextureOptions& options);
 
     // Binds it to that unit and sets how it is looked up. Error: an anisotropy that is not in 1..largestAnisotropy().

@@ -1,4 +1,4 @@
-// Where the triangles of a draw went.
+// The fate of a draw's triangles.
 #pragma once
 #include <vector>
 
@@ -13,7 +13,7 @@ struct TriangleCount {
     long surviving = 0;  // go on to the rasterizer
 };
 
-// Where these clip-space triangles go, three corners each, by the current GL_CULL_FACE, glCullFace and glFrontFace.
+// The fate of these clip-space triangles, three corners each, by the current GL_CULL_FACE, glCullFace and glFrontFace.
 TriangleCount sortTriangles(const std::vector<fvec4>& corners);
 
 // Draws the mesh once more with the current program and uniforms, with the rasterizer switched off, reads back where

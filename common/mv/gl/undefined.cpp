@@ -133,7 +133,7 @@ Levels levelsRead(GLenum target) {
     return {base, std::min(last, textureParameter(target, GL_TEXTURE_MAX_LEVEL))};
 }
 
-// What is wrong with the texture that is bound to a target, for a sampler of this kind; nothing where all is right.
+// The fault of the texture that is bound to a target, for a sampler of this kind; nothing where all is right.
 std::optional<std::string> textureFault(GLenum target, Reads reads) {
     const std::vector<GLenum> faces = facesOf(target);
     const Levels levels = levelsRead(target);

@@ -1,8 +1,9 @@
 // Asks before each draw for what OpenGL leaves undefined, and some drivers draw as if nothing were wrong.
 //
-// A listener over the function table, for tests and for --audit: it costs some dozens of questions a draw. It keeps nothing of
-// OpenGL's state, which it asks the driver for; what no question tells it notes: what was written into buffers that began without
-// contents, and which queries are open. (A uniform that was not set is no fault: OpenGL says that it is 0.)
+// A listener over the function table, for tests and for --audit: it costs some dozens of questions a draw. The watch
+// keeps nothing of OpenGL's state, which it asks the driver for; what no question tells it notes: what was written into
+// buffers that began without contents, and which queries are open. (A uniform that was not set is no fault: OpenGL says
+// that it is 0.)
 #pragma once
 
 namespace mv {

@@ -1,7 +1,8 @@
 // Which core version of OpenGL is asked for: the newest first, by every host alike.
 //
 // A driver may give exactly what it is asked for (NVIDIA) or the newest it has (Mesa). So 3.3 is not asked for where more is to
-// be had: a stage of 4.0 would be missing on a driver that has it. What a demo may call is its declaration's (`needs`).
+// be had: a stage of 4.0 would be missing on a driver that has it. The demo's declaration (`needs`) says what it may
+// call.
 #pragma once
 #include <string>
 #include <vector>

@@ -54,7 +54,7 @@ struct Placed {
     double x;  // of the pen, pixels
 };
 
-// Where each glyph stands on a line, and how wide the line is.
+// The place of each glyph on a line, and the width of the line.
 std::vector<Placed> layOut(std::string_view text, double pixelsPerUnit, double& width) {
     std::vector<Placed> line;
     width = 0;

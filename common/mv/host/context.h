@@ -17,7 +17,7 @@ class Context {
 
 // eglDevice leaves the surfaceless platform out: the software device of EGL, else a GPU.
 enum class HostKind { automatic, osmesa, egl, eglDevice };
-// By its name: osmesa, egl or egl-device; nothing for another one.
+// The host of that name: osmesa, egl or egl-device; nothing for another one.
 std::optional<HostKind> hostNamed(std::string_view name);
 
 struct ContextRequest {
@@ -26,9 +26,8 @@ struct ContextRequest {
 };
 
 // Makes a context without a display and makes it current: OSMesa, and where that is missing EGL; or the host asked for,
-// and no other. `notes` receives a line for each host that was passed over, with the reason. Where the environment steers
-// drivers each is tried in a child process first.
-// Error: no host is left; the message has the reason of each.
+// and no other. `notes` receives a line for each host that was passed over, with the reason. Each driver is tried in a
+// child process first if the environment steers drivers. Error: no host is left; the message has the reason of each.
 std::unique_ptr<Context> openHeadless(HostKind kind, ContextRequest request, std::vector<std::string>& notes);
 
 // The hosts themselves; each throws Error with its reason.

@@ -9,7 +9,7 @@
 
 namespace mv {
 
-// What the system does not give: memory or threads. Nothing that could be installed helps.
+// The resource that the system does not give: memory or threads. Nothing that could be installed helps.
 class ScarceError final : public Error {
   public:
     using Error::Error;

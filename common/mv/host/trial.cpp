@@ -100,7 +100,7 @@ void requireThreads(const std::string& host) {
     }
 }
 
-// Opens it. What fails for want of memory is told as that: a driver that cannot be loaded says that it is missing.
+// Opens it. A failure for want of memory is told as that: a driver that cannot be loaded says that it is missing.
 std::unique_ptr<Context> openWithin(const std::string& host, const std::function<std::unique_ptr<Context>()>& open) {
     const std::string limit = memoryLimit();
     if (limit.empty()) return open();
@@ -117,7 +117,7 @@ std::unique_ptr<Context> openWithin(const std::string& host, const std::function
 
 constexpr std::array faults{SIGSEGV, SIGABRT, SIGBUS, SIGILL, SIGFPE};
 
-// What is said then after the signal's name, made before: a handler may not allocate.
+// The words after the signal's name, made before: a handler may not allocate.
 std::array<char, 2048> afterFault{};
 
 void say(const char* text) {

@@ -4,7 +4,7 @@
 
 namespace mv {
 
-// What compare found. A value is one channel of one pixel; alpha is a channel like the others.
+// The result of compare. A value is one channel of one pixel; alpha is a channel like the others.
 // maximum, mean and rmse are in the unit of the values: levels 0..255 for a Picture.
 struct Difference {
     double maximum = 0;   // largest |a - b| of any value

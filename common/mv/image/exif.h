@@ -1,4 +1,4 @@
-// What a camera notes of how it was held, and the picture turned by it.
+// A camera's note of how it was held, and the picture turned by it.
 #pragma once
 #include <cstddef>
 #include <span>

@@ -110,13 +110,14 @@ class NamedTemporary {
     RemovedOnSignal removal_;
 };
 
-// A name in the folder that no other process takes. It does not grow with the target's, which may be as long as names can be.
+// A name in the folder that no other process takes. The name does not grow with the target's, which may be as long as
+// names can be.
 fs::path nextName(const fs::path& folder) {
     static std::atomic<unsigned> counter{0};
     return folder / (".mvgl-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".part");
 }
 
-// What is written, and how it takes the place of the file at `target`. Each step returns 0 or the error number.
+// The file that is written, and how it takes the place of the one at `target`. Each step returns 0 or the error number.
 struct Replacement {
     const fs::path& target;
     std::span<const std::byte> bytes;
@@ -156,7 +157,7 @@ int replaceByUnnamed(const Replacement& what, const fs::path& folder) {
         if (error != EEXIST)
             return error == ENOENT ? EOPNOTSUPP : error;  // EEXIST: somebody else has made one meanwhile
     }
-    // It takes a name for the moment between two calls, in which only KILL and a power cut are heard.
+    // The file has a name for the moment between two calls, in which only KILL and a power cut are heard.
     const SignalsHeld held;
     fs::path name;
     int error = EEXIST;
@@ -218,7 +219,7 @@ void writeInPlace(const fs::path& path, Descriptor file, std::span<const std::by
                  printable(path.string()).c_str(), why.c_str());
 }
 
-// Where a link leads, by way of others; the last need not be there. As long as the system itself would follow them.
+// The end of a link, by way of others; the last need not be there. As long as the system itself would follow them.
 fs::path withoutLinks(fs::path path) {
     for (int i = 0; i < 40; ++i) {
         std::error_code error;

@@ -17,9 +17,9 @@ namespace mv {
 //   old file or the new one, never half of it, and after a failure the old one is still there. The new file has no name until
 //   it is whole (O_TMPFILE), so that nothing is left behind whatever ends the process; where the file system has no such files,
 //   it is called ".mvgl-*.part" meanwhile, and removed as mv/image/removal.h says.
-// - A link is followed, one to a file that is not there yet, too. Of an existing file owner and mode are kept, and one that is
+// - A link is followed, one to a file that is not there yet, too. The owner and mode of an existing file are kept, and one that is
 //   write-protected, or a program that runs, is refused.
-// - Where a new file cannot take the place of the old one, the old one is written over: it has a second name (a hard link), or
+// - If a new file cannot take the place of the old one, the old one is written over: it has a second name (a hard link), or
 //   its folder may not be written to, or its owner could not be kept. A note on standard error says so, since whoever looks
 //   meanwhile sees a part; a lack of room is noticed before.
 // - A stream that this program was started with is written to where it stands, by whatever name: /dev/stdout, /dev/fd/3, the

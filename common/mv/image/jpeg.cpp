@@ -24,7 +24,7 @@ namespace {
 
 constexpr const char* damaged = "must be an undamaged JPEG file; save or fetch it again";
 
-// What libjpeg says when it gives up, and where it is left for by longjmp, which runs no destructors.
+// libjpeg's words when it gives up, and the place that it leaves for by longjmp, which runs no destructors.
 struct Trouble : jpeg_error_mgr {
     std::jmp_buf leave{};
     std::array<char, JMSG_LENGTH_MAX> message{};
@@ -36,7 +36,7 @@ struct Trouble : jpeg_error_mgr {
     std::longjmp(trouble->leave, 1);
 }
 
-// What libjpeg only warns of (a negative level), and goes on with, is a damaged file.
+// A file of which libjpeg only warns (a negative level), and goes on, is damaged.
 void giveUpWhereItWarns(j_common_ptr decoder, int level) {
     if (level < 0) giveUp(decoder);
 }
@@ -75,7 +75,7 @@ bool isUnsupported(const jpeg_error_mgr& trouble) {
     }
 }
 
-// One decoding. It lives outside the functions that libjpeg may leave.
+// One decoding. The object lives outside the functions that libjpeg may leave.
 struct Decoding {
     jpeg_decompress_struct decoder{};
     Trouble trouble;

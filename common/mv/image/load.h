@@ -11,11 +11,11 @@
 
 namespace mv {
 
-// What loadPicture accepts at most: pictures for textures, not whatever a hostile file claims to be.
+// The most that loadPicture accepts: pictures for textures, not whatever a hostile file says of itself.
 inline constexpr std::size_t maximumPictureFileBytes = std::size_t{64} << 20U;
 inline constexpr int maximumLoadedSide = 8192;
-// A picture takes memory by its pixels, however small its file is: twice 128 MB while one of so many is read. They are those
-// of the photographs that telephones take (12 and 24 million).
+// A picture takes memory by its pixels, however small its file is: twice 128 MB while one of so many is read. The
+// bounds are those of the photographs that telephones take (12 and 24 million).
 inline constexpr std::uint32_t maximumLoadedPixels = 8192U * 4096;
 
 // Error, with `name` as subject, unless both sides lie in 1..maximumLoadedSide and have at most maximumLoadedPixels together.
@@ -33,7 +33,7 @@ void checkLoadedSides(std::uint32_t width, std::uint32_t height, std::string_vie
 // The trap: a JPEG has no checksums. One that is cut off is refused, but a flipped bit may show as a smear instead.
 [[nodiscard]] Picture loadPicture(const std::filesystem::path& path);
 
-// What becomes another text when the file is written anew: its time and its size. "" where there is no such file.
+// A text that becomes another one when the file is written anew: its time and its size. "" where there is no such file.
 [[nodiscard]] std::string pictureStamp(const std::filesystem::path& path);
 
 // As loadPicture, from bytes in memory; `name` stands for them in an Error.

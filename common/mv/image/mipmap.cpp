@@ -8,7 +8,7 @@
 namespace mv {
 namespace {
 
-// Of n texels, those that the i-th of max(1, n / 2) covers, and how much of each in units of 1 / max(1, n / 2): whole
+// The texels, of n, that the i-th of max(1, n / 2) covers, and how much of each in units of 1 / max(1, n / 2): whole
 // numbers, whose sum is n.
 struct Cover {
     int first = 0, count = 0;

@@ -24,7 +24,7 @@ struct Pixel {
     bool operator==(const Pixel&) const = default;
 };
 
-// Where pixel (x, y) of a picture of that width stands among its pixels, row after row from the top.
+// The place of pixel (x, y) of a picture of that width among its pixels, row after row from the top.
 constexpr std::size_t pixelIndex(int x, int y, int width) {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
 }
@@ -76,7 +76,7 @@ void flipRows(FloatPicture& picture);
 
 // The picture made to fit into maximumWidth x maximumHeight with its proportions kept (to the nearest pixel, and never
 // below one). Each result pixel is the mean of exactly the area it covers, parts of pixels counted as parts, so
-// stripes and edges do not alias. It only shrinks: a picture that fits comes back as it is.
+// stripes and edges do not alias. The function only shrinks: a picture that fits comes back as it is.
 // - Colours weigh by their alpha, so what a transparent pixel hides does not seep into its neighbours.
 // - The mean is taken of the stored values, not of linear light. Sums are integers, so the bytes are the same
 // everywhere. Error unless both maxima lie in 1..maximumPictureSide.

@@ -14,7 +14,8 @@
 namespace mv {
 namespace {
 
-// What one encoding needs. It lives outside the function that libpng may leave by longjmp, which runs no destructors.
+// The objects that one encoding needs. They live outside the function that libpng may leave by longjmp, which runs no
+// destructors.
 struct Encoding {
     const Picture& picture;
     bool opaque;

@@ -21,7 +21,7 @@ namespace {
 constexpr std::array signals{SIGTERM, SIGINT,    SIGHUP,  SIGQUIT, SIGALRM, SIGUSR1, SIGUSR2,
                              SIGPIPE, SIGVTALRM, SIGPROF, SIGXCPU, SIGXFSZ, SIGIO,   SIGPWR};
 
-// A place for one path. What is in it is read by the handler, which may not allocate, lock or throw: so it is here from the
+// A place for one path. The handler reads what is in it, which may not allocate, lock or throw: so it is here from the
 // start, and `noted` is set when the path is whole.
 struct Slot {
     std::atomic<bool> taken{false}, noted{false};

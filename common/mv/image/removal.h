@@ -8,9 +8,9 @@ namespace mv {
 // As long as this lives, a signal that ends the process removes the file or folder at `path`, with all that is in it, before it
 // ends the process as it would have done: TERM, INT, HUP, QUIT, ALRM, USR1, XCPU and the like, not a crash's; and so does
 // exit(), whoever calls it. A signal that the program handles or ignores
-// is left as it is. What KILL and crashes leave, nobody removes, nor what another thread makes in that very moment. Two
-// dozen paths at once; a further one, or one of 4096 bytes, is not noted. In the ordinary case who has made the file
-// removes it.
+// is left as it is. Nobody removes the files that KILL and crashes leave, nor those that another thread makes in that
+// very moment. Two dozen paths at once; a further one, or one of 4096 bytes, is not noted. In the ordinary case who has
+// made the file removes it.
 class RemovedOnSignal {
   public:
     explicit RemovedOnSignal(const std::filesystem::path& path);

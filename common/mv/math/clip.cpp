@@ -42,7 +42,7 @@ double sideOf(const vec4& halfSpace, const vec4& point) {
     return isOrdinary(std::abs(side)) ? side : scaledDot(halfSpace, point).value;
 }
 
-// Where the segment from a point inside to one outside leaves the half space: always computed in this direction, so
+// The exit from the half space of the segment from a point inside to one outside: always computed in this direction, so
 // that the same segment walked the other way gives the same bits.
 vec4 crossing(const vec4& inside, const vec4& outside, const vec4& halfSpace) {
     const double in = glm::dot(halfSpace, inside), out = glm::dot(halfSpace, outside);

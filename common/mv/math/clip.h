@@ -11,9 +11,9 @@ namespace mv {
 // The part of a convex polygon that lies in every half space h, dot(h, p) >= 0: its corners in the same order, empty
 // where nothing is left. Points are homogeneous (x, y, z, w) and may have any w, 0 and below too: cutting needs no
 // division, so clip space is where to cut (after the division a point behind the eye shows up in front, mirrored).
-// Two points are a segment. A corner exactly on a bound stays. Where two polygons share an edge, the same half space cuts
-// it at the same bits in both. The new corner lies on the bound but for some roundings where numbers are 0 or from 1e-100 to
-// 1e100 in size. Refused: NaN and infinity. Source: Sutherland and Hodgman, "Reentrant polygon clipping" (1974), in
+// Two points are a segment. A corner exactly on a bound stays. The same half space cuts an edge that two polygons share
+// at the same bits in both. The new corner lies on the bound but for some roundings where numbers are 0 or from 1e-100
+// to 1e100 in size. Refused: NaN and infinity. Source: Sutherland and Hodgman, "Reentrant polygon clipping" (1974), in
 // homogeneous coordinates as in Blinn and Newell, "Clipping using homogeneous coordinates" (1978).
 std::vector<vec4> clipPolygon(std::vector<vec4> polygon, std::span<const vec4> halfSpaces);
 

@@ -30,8 +30,8 @@ void requireParts(const char* subject, const glm::vec<3, T>& rgb) {
     }
 }
 
-// Of a colour that is no grey: `most` is its largest component and `chroma` that less the smallest. At two equal largest
-// ones both forms agree.
+// The hue of a colour that is no grey: `most` is its largest component and `chroma` that less the smallest. At two
+// equal largest ones both forms agree.
 template <typename T>
 T hueOf(const glm::vec<3, T>& rgb, T most, T chroma) {
     if (most == rgb.r) {
@@ -89,7 +89,7 @@ const KeepsGrey linearFromCones{{vec2(4.076741636075958, 0.23096990318210484),
                                  vec2(-0.0041960761386754565, 1.7076146940746117)}};
 const vec2 lightnessOfRoots(0.210454268309314, -0.0040720430116193);
 const glm::dmat2 abFromRoots(1.9779985324311684, 0.0259040424655478, 0.450593709617411, -0.8086757549230774);
-// By columns, a and b: what they add to L in each root, by exact fractions too.
+// The columns for a and b: what they add to L in each root, by exact fractions too.
 const glm::dmat2x3 rootsFromAb(0.396337777376175, -0.10556134581565857, -0.08948417752981183, 0.2158037573099136,
                                -0.06385417282581335, -1.2914855480194094);
 

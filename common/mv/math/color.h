@@ -22,8 +22,8 @@ namespace mv {
 double linearFromSrgb(double srgb);
 vec3 linearFromSrgb(const vec3& srgb);
 
-// The encoded component of light: 12.92 x up to 0.0031308, above it 1.055 x^(1/2.4) - 0.055. 0 and 1 stay. It is the
-// inverse of the above to roundings, but between the two numbers where the branches change (8e-8 of 1 there).
+// The encoded component of light: 12.92 x up to 0.0031308, above it 1.055 x^(1/2.4) - 0.055. 0 and 1 stay. The function
+// is the inverse of the above to roundings, but between the two numbers where the branches change (8e-8 of 1 there).
 // Refused: what is not finite. Source: IEC 61966-2-1:1999.
 double srgbFromLinear(double linear);
 vec3 srgbFromLinear(const vec3& linear);
@@ -54,7 +54,7 @@ using Hsv = HsvOf<double>;
 template <typename T>
 HslOf<T> hslFromRgb(const glm::vec<3, T>& rgb);
 
-// The inverse. The hue is any angle: whole turns are dropped. Of saturation 0 it is not read.
+// The inverse. The hue is any angle: whole turns are dropped. The hue is not read where the saturation is 0.
 // Refused: saturation or lightness outside 0..1, a hue that is not finite.
 template <typename T>
 glm::vec<3, T> rgbFromHsl(const HslOf<T>& hsl);

@@ -110,7 +110,7 @@ double colorDifference(const vec3& lab, const vec3& other) {
     if (across == 0 && along < 0) turn = std::copysign(pi, two.hue - one.hue);
     const double byHue = 2 * std::sqrt(one.chroma * two.chroma) * std::sin(turn / 2);
 
-    // What each of them weighs there
+    // The weight of each of them there
     const double lightness = (lab.x + other.x) / 2, chroma = sum / 2;
     const bool hasGrey = one.chroma == 0 || two.chroma == 0;
     const double hue = hasGrey ? one.hue + two.hue : middleHue(one.hue, two.hue);

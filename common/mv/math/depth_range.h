@@ -9,7 +9,7 @@
 
 namespace mv {
 
-// What clip space's z / w is at near and at far.
+// The values of clip space's z / w at near and at far.
 enum class DepthRange {
     zeroToOne,     // 0 at near, 1 at far
     oneToZero,     // reversed: 1 at near, 0 at far. In a float buffer its steps are as fine as the distances

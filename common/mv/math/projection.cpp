@@ -135,7 +135,7 @@ class Elimination {
     }
 
   private:
-    // What is left of a row, as a part of its terms: x is rounded, which is a quarter of this.
+    // The remainder of a row, as a part of its terms: x is rounded, which is a quarter of this.
     static constexpr double mostLeft = 2 * std::numeric_limits<double>::epsilon();
 
     vec4 once(const vec4& b) const {
@@ -253,7 +253,7 @@ mat4 frustum(double left, double right, double bottom, double top, double near, 
 FrustumBounds frustumBounds(double fovy, double aspect, double near, double far) {
     const double tangent = checkedHalfAngle("frustumBounds", fovy, aspect, near, far).tangent;
     const double top = near * tangent;
-    // Where the height has vanished or lost digits, the width need not: so it is no product of it.
+    // The width need not vanish or lose digits where the height does: so it is no product of it.
     const double right = isOrdinary(top) ? top * aspect : product({near, tangent, aspect});
     if (!(top < HUGE_VAL && right < HUGE_VAL)) refuseOverflow("frustumBounds");
     return {-right, right, -top, top, near, far};
@@ -283,8 +283,9 @@ std::array<vec4, 6> planesFromClip(const mat4& clipFromWorld) {
     for (std::size_t i = 0; i < planes.size(); ++i) {
         const vec4 &last = rows[3], &row = rows[static_cast<int>(i / 2)];
         const double sign = i % 2 == 0 ? 1 : -1;
-        // Of numbers whose squares neither overflow nor vanish: any multiple of the rows has the same plane. The distance has
-        // another size, and is brought to the normal's at the end, where nothing is computed with it any more.
+        // Scales to numbers whose squares neither overflow nor vanish: any multiple of the rows has the same plane. The
+        // distance has another size, and is brought to the normal's at the end, where nothing is computed with it any
+        // more.
         const int exponent = scalingExponent(std::max(largestComponent(vec3(last)), largestComponent(vec3(row))));
         const int ofDistance = scalingExponent(std::max(std::abs(last.w), std::abs(row.w)));
         const vec3 ofLast = timesPowerOfTwo(vec3(last), -exponent), ofRow = timesPowerOfTwo(vec3(row), -exponent);

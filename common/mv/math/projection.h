@@ -52,13 +52,13 @@ mat4 frustum(const FrustumBounds& bounds);
 enum FrustumPlane : std::size_t { leftPlane, rightPlane, bottomPlane, topPlane, nearPlane, farPlane };
 
 // The six planes (n, d) of a view volume in the space that clipFromWorld maps from: n has unit length and points
-// inwards, and dot(n, p) + d is the distance of p inside the plane. Index with FrustumPlane. Where a plane is at infinity, as
-// the far one of infinitePerspective(), it is (0, 0, 0, 1), which has no normal and holds every point. Source: Gribb and
+// inwards, and dot(n, p) + d is the distance of p inside the plane. Index with FrustumPlane. A plane at infinity, as
+// the far one of infinitePerspective(), is (0, 0, 0, 1), which has no normal and holds every point. Source: Gribb and
 // Hartmann, "Fast Extraction of Viewing Frustum Planes from the World-View-Projection Matrix" (2001). Refused: NaN,
 // infinity, and a plane whose normal has cancelled to less than 1e-10 of its terms. The far plane's is 2 near/far of
-// them, known to 1e-16: good to 1e-6 up to far/near = 1e8, refused from about 1e10, where perspectivePlanes takes over; from
-// about 1e16 on the matrix is that of a far plane at infinity.
-// In float it is off by 0.5 % at 1e5 and gone at 1e8. A multiple of the matrix has the same planes, however large or small.
+// them, known to 1e-16: good to 1e-6 up to far/near = 1e8, refused from about 1e10, where perspectivePlanes takes over;
+// from about 1e16 on the matrix is that of a far plane at infinity. In float it is off by 0.5 % at 1e5 and gone at 1e8.
+// A multiple of the matrix has the same planes, however large or small.
 std::array<vec4, 6> planesFromClip(const mat4& clipFromWorld);
 
 // The same six planes, in camera space, straight from the arguments of perspective(), without cancellation at any
@@ -76,10 +76,10 @@ std::array<vec3, 8> viewVolumeCorners(const mat4& clipFromWorld);
 // in front; clip before dividing), NaN, infinity, a w so small that the quotient overflows.
 vec3 ndcFromClip(const vec4& clip);
 
-// Where a point of normalised device coordinates falls in a viewport of width x height pixels (z is not read): x to the
-// right, y up, (-1, -1) at (0, 0) and (1, 1) at (width, height). The centre of pixel (i, j) is at (i + 1/2, j + 1/2).
-// Points outside [-1, 1] fall outside the viewport. Refused: width or height below 1, NaN, infinity.
-// Equals glViewport(0, 0, width, height). Trap: rows of most image files, and mouse positions, count downwards.
+// The place of a point of normalised device coordinates in a viewport of width x height pixels (z is not read): x to
+// the right, y up, (-1, -1) at (0, 0) and (1, 1) at (width, height). The centre of pixel (i, j) is at (i + 1/2, j +
+// 1/2). Points outside [-1, 1] fall outside the viewport. Refused: width or height below 1, NaN, infinity. Equals
+// glViewport(0, 0, width, height). Trap: rows of most image files, and mouse positions, count downwards.
 vec2 pixelFromNdc(const vec2& ndc, int width, int height);
 vec2 pixelFromNdc(const vec3& ndc, int width, int height);
 

@@ -13,7 +13,7 @@ struct CasterVerdict {
     std::string sentence;  // for the user; "" where the whole caster throws its shadow
 };
 
-// What the plane is called in the sentence: "above the floor", "in front of the wall".
+// The plane's name in the sentence: "above the floor", "in front of the wall".
 enum class PlaneKind { floor, wall };
 
 // The verdict for a caster of one piece with these corners (all vertices of its mesh, or of its convex hull), in the

@@ -1,4 +1,4 @@
-// What two eyes see differently.
+// The difference between two eyes' pictures.
 #pragma once
 #include <optional>
 #include <span>

@@ -56,10 +56,10 @@ mat4 cameraFromAxes(const vec3& eye, const vec3& right, const vec3& top, const v
     // clang-format on
 }
 
-// Where up is less than 0.1 rad off the line of sight the plain cross product loses a digit and more.
+// The plain cross product loses a digit and more if up is less than 0.1 rad off the line of sight.
 bool isAside(const vec3& sideways, double upSquares) { return glm::dot(sideways, sideways) >= 1e-2 * upSquares; }
 
-// What rounding took from the difference at - eye. Source: Knuth's exact sum, TAOCP volume 2, 4.2.2.
+// The part of the difference at - eye that rounding took. Source: Knuth's exact sum, TAOCP volume 2, 4.2.2.
 vec3 roundingOfDifference(const vec3& at, const vec3& eye, const vec3& difference) {
     const vec3 minusEye = difference - at;
     return (at - (difference - minusEye)) - (eye + minusEye);
@@ -168,8 +168,8 @@ int determinantSign(const mat3& m, const mat3& cofactors) {
         linear[i] = timesPowerOfTwo(vec3(linear[i]), -exponent[static_cast<std::size_t>(i)]);
     }
 
-    // Where the columns span little, plain products would have cancelled; these do not. The cofactors' columns are as much
-    // longer as those of the matrix were shorter, which is made up for relative to the longest.
+    // Plain products would have cancelled where the columns span little; these do not. The cofactors' columns are as
+    // much longer as those of the matrix were shorter, which is made up for relative to the longest.
     cofactors = mat3(accurateCross(linear[1], linear[2]), accurateCross(linear[2], linear[0]),
                      accurateCross(linear[0], linear[1]));
     const int sign = determinantSign(linear, cofactors);
@@ -189,8 +189,8 @@ int determinantSign(const mat3& m, const mat3& cofactors) {
     return cofactors * ((sign < 0 ? -1 : 1) * std::sqrt(3 / squares));
 }
 
-// A matrix written two numbers at a time. Where nothing is computed the stores are the time, and g++ 12 writes what GLM's
-// constructor is given one by one: twice as many stores as GLM's own translate and scale, which multiply columns.
+// A matrix written two numbers at a time. The stores are the time where nothing is computed, and g++ 12 writes what
+// GLM's constructor is given one by one: twice as many stores as GLM's own translate and scale, which multiply columns.
 struct Column {
     double x, y, z, w;
 };
@@ -293,8 +293,8 @@ mat3 normalMatrix(const mat4& m) {
     const vec3 xy = glm::cross(x, y);
     const double span = glm::dot(yz, x);
 
-    // Ordinary sizes keep all squares and products from overflowing; where they vanish, spansEnough says no. What is not
-    // read has only to be finite, which its sum tells (one that overflows goes the careful way too).
+    // Ordinary sizes keep all squares and products from overflowing; where they vanish, spansEnough says no. Elements
+    // that are not read have only to be finite, which their sum tells (one that overflows goes the careful way too).
     const double unread = m[0].w + m[1].w + m[2].w + m[3].x + m[3].y + m[3].z + m[3].w;
     const double squares = xx + yy + zz;
     if (!(squares <= 1e30) || !spansEnough(span, xx, yy, zz) || !isFinite(unread)) return carefulNormalMatrix(m);

@@ -5,8 +5,9 @@
 //
 // The deleted overloads are a guard. With <glm/gtc/matrix_transform.hpp> visible, lookAt(glm::vec3, ...) under
 // `using namespace mv` would find glm::lookAt by argument-dependent lookup: in float, without the checks, and with
-// rotate() in radians. They have GLM's own signature plus a constraint, so they win against GLM's and stop the
-// compiler; being templates, they leave braced arguments such as lookAt({0, 0, 4}, {0, 0, 0}, {0, 1, 0}) alone.
+// rotate() in radians. The deleted functions have GLM's own signature plus a constraint, so they win against GLM's and
+// stop the compiler; being templates, they leave braced arguments such as lookAt({0, 0, 4}, {0, 0, 0}, {0, 1, 0})
+// alone.
 #pragma once
 #include <concepts>
 
@@ -58,12 +59,13 @@ mat4 lookAt(const vec3& eye, const vec3& at, const vec3& up);
 mat4 lookAtAnyRoll(const vec3& eye, const vec3& at);
 
 // The matrix that takes normals where `m` takes points (an affine matrix: the last row is not read), to be normalised
-// after use. It is the cofactor matrix of the upper left 3x3, with the sign of the determinant, scaled so that a
-// rotation, with or without a uniform scale, gives the rotation. For an invertible m it has the direction of MV.js normalMatrix(m, true),
-// transpose(inverse(m)), and of gl_NormalMatrix; for a flattening one such as scale(1, 0, 1), where the inverse does
-// not exist, it is still right. Each column is good to rounding and the sign is the exact determinant's (0 counts as
-// positive), as long as the entries of a column are 0 or no less than 1e-70 of its largest one; columns may have any sizes.
-// A matrix that leaves no surface at all (rank 0 or 1) gives the zero matrix. NaN or infinity is refused. Trap: under a mirror a face's winding turns over and its normal does not; glFrontFace has to
+// after use. The result is the cofactor matrix of the upper left 3x3, with the sign of the determinant, scaled so that
+// a rotation, with or without a uniform scale, gives the rotation. For an invertible m it has the direction of MV.js
+// normalMatrix(m, true), transpose(inverse(m)), and of gl_NormalMatrix; for a flattening one such as scale(1, 0, 1),
+// where the inverse does not exist, it is still right. Each column is good to rounding and the sign is the exact
+// determinant's (0 counts as positive), as long as the entries of a column are 0 or no less than 1e-70 of its largest
+// one; columns may have any sizes. A matrix that leaves no surface at all (rank 0 or 1) gives the zero matrix. NaN or
+// infinity is refused. Trap: under a mirror a face's winding turns over and its normal does not; glFrontFace has to
 // follow.
 mat3 normalMatrix(const mat4& m);
 

@@ -18,7 +18,7 @@ using vec4 = glm::dvec4;
 using mat3 = glm::dmat3;
 using mat4 = glm::dmat4;
 
-// What the GPU stores: vertex data and uploaded matrices.
+// The types that the GPU stores: vertex data and uploaded matrices.
 using fvec2 = glm::vec2;
 using fvec3 = glm::vec3;
 using fvec4 = glm::vec4;

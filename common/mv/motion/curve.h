@@ -11,7 +11,7 @@
 
 namespace mv {
 
-// What the value is at a time.
+// The value at a time.
 template <typename P>
 struct Keyframe {
     double time;
@@ -37,7 +37,7 @@ enum class Knots { uniform, centripetal, times };
 // constant, at any time. Two keys of an open curve are a straight line, where nothing else is said. Equal values one after
 // the other are no error for any kind.
 //
-// What passes through its keys has exactly their values at their times.
+// A curve that passes through its keys has exactly their values at their times.
 template <typename P>
 class Curve {
   public:
@@ -49,11 +49,11 @@ class Curve {
 
     // The one polynomial through all keys. The trap: at equispaced times it swings near the ends the more, the more keys
     // there are; ask swingWarning (mv/motion/nodes.h), and take chebyshevNodes for the times, or a spline.
-    // It is evaluated in O(n) by the first barycentric form, which is as exact as the keys allow at any times (backward
-    // stable); the usual second form divides two sums that both lose all their digits from about 60 equispaced keys on.
-    // Also refused: times so uneven that weights of one size cannot hold them; 200 equispaced or Chebyshev nodes can.
-    // Source: Berrut and Trefethen, "Barycentric Lagrange interpolation", SIAM Review 46 (2004); Higham, "The numerical
-    // stability of barycentric Lagrange interpolation", IMA J. Numer. Anal. 24 (2004).
+    // The curve is evaluated in O(n) by the first barycentric form, which is as exact as the keys allow at any times
+    // (backward stable); the usual second form divides two sums that both lose all their digits from about 60
+    // equispaced keys on. Also refused: times so uneven that weights of one size cannot hold them; 200 equispaced or
+    // Chebyshev nodes can. Source: Berrut and Trefethen, "Barycentric Lagrange interpolation", SIAM Review 46 (2004);
+    // Higham, "The numerical stability of barycentric Lagrange interpolation", IMA J. Numer. Anal. 24 (2004).
     static Curve lagrange(const Keys& keys);
 
     // Cubic splines: twice continuously differentiable, made in O(n). The trap: each key moves the whole curve, though by
@@ -84,18 +84,19 @@ class Curve {
 
     // The uniform cubic B-spline with the keys as control points. The trap: it does NOT pass through the keys, but near
     // them ((p[i-1] + 4 p[i] + p[i+1])/6 at the time of key i); an open one begins and ends at the end keys, with
-    // acceleration 0, since the control points beyond are 2 p[0] - p[1] and its like. It stays within the convex hull of
-    // each four keys, and each key moves four spans only. Twice continuously differentiable where times are equispaced;
-    // at others within a span the time is mapped linearly, as of catmullRom.
+    // acceleration 0, since the control points beyond are 2 p[0] - p[1] and its like. The curve stays within the convex
+    // hull of each four keys, and each key moves four spans only. Twice continuously differentiable where times are
+    // equispaced; at others within a span the time is mapped linearly, as of catmullRom.
     static Curve bSpline(const Keys& keys, Ends ends = Ends::open);
 
     // The Bezier curve with the keys as control points, of one degree less than there are keys, by de Casteljau's
     // algorithm in O(n^2). The traps: it does NOT pass through the keys between the first and the last, and of the times
-    // only the first and the last count. It stays within the convex hull of its keys.
+    // only the first and the last count. The curve stays within the convex hull of its keys.
     static Curve bezier(const Keys& keys);
 
-    // Where the curve is at a time. A closed curve goes on before its start and after its end; refused of others: times
-    // before the first key and after the last. Also refused: NaN, infinity, and keys so large that the result overflows.
+    // The place of the curve at a time. A closed curve goes on before its start and after its end; refused of others:
+    // times before the first key and after the last. Also refused: NaN, infinity, and keys so large that the result
+    // overflows.
     P position(double time) const;
     // Position and derivatives: at a key where one jumps, that of the span which begins there.
     CurvePoint<P> at(double time) const;

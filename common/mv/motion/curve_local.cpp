@@ -44,7 +44,8 @@ std::vector<P> tangentsOf(const Stations<P>& stations, Ends ends) {
     const auto slope = [&](std::size_t i) {
         return (stations.values[i + 1] - stations.values[i]) / stations.lengths[i];
     };
-    // Of the parabola through three stations: where the spans before and after the middle one meet, and at either end.
+    // The slopes of the parabola through three stations: where the spans before and after the middle one meet, and at
+    // either end.
     const auto within = [&](std::size_t before, std::size_t after) {
         const double part = stations.lengths[before] / (stations.lengths[before] + stations.lengths[after]);
         return (1 - part) * slope(before) + part * slope(after);

@@ -32,7 +32,7 @@ class LagrangeShape final : public Curve<P>::Shape {
 
   private:
     // Weight j is 1 over the product of (t[j] - t[k]) in units of a quarter of the times' range, the unit in which such
-    // products neither grow nor shrink exponentially (the capacity of the interval). What is left of their sizes goes into
+    // products neither grow nor shrink exponentially (the capacity of the interval). The rest of their sizes goes into
     // one exponent for all, and the largest weight is 1 to 2 in size.
     void makeWeights() {
         std::vector<int> exponents;

@@ -11,8 +11,8 @@
 
 namespace mv {
 
-// A curve from its first key to its last: who asks has checked the time. What overflows comes out infinite or NaN, and is
-// refused by Curve.
+// A curve from its first key to its last: who asks has checked the time. A number that overflows comes out infinite or
+// NaN, and is refused by Curve.
 template <typename P>
 class Curve<P>::Shape {
   public:

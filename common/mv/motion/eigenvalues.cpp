@@ -70,8 +70,8 @@ void balance(Square& a) {
     }
 }
 
-// To zeros below the first subdiagonal: column by column, a reflection I - v w^T takes what is below to it, and is made from
-// both sides.
+// Reduces to zeros below the first subdiagonal: column by column, a reflection I - v w^T takes what is below to it, and
+// is made from both sides.
 void makeHessenberg(Square& a) {
     const std::size_t n = a.n;
     std::vector<double> v(n), w(n);
@@ -235,7 +235,7 @@ std::vector<std::complex<double>> eigenvaluesOf(std::vector<double> matrix, std:
     Square square = withoutZeroRows({std::move(matrix), n});
     std::vector<std::complex<double>> found(n - square.n);
     if (square.n == 0) return found;
-    // By a power of two to about 1, so that no product overflows.
+    // Scales by a power of two to about 1, so that no product overflows.
     const int exponent = std::ilogb(largestOf(square.values));
     for (double& value : square.values) value = std::ldexp(value, -exponent);
     balance(square);

@@ -29,7 +29,7 @@ struct SpringStep {
     vec3 force() const {
         return hasDirection() ? spring.stiffness * mean + turning / meanLength * mean : spring.stiffness * mean;
     }
-    // Of the force, by `move`.
+    // The derivative of the force by `move`.
     mat3 forceByMove() const {
         mat3 result = spring.stiffness / 2 * mat3(1);
         if (!hasDirection()) return result;
@@ -104,7 +104,7 @@ EnergyMomentumStepper::EnergyMomentumStepper(SpringSystem system, double start, 
 std::string EnergyMomentumStepper::whole(double h, std::vector<double>& state, double& dissipated) {
     const std::size_t n = 3 * system_.points.size();
     const StepForces forces{system_, state, h};
-    // What a move is measured by: the longest spring, and a tenth of it, since what is left in a move of h is 2/h
+    // The measure of a move: the longest spring, and a tenth of it, since what is left in a move of h is 2/h
     // times as much in a velocity.
     double longest = 0;
     for (const Spring& spring : system_.springs) {

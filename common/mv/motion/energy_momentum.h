@@ -16,10 +16,10 @@ namespace mv {
 // of length)/step. So energy, plus what damping has taken, plus both momenta (without gravity and fixed points) are
 // kept but for what Newton's method leaves and rounding. With rest lengths 0 it is the implicit midpoint rule; with
 // others that rule keeps the momenta alone, and its energy runs away where steps are long. Keeping energy does not
-// make it exact: a vibration much faster than the steps has the wrong phase. What cannot go on stays where it is,
-// with a failure in words, as in FixedStepper; so do halved steps and time.
-// Source: Simo and Tarnow, "The discrete energy-momentum method", ZAMP 43 (1992); Gonzalez, "Time integration and
-// discrete Hamiltonian systems", J. Nonlinear Sci. 6 (1996).
+// make it exact: a vibration much faster than the steps has the wrong phase. Springs that cannot go on stay where they
+// are, with a failure in words, as in FixedStepper; so do halved steps and time. Source: Simo and Tarnow, "The discrete
+// energy-momentum method", ZAMP 43 (1992); Gonzalez, "Time integration and discrete Hamiltonian systems", J. Nonlinear
+// Sci. 6 (1996).
 class EnergyMomentumStepper {
   public:
     // Refused: what requireSprings refuses, a step <= 0 or so short that start + step is start, options outside their

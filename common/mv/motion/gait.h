@@ -1,4 +1,5 @@
-// Where a foot has to be while its body walks: it stands still in the world, and then swings to where it stands next.
+// The place of a foot while its body walks: the foot stands still in the world, and then swings to where it stands
+// next.
 #pragma once
 #include "mv/math/types.h"
 

@@ -9,7 +9,7 @@
 
 namespace mv {
 
-// What stands still between two joints that turn is one link. Positions count from the first such joint, so that
+// The parts between two joints that turn are one link. Positions count from the first such joint, so that
 // neither a place far from the origin nor a size costs digits. `tree`, `end` and `degrees` are checked before.
 class IkChain {
   public:
@@ -25,7 +25,7 @@ class IkChain {
     std::size_t indexInTree(std::size_t i) const { return index_[i]; }
     const std::vector<double>& startDegrees() const { return degrees_; }
 
-    // Where joints and end are, and the joints' axes.
+    // The places of the joints and the end, and the joints' axes.
     struct Pose {
         std::vector<vec3> origins, axes;
         vec3 end{0};

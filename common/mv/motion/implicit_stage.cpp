@@ -29,14 +29,14 @@ std::string ImplicitStage::attempt(const OdeProblem& problem, double t, double g
                                    std::span<double> y, OdeCounts& counts, bool& isOld) {
     const std::size_t n = y.size();
     std::vector<double> slope(n), correction(n), sizes(n), rows(n);
-    // What an error is measured by: a component's size, or its scale, or a thousandth of the largest component.
+    // The measure of an error: a component's size, or its scale, or a thousandth of the largest component.
     const auto measure = [&] {
         double largest = 0;
         for (const double component : y) largest = std::max(largest, std::abs(component));
         for (std::size_t i = 0; i < n; ++i) {
             const double floor = problem.scale.empty() ? 1e-3 * largest : problem.scale[i];
             const double size = std::max({std::abs(y[i]), std::abs(constant[i]), floor});
-            // What dies away does so without failing where doubles end.
+            // A component that dies away does so without failing where doubles end.
             sizes[i] = std::max(tolerance_ * (size > 0 ? size : 1), 1e-300);
         }
     };

@@ -21,7 +21,7 @@ constexpr std::string_view solver = "solveInverseKinematics";
 // The damping lambda^2 for an error |e| is this times |e|^2, less after a step that was good and more after one that
 // was not.
 constexpr double firstDamping = 1e-2, leastDamping = 1e-6;
-// What is left of the damping at the goal: the system of a plane arm, which never moves off its plane, is solvable with
+// The damping that is left at the goal: the system of a plane arm, which never moves off its plane, is solvable with
 // it.
 constexpr double dampingFloor = 1e-15;
 // A proposal is halved, or damped more, this many times before nothing is found to come nearer.

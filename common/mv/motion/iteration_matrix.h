@@ -11,8 +11,9 @@ namespace mv {
 
 // Copies share what was factorized, which nobody changes: a copied integrator goes on with the same bits.
 //
-// It is eliminated row by row (mv/motion/linear_factors.h): a dense one whole, n^3 products; a sparse one as a band, its rows and
-// columns in the order of Cuthill and McKee, n w^2 products for w diagonals on each side (a chain of masses has 3).
+// The matrix is eliminated row by row (mv/motion/linear_factors.h): a dense one whole, n^3 products; a sparse one as a
+// band, its rows and columns in the order of Cuthill and McKee, n w^2 products for w diagonals on each side (a chain of
+// masses has 3).
 class IterationMatrix {
   public:
     // Evaluates J at (t, y), where f is `slope`; by differences that look `span` ahead where the problem has none.

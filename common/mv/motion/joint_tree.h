@@ -27,7 +27,7 @@ struct Joint {
     double most = std::numeric_limits<double>::infinity();
 };
 
-// The point of which kinematics speaks: the hand's, the foot's. It is fixed in the space of its joint.
+// The point of which kinematics speaks: the hand's, the foot's. The end effector is fixed in the space of its joint.
 struct EndEffector {
     std::size_t joint = 0;
     vec3 offset{0, 0, 0};
@@ -53,8 +53,8 @@ class JointTree {
     // joint. Refused: another number of angles than of joints, and what parentFromTurned refuses.
     std::vector<mat4> worldFromJoints(std::span<const double> degrees) const;
 
-    // Where the end effector is, in world space; only the path to it is evaluated. Refused: as worldFromJoints, no such
-    // joint, an offset with coordinates beyond 1e100.
+    // The place of the end effector, in world space; only the path to it is evaluated. Refused: as worldFromJoints, no
+    // such joint, an offset with coordinates beyond 1e100.
     vec3 endPosition(std::span<const double> degrees, const EndEffector& end) const;
 
     // The Jacobian of endPosition, one column a joint, in world units per RADIAN: axis x (end - joint) in world space,

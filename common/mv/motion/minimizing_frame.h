@@ -1,9 +1,9 @@
 // Frames along a curve that do not turn about it: rotation minimizing, or "parallel transported".
 //
-// Of all frames that follow the tangent these have no angular velocity about it. So they never flip, at inflections and
-// on straights neither, and what is swept along by them (a tube, a camera) does not twist. They need positions and
-// velocities only.
-// Source: Wang, Juettler, Zheng and Liu, "Computation of rotation minimizing frames", ACM Trans. Graphics 27 (2008).
+// These frames alone, of all that follow the tangent, have no angular velocity about it. So they never flip, at
+// inflections and on straights neither, and what is swept along by them (a tube, a camera) does not twist. The frames
+// need positions and velocities only. Source: Wang, Juettler, Zheng and Liu, "Computation of rotation minimizing
+// frames", ACM Trans. Graphics 27 (2008).
 #pragma once
 #include <span>
 #include <vector>

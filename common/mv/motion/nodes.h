@@ -13,10 +13,10 @@ namespace mv {
 // Source: Berrut and Trefethen, "Barycentric Lagrange interpolation" (2004), "Chebyshev points of the second kind".
 std::vector<double> chebyshevNodes(int count, double low, double high);
 
-// By how much the polynomial through keys at these times can be more off between them than the keys are (its Lebesgue
-// constant): below 5 for up to 200 Chebyshev nodes, about 2^n/(e n ln n) for n + 1 equispaced ones. What is returned is the
-// largest of the values halfway between each two times: a lower bound, two thirds of the constant for 21 equispaced ones,
-// more for Chebyshev nodes. O(n^3): a millisecond for 100. Returns 1 for a single time.
+// The factor by which the polynomial through keys at these times can be more off between them than the keys are (its
+// Lebesgue constant): below 5 for up to 200 Chebyshev nodes, about 2^n/(e n ln n) for n + 1 equispaced ones. The
+// function returns the largest of the values halfway between each two times: a lower bound, two thirds of the constant
+// for 21 equispaced ones, more for Chebyshev nodes. O(n^3): a millisecond for 100. Returns 1 for a single time.
 // Refused: no times, and times that are not finite or do not increase.
 double lebesgueConstant(std::span<const double> times);
 

@@ -47,7 +47,7 @@ std::vector<double> differencedJacobian(const OdeProblem& problem, double t, std
 
     for (std::size_t j = 0; j < n; ++j) {
         const double own = std::max(std::abs(y[j]), std::abs(span * slope[j]));
-        // What is 0 but for roundings tells nothing of its size.
+        // A component that is 0 but for roundings tells nothing of its size.
         const double floor = (own < 1e-14 * largest ? 1e-3 : 1e-6) * largest;
         const double size = std::max(own, problem.scale.empty() ? floor : problem.scale[j]);
         // Towards larger sizes, so that no component leaves its sign: many problems are defined for one sign only.

@@ -1,8 +1,8 @@
 // Ordinary differential equations y' = f(t, y), and how an integration of one ended.
 //
 // Integrators are in mv/motion/ode_fixed.h (equal steps) and ode_adaptive.h (steps by tolerance), spring systems in
-// springs.h. An impossible request is refused by an Error. What only shows on the way is an answer in words: the run
-// gave up, where and why, with the last finite state. No state that is handed out has a NaN or an infinity.
+// springs.h. An impossible request is refused by an Error. A failure that only shows on the way is an answer in words:
+// the run gave up, where and why, with the last finite state. No state that is handed out has a NaN or an infinity.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -24,11 +24,11 @@ struct MatrixEntry {
 struct OdeProblem {
     // How many numbers y has: 1 or more.
     std::size_t dimension = 0;
-    // dydt = f(t, y). It may leave NaN or infinity where f is not defined: the integrators then shorten the step or
-    // give up.
+    // dydt = f(t, y). The function may leave NaN or infinity where f is not defined: the integrators then shorten the
+    // step or give up.
     std::function<void(double t, std::span<const double> y, std::span<double> dydt)> slope;
     // df/dy, row by row: element (i, j), the derivative of f_i by y_j, at i * dimension + j; zeros are there before
-    // the call. Where there is neither this nor the next, implicit methods use differencedJacobian.
+    // the call. Implicit methods use differencedJacobian where there is neither this nor the next.
     std::function<void(double t, std::span<const double> y, std::span<double> jacobian)> jacobian = {};
     // The same for systems in which few elements are not 0: adds entries to an empty list; those of one place are
     // summed. Elimination then costs about as much as there are entries, instead of dimension^3.
@@ -45,7 +45,7 @@ struct OdeProblem {
     std::vector<double> scale = {};
 };
 
-// What an integration cost.
+// The cost of an integration.
 struct OdeCounts {
     std::int64_t evaluations = 0;       // of f, those of differenced Jacobians included
     std::int64_t jacobians = 0;         // evaluated or differenced
@@ -82,11 +82,11 @@ inline constexpr const char* notFinite = "the slope or the state is not finite";
 
 // df/dy at (t, y) by forward differences, row by row as OdeProblem::jacobian; `slope` is f(t, y). Component j is
 // moved by sqrt(2^-52) of its size: the largest of |y_j|, |span * slope_j| (how far it moves in a time `span`, 0 or
-// more) and its scale. Where the problem names no scales that is 1e-6 of the largest |y|, and a thousandth of it for
-// a component that is 0 but for roundings. About half of the digits are right where this is the component's size. It
-// costs `dimension` evaluations, which it adds to `evaluations`. Not finite where f is not. Trap: a component that is
-// always much smaller than the others needs a scale.
-// Source: Dennis and Schnabel, "Numerical Methods for Unconstrained Optimization" (1983), 5.4.
+// more) and its scale. The scale, where the problem names none, is 1e-6 of the largest |y|, and a thousandth of it for
+// a component that is 0 but for roundings. About half of the digits are right where this is the component's size. The
+// call costs `dimension` evaluations, which it adds to `evaluations`. Not finite where f is not. Trap: a component that
+// is always much smaller than the others needs a scale. Source: Dennis and Schnabel, "Numerical Methods for
+// Unconstrained Optimization" (1983), 5.4.
 std::vector<double> differencedJacobian(const OdeProblem& problem, double t, std::span<const double> y,
                                         std::span<const double> slope, double span, std::int64_t& evaluations);
 

@@ -64,7 +64,7 @@ double firstStep(const OdeProblem& problem, double t, double length, const Value
     return std::min({100 * h, byBoth, length});
 }
 
-// What radau's error estimate is held to, which is of order 3 in a method of order 5: then the error at the end follows
+// The bound for radau's error estimate, which is of order 3 in a method of order 5: then the error at the end follows
 // the tolerance asked for, as that of the other methods does. Source: Hairer and Wanner's code RADAU5.
 AdaptiveOptions forRadau(AdaptiveOptions options) {
     const double relative = 0.1 * std::pow(options.relative, 2.0 / 3);
@@ -91,7 +91,7 @@ class StepControl {
         wasRejected_ = true;
         return std::clamp(std::pow(e, -alpha_) * safety, 0.1, 0.9);
     }
-    // Where there was no error to go by.
+    // The step without an error to go by.
     double afterFailed() {
         wasRejected_ = true;
         return 0.1;
@@ -103,9 +103,9 @@ class StepControl {
     bool wasRejected_ = false;
 };
 
-// Of radau: by the error of this step and, after two accepted ones, by how it grew from one to the other; more careful
-// where Newton's method worked hard; and what would be hardly longer stays as it is, with its matrices.
-// Source: Gustafsson (1994); Hairer and Wanner II, IV.8.
+// Radau's step: by the error of this step and, after two accepted ones, by how it grew from one to the other; more
+// careful where Newton's method worked hard; and what would be hardly longer stays as it is, with its matrices. Source:
+// Gustafsson (1994); Hairer and Wanner II, IV.8.
 class PredictiveControl {
   public:
     double afterAccepted(double e, double h, const RadauStep& step) {

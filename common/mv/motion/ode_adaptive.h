@@ -12,7 +12,7 @@
 namespace mv {
 
 // A step that was accepted, with the solution anywhere in it: of order 4 by Dormand-Prince, 3 by RODAS and Radau.
-// It is valid while the observer that got it runs.
+// The step is valid while the observer that got it runs.
 class AcceptedStep {
   public:
     AcceptedStep(double from, double to, std::span<const double> before, std::span<const double> after,
@@ -43,7 +43,7 @@ struct AdaptiveOptions {
     double firstStep = 0;
     // Tried steps, accepted or not, after which it gives up.
     std::int64_t mostSteps = 100000;
-    // Where steps end, ascending, at most the end: what OdeResult::atStops is asked for.
+    // Times at which steps end, ascending, at most the end: OdeResult::atStops has the states there.
     std::vector<double> stops = {};
     // Called after each accepted step, in order.
     std::function<void(const AcceptedStep&)> observe = {};
@@ -53,13 +53,13 @@ struct AdaptiveOptions {
 // Radau a predictive one. Gives up in words where a step would be shorter than 16 ulp of t (the solution ends, or the
 // tolerance asks for more than doubles have), or after mostSteps (mostly an explicit method on a stiff problem). Each
 // reason names the step that failed last.
-// Trap: only errors of single steps are estimated. Where the problem itself spreads them a coarse answer may be wrong
-// altogether without a word: see confirmAdaptive.
-// Trap: a sum that the problem keeps, a mass say, drifts by the roundings of the linear systems, times the step; Radau, whose Newton's
-// method corrects itself, has less than a thousandth of RODAS' drift. What has become as small as that is wrong, and neither a step's
-// error nor confirmAdaptive shows it: so it is in the reaction E5, from 1e-3 down to 1e-22.
-// Refused: what requireProblem refuses, other methods, end <= start, options outside their ranges.
-// Source of the control: Gustafsson; Hairer and Wanner II, IV.2. Of the first step: Hairer, Norsett and Wanner I, II.4.
+// Trap: only errors of single steps are estimated. A coarse answer may be wrong altogether without a word where the
+// problem itself spreads them: see confirmAdaptive. Trap: a sum that the problem keeps, a mass say, drifts by the
+// roundings of the linear systems, times the step; Radau, whose Newton's method corrects itself, has less than a
+// thousandth of RODAS' drift. A component that has become as small as that is wrong, and neither a step's error nor
+// confirmAdaptive shows it: so it is in the reaction E5, from 1e-3 down to 1e-22. Refused: what requireProblem refuses,
+// other methods, end <= start, options outside their ranges. Source of the control: Gustafsson; Hairer and Wanner II,
+// IV.2. Of the first step: Hairer, Norsett and Wanner I, II.4.
 OdeResult integrateAdaptive(const OdeProblem& problem, OdeMethod method, double start, double end,
                             std::vector<double> y, const AdaptiveOptions& options = {});
 

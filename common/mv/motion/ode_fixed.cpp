@@ -137,7 +137,7 @@ class ImplicitStep {
         return why;
     }
 
-    // To a tolerance of 1e-12 a contraction by 0.25 will do.
+    // A contraction by 0.25 will do for a tolerance of 1e-12.
     static constexpr int mostRadauIterations = 20;
     OdeMethod method_;
     int halvings_;

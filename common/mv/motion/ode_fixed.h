@@ -14,7 +14,7 @@ namespace mv {
 
 // For the implicit methods; RODAS has no iteration, and reads neither.
 struct FixedOptions {
-    // What is left of a stage's error when Newton's method ends, as a part of a component's size (see
+    // The part of a stage's error that is left when Newton's method ends, as a part of a component's size (see
     // OdeProblem::scale; without scales at least a thousandth of the largest component): 1e-13 to 1e-3.
     double newtonTolerance = 1e-12;
     // How often a step may be halved where Newton's method does not contract: 0 to 40. The halves are steps of their
@@ -29,7 +29,7 @@ void requireSteps(std::string_view subject, double start, double step, const Fix
 // Steps of length `step` from (start, y). The time after i steps is start + i * step, computed by one product: a sum
 // t += step would be off by its roundings, in float by 2605 s after 24 hours of 1/60 s.
 //
-// What cannot go on stays where it is, at its last finite state, with a failure in words: an explicit method that has
+// A stepper that cannot go on stays at its last finite state, with a failure in words: an explicit method that has
 // grown beyond all numbers, or a Newton's method that does not contract even in the shortest step.
 // Trap: before that an explicit method with too long a step has long been wrong. stabilityLimit
 // (mv/motion/ode_stability.h) tells the step; a fixed step has no error estimate. Copies go on independently, each

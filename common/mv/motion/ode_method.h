@@ -33,9 +33,9 @@ std::string_view methodName(OdeMethod method);
 // p, where the error after a given time shrinks like h^p.
 int methodOrder(OdeMethod method);
 bool needsMechanical(OdeMethod method);
-// It solves linear systems: implicit Euler, implicit midpoint, BDF2, RODAS and Radau.
+// The method solves linear systems: implicit Euler, implicit midpoint, BDF2, RODAS and Radau.
 bool isImplicit(OdeMethod method);
-// It has an error estimate, and so can choose its steps: Dormand-Prince, RODAS and Radau.
+// The method has an error estimate, and so can choose its steps: Dormand-Prince, RODAS and Radau.
 bool isAdaptive(OdeMethod method);
 
 // Stages k_i = f(t + c_i h, y + h sum_j a_ij k_j), then y + h sum_i b_i k_i. a is lower triangular and stored row by
@@ -49,8 +49,8 @@ struct ButcherTableau {
         return a[static_cast<std::size_t>(row) * b.size() + static_cast<std::size_t>(column)];
     }
 };
-// Of explicit Euler and midpoint, Runge-Kutta 4, Dormand-Prince, implicit Euler and midpoint; Error for the others.
-// Source: Hairer, Norsett and Wanner, "Solving Ordinary Differential Equations I", 2nd ed., II.1 and II.5.
+// Answers for explicit Euler and midpoint, Runge-Kutta 4, Dormand-Prince, implicit Euler and midpoint; Error for the
+// others. Source: Hairer, Norsett and Wanner, "Solving Ordinary Differential Equations I", 2nd ed., II.1 and II.5.
 const ButcherTableau& tableau(OdeMethod method);
 
 // RODAS, in the form without products by the Jacobian J:

@@ -22,8 +22,8 @@ struct OdeCase {
 OdeCase springCase(double w, double ratio);
 
 // 100 masses of 1 on a line, joined by springs whose stiffnesses are 1 and 1e6 in turn, the outermost fixed to walls;
-// the stiff ones are damped by 1000, 0.7 of what is critical for their pair. It starts at rest, bent like sin(pi x),
-// each stiff pair as one. y = (q, v), 200 numbers, until t = 10. No reference.
+// the stiff ones are damped by 1000, 0.7 of what is critical for their pair. The chain starts at rest, bent like sin(pi
+// x), each stiff pair as one. y = (q, v), 200 numbers, until t = 10. No reference.
 OdeCase chainCase();
 
 // The classics, as in Hairer and Wanner II, IV.1 and IV.10, and the "Test Set for Initial Value Problem Solvers"

@@ -73,7 +73,7 @@ double spectralRadius(double a, double b, double c, double d) {
     return std::hypot(mean, std::sqrt(-discriminant));
 }
 
-// Of q and h v, of q'' = -k q - c q' and a step of 1.
+// The growth of q and h v, of q'' = -k q - c q' and a step of 1.
 double ofMechanical(OdeMethod method, double k, double c) {
     if (method == OdeMethod::symplecticEuler) return spectralRadius(1 - k, 1 - c, -k, 1 - c);
     const double a = 1 - k / 2, b = 1 - c / 2;  // the new q
@@ -144,7 +144,7 @@ double amplification(OdeMethod method, std::complex<double> z, std::complex<doub
 }
 
 double stabilityLimit(OdeMethod method) {
-    // What grows by less than this in a step is rounding; explicit midpoint grows by 8e-7 at the first step tried.
+    // Growth by less than this in a step is rounding; explicit midpoint grows by 8e-7 at the first step tried.
     constexpr double unseen = 1e-9, first = 0.05, last = 100;
     const auto isStable = [&](double wh) { return amplification(method, {0, wh}) <= 1 + unseen; };
     double stable = 0, unstable = first;

@@ -9,16 +9,16 @@
 
 namespace mv {
 
-// R(z): a step multiplies the solution of y' = lambda y by R(h lambda). Of BDF2, whose two steps have two such
+// R(z): a step multiplies the solution of y' = lambda y by R(h lambda). For BDF2, whose two steps have two such
 // factors, the larger one. Infinity (real) at a pole, and where R is beyond all doubles. Off by some roundings of the
-// largest term of the sum, so near 1e-16 where R itself vanishes at infinity. Refused: NaN, infinity, symplectic
-// Euler and velocity Verlet, which do different things to q and v: ask amplification.
-// Source: Hairer and Wanner, "Solving Ordinary Differential Equations II", 2nd ed., IV.2, IV.3, IV.7, V.1.
+// largest term of the sum, so near 1e-16 where R itself vanishes at infinity. Refused: NaN, infinity, symplectic Euler
+// and velocity Verlet, which do different things to q and v: ask amplification. Source: Hairer and Wanner, "Solving
+// Ordinary Differential Equations II", 2nd ed., IV.2, IV.3, IV.7, V.1.
 std::complex<double> stabilityFunction(OdeMethod method, std::complex<double> z);
 
-// By how much a step multiplies the solution in the long run: |R(z)|, or, of symplectic Euler and velocity Verlet, the
-// largest absolute eigenvalue of the step on the oscillator q'' = -|lambda|^2 q + 2 Re(lambda) q' that has the
-// eigenvalues lambda and its conjugate. The method is stable at z where it is at most 1. Refused: NaN, infinity.
+// The factor by which a step multiplies the solution in the long run: |R(z)|, or, of symplectic Euler and velocity
+// Verlet, the largest absolute eigenvalue of the step on the oscillator q'' = -|lambda|^2 q + 2 Re(lambda) q' that has
+// the eigenvalues lambda and its conjugate. The method is stable at z where it is at most 1. Refused: NaN, infinity.
 // Trap: where such a step has a double eigenvalue, errors of 1e-16 in it show as 1e-8.
 double amplification(OdeMethod method, std::complex<double> z);
 // The same of an oscillator with those two eigenvalues, times the step: a conjugate pair, or two real ones, as it has where
@@ -28,7 +28,7 @@ double amplification(OdeMethod method, std::complex<double> z, std::complex<doub
 
 // The largest w h for which the undamped oscillation q'' = -w^2 q does not grow, nor for any shorter step: 2 for
 // symplectic Euler and velocity Verlet, 2 sqrt 2 for Runge-Kutta 4, 0 for explicit Euler and midpoint, infinity for the
-// A-stable ones. To 1e-6 of it.
+// A-stable ones. Exact to 1e-6 of it.
 double stabilityLimit(OdeMethod method);
 
 // The eigenvalues of the problem's Jacobian at (t, y), as many as it has dimensions, each as often as it is one; largest

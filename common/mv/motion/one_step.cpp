@@ -59,7 +59,7 @@ void RungeKuttaStep::accept() {
 
 void RungeKuttaStep::dense(double h, std::span<const double> y, std::span<const double> next,
                            std::array<std::vector<double>, 3>& vectors) const {
-    // Source: Hairer, Norsett and Wanner I, II.6; their code DOPRI5. Of order 4.
+    // Source: Hairer, Norsett and Wanner I, II.6; their code DOPRI5. A method of order 4.
     static constexpr std::array<double, 7> d{-12715105075.0 / 11282082432,  0,
                                              87487479700.0 / 32700410799,   -10690763975.0 / 1880347072,
                                              701980252875.0 / 199316789632, -1453857185.0 / 822651844,

@@ -44,8 +44,8 @@ struct Turn {
     double sine, cosine;
 };
 
-// Of half the angle. Quarters are taken off in whole numbers, so that what is left is small and multiples of 90 are
-// exact.
+// The sine of half the angle. Quarters are taken off in whole numbers, so that what is left is small and multiples of
+// 90 are exact.
 Turn halfTurn(std::string_view subject, double degrees) {
     requireFinite(subject, "the angle", degrees);
     int quarters = 0;

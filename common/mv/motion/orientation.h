@@ -24,8 +24,8 @@ struct quat {
 // The axis may have any length but 0. Refused: axis 0, NaN, infinity. Equals glm::angleAxis, whose angle is in radians.
 quat quatFromAxis(double degrees, const vec3& axis);
 
-// The matrix that turns a point by q: rotate(...) as a quaternion. It is orthogonal to rounding for a q of any length.
-// Refused: 0, NaN, infinity. Equals glm::mat4_cast of the unit quaternion.
+// The matrix that turns a point by q: rotate(...) as a quaternion. The matrix is orthogonal to rounding for a q of any
+// length. Refused: 0, NaN, infinity. Equals glm::mat4_cast of the unit quaternion.
 mat4 rotationMatrix(const quat& q);
 
 // The orientation of a rotation matrix, of the two with w >= 0 (w = 0: with the first of x, y, z that is not 0
@@ -39,9 +39,9 @@ quat quatFromMatrix(const mat4& rotation);
 // b's turn first, then a's, as with matrices: rotationMatrix(a * b) = rotationMatrix(a) * rotationMatrix(b).
 quat operator*(const quat& a, const quat& b);
 
-// The angle of the turn that takes one orientation to the other, in degrees: 0 to 180, with an error of 1e-13 or so. By
-// the atan2 of the sum and the difference; acos of the dot product is off by 1e-6 degrees near 0.
-// Source: Kahan, "How futile are mindless assessments of roundoff in floating-point computation?" (2006), section 12.
+// The angle of the turn that takes one orientation to the other, in degrees: 0 to 180, with an error of 1e-13 or so.
+// Computed by the atan2 of the sum and the difference; acos of the dot product is off by 1e-6 degrees near 0. Source:
+// Kahan, "How futile are mindless assessments of roundoff in floating-point computation?" (2006), section 12.
 double angleBetween(const quat& a, const quat& b);
 
 // Which of the two turns from one orientation to another: by 180 degrees and less, or by the rest to 360.

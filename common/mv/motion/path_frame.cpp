@@ -88,8 +88,8 @@ PathFrame turnedTo(const PathFrame& frame, const vec3& velocity) {
     if (!(squares > 1e-12)) {
         throw Error("turnedTo", "directions must be more than 1e-6 rad off opposite ones", vectorText(velocity));
     }
-    // Mirrored twice: along the old forward, and along the sum. What rounding leaves of up along the new forward is
-    // dropped.
+    // Mirrored twice: along the old forward, and along the sum. Drop the part of up along the new forward that rounding
+    // leaves.
     const vec3 turned = frame.up - 2 * glm::dot(frame.up, sum) / squares * sum;
     const vec3 up = unit(turned - glm::dot(turned, forward) * forward);
     return {forward, up, glm::cross(forward, up)};

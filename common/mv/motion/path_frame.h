@@ -1,6 +1,6 @@
 // Frames that move along a curve in space: where a car, a camera or a cross-section looks, and which way is up.
 //
-// Forward is the direction of the velocity. What is left, the turn about it, is a choice: by an up vector (this file),
+// Forward is the direction of the velocity. The turn about it is left as a choice: by an up vector (this file),
 // or by turning as little as possible (mv/motion/minimizing_frame.h).
 #pragma once
 #include <cstddef>
@@ -31,7 +31,7 @@ PathFrame rolled(const PathFrame& frame, double degrees);
 PathFrame turnedTo(const PathFrame& frame, const vec3& velocity);
 
 // The frame along a velocity with its up in the half plane of the given up, which need not be perpendicular nor of unit
-// length: fixed up where it is the same along the path, (0, 1, 0) mostly. Of the velocity only the direction counts.
+// length: fixed up where it is the same along the path, (0, 1, 0) mostly. Only the direction of the velocity counts.
 // Refused: a velocity of 0 (at a cusp of the path there is no forward), up 0 or within 1e-12 rad
 // of the velocity's line, NaN, infinity. Equals the turn of lookAt, inverted.
 // Trap: in a loop the path points straight up; before and after that fixed up is on other sides, and the frame turns
@@ -78,7 +78,7 @@ struct FramesByRule {
     std::vector<std::size_t> flipped;
 };
 
-// frameByUp, frameByAcceleration and frameByBanking at each sample. What those refuse of up is noted instead. Refused:
+// frameByUp, frameByAcceleration and frameByBanking at each sample. A refusal of up by those is noted instead. Refused:
 // what requireMoving refuses, and what turnedTo does between neighbours.
 FramesByRule framesByUp(std::span<const PathSample> samples, const vec3& up);
 FramesByRule framesByAcceleration(std::span<const PathSample> samples);

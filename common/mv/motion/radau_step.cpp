@@ -74,7 +74,7 @@ std::string RadauStep::iterate(const OdeProblem& problem, double t, double h, st
     const double real = r.real / h;
     const std::complex<double> complex = r.complex / h;
     guess(h);
-    // What the last step left; a little more, since that was another one.
+    // The error that the last step left; a little more, since that was another one.
     remaining_ = std::pow(std::max(remaining_, std::numeric_limits<double>::epsilon()), 0.8);
     double before = 0, ratioBefore = 0;
     rate_ = fastEnough;
@@ -139,8 +139,8 @@ void RadauStep::estimate(const OdeProblem& problem, double t, double h, std::spa
         error_[i] = filtered_[i] + first_[i];
     }
     matrix_.solve(error_);
-    // Where it is stiff that is too large on the first step and after a rejection, when y is off its slow course: once
-    // more from there, which forgets it.
+    // The estimate of a stiff problem is too large on the first step and after a rejection, when y is off its slow
+    // course: once more from there, which forgets it.
     if (weighted(error_) < 1 || !(isFirstStep_ || isRepeated_)) return;
     for (std::size_t i = 0; i < n; ++i) argument_[i] = y[i] + error_[i];
     problem.slope(t, argument_, error_);

@@ -11,7 +11,7 @@
 
 namespace mv {
 
-// What a step's Newton method ends at, and its error is told by.
+// The bounds at which a step's Newton method ends, and by which its error is told.
 struct RadauTolerance {
     double relative;
     double absolute;  // 0: by OdeProblem::scale, or else a thousandth of the largest component, instead
@@ -20,11 +20,11 @@ struct RadauTolerance {
 };
 
 // The three stages are transformed so that a simplified Newton iteration solves one real and one complex system of the
-// problem's own dimension, in place of one three times as large. It must contract, and so fast that the iterations that
-// are left reach the tolerance; else there is no step. J is kept from step to step while it contracts a thousandfold, its
-// factors while h is kept, too. The functions are those of RungeKuttaStep in one_step.h; the interpolation is that of
-// collocation, of order 3.
-// Source: Hairer and Wanner, "Solving Ordinary Differential Equations II", 2nd ed., IV.8; their code RADAU5.
+// problem's own dimension, in place of one three times as large. The iteration must contract, and so fast that the
+// iterations that are left reach the tolerance; else there is no step. J is kept from step to step while it contracts a
+// thousandfold, its factors while h is kept, too. The functions are those of RungeKuttaStep in one_step.h; the
+// interpolation is that of collocation, of order 3. Source: Hairer and Wanner, "Solving Ordinary Differential Equations
+// II", 2nd ed., IV.8; their code RADAU5.
 class RadauStep {
   public:
     RadauStep(const RadauTolerance& tolerance, std::size_t dimension);

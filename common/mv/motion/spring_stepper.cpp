@@ -10,7 +10,7 @@ namespace {
 
 using Values = std::vector<double>;
 
-// Of a spring, from its end a to its end b.
+// The vector of a spring, from its end a to its end b.
 struct Motion {
     vec3 along, velocity;  // unit vector
     double length, rate;

@@ -21,7 +21,7 @@ class SpringStepper {
   public:
     // Refused: what springProblem and FixedStepper refuse.
     SpringStepper(const SpringSystem& system, OdeMethod method, double start, double step, std::vector<double> state);
-    // By the energy-momentum method.
+    // Steps by the energy-momentum method.
     SpringStepper(const SpringSystem& system, double start, double step, std::vector<double> state);
 
     // One step further. False where it gave up, now or before: nothing has changed then.

@@ -42,9 +42,9 @@ vec3 velocityOf(std::span<const double> state, std::size_t point);
 void requireSprings(const SpringSystem& system);
 void requireSprings(const SpringSystem& system, std::span<const double> state);
 
-// The system as y' = f(t, y), mechanical, autonomous, with its sparse Jacobian. It keeps a copy of the system. f is not
-// finite where a spring with a rest length or damping has its two ends in one place: such a force has no direction.
-// Refused: what requireSprings refuses.
+// The system as y' = f(t, y), mechanical, autonomous, with its sparse Jacobian. The problem keeps a copy of the system.
+// f is not finite where a spring with a rest length or damping has its two ends in one place: such a force has no
+// direction. Refused: what requireSprings refuses.
 OdeProblem springProblem(const SpringSystem& system);
 
 // Kinetic energy, that of the springs, and of height against gravity (0 at the origin). Infinity where it overflows.

@@ -26,11 +26,11 @@ AxisAngle axisAngleOf(const quat& q);
 // The vector turned by q: rotationMatrix(q) * v, with half the products. Refused: 0. Equals GLM's q * v for unit q.
 vec3 turned(const quat& q, const vec3& v);
 
-// The smallest turn that takes the direction `from` to the direction `to`, both of any length but 0. Of opposite directions it is
-// half a turn about an axis perpendicular to them: their cross product with the world axis that is least along them, on a tie z
-// before y before x. Right to some roundings at any angle: by the larger of sine and cosine of half the angle; from 1 + cos,
-// as it is mostly written, all digits are lost within 1e-8 rad of opposite. Refused: 0.
-// Equals glm::rotation. Trap: it jumps where the directions pass through opposite.
+// The smallest turn that takes the direction `from` to the direction `to`, both of any length but 0. For opposite
+// directions the turn is half a turn about an axis perpendicular to them: their cross product with the world axis that
+// is least along them, on a tie z before y before x. Right to some roundings at any angle: by the larger of sine and
+// cosine of half the angle; from 1 + cos, as it is mostly written, all digits are lost within 1e-8 rad of opposite.
+// Refused: 0. Equals glm::rotation. Trap: it jumps where the directions pass through opposite.
 quat turnBetween(const vec3& from, const vec3& to);
 
 // The order in which three angles are multiplied, the last acting first: xyz is rotateX(x) * rotateY(y) * rotateZ(z). yxz is

@@ -14,7 +14,7 @@ struct TwoLinkAngles {
     double shoulder = 0, elbow = 0;  // degrees
 };
 
-// Where the second link ends: (l1 cos a + l2 cos(a+b), l1 sin a + l2 sin(a+b)) for the angles a and b. Any finite
+// The end of the second link: (l1 cos a + l2 cos(a+b), l1 sin a + l2 sin(a+b)) for the angles a and b. Any finite
 // angles; lengths 0 to 1e300, in the unit of the result. Refused: another length, NaN, infinity.
 vec2 twoLinkEnd(double l1, double l2, const TwoLinkAngles& angles);
 
@@ -23,7 +23,7 @@ enum class TwoLinkSolutions { none, one, two, infinitelyMany };
 struct TwoLinkAnswer {
     TwoLinkSolutions solutions = TwoLinkSolutions::none;
     std::string_view reason;  // why there are so many, for a reader
-    // Where there are two: the elbow turned counter-clockwise (above 0), then clockwise. Seen along the way from
+    // Two, where there are two: the elbow turned counter-clockwise (above 0), then clockwise. Seen along the way from
     // shoulder to target it then lies on the right, and on the left: which one is "up" depends on where the target is.
     // Else the same angles twice: of infinitely many one, with 0 for what is free; of none those that bring the end as
     // near as can be. All are within -180..180 degrees.

@@ -35,7 +35,8 @@ double bounceEase(double t, EaseSide side);
 double bounceEaseSlope(double t, EaseSide side);
 
 // Stays, and jumps at the end of each of `steps` equal parts of the time: floor(steps t)/steps. Equals CSS steps(n, jump-end).
-// It has no slope but 0. Trap: steps t is rounded, so 0.29 of a hundred steps is at 28. Refused: steps outside 1 to 1e6.
+// The function has no slope but 0. Trap: steps t is rounded, so 0.29 of a hundred steps is at 28. Refused: steps
+// outside 1 to 1e6.
 double stepsEase(double t, int steps);
 
 }  // namespace mv

@@ -14,7 +14,7 @@
 namespace mv {
 namespace {
 
-// What is told and fails nothing.
+// Findings that are told and fail nothing.
 bool isSetAgain(std::string_view kind) { return kind == waste::stateAgain || kind == waste::uniformAgain; }
 
 // Whether the finding is what was declared: word for word, but that # stands for a number.
@@ -92,7 +92,7 @@ std::string line(const std::string& name, const FrameWork& work) {
            number(work.stateChanges) + " state changes\n";
 }
 
-// What a demo has said of its own work, once with its number of times.
+// A demo's own words about its work, once with their number of times.
 void noteNeedless(std::vector<Finding>& said, const std::string& what) {
     const auto known = std::find_if(said.begin(), said.end(), [&](const Finding& one) { return one.what == what; });
     if (known == said.end()) {

@@ -14,7 +14,7 @@ struct AuditReport {
     FrameWork first;                  // the first frame after the demo is opened
     FrameWork steady;                 // the same frame once more: what stays to be done while nothing changes
     std::vector<std::string> undone;  // Stage::undone() of that frame
-    // What the scene does not need, and the demo does not declare: passes, draws, buffers, uploads, objects.
+    // Work that the scene does not need and the demo does not declare: passes, draws, buffers, uploads, objects.
     std::vector<Finding> findings;
     // State and uniforms that were set to what they were: worth a look, and no fault.
     std::vector<Finding> again;
@@ -22,9 +22,9 @@ struct AuditReport {
     std::vector<std::pair<Finding, std::string>> excused;
     // Declared exceptions that excuse nothing in these settings.
     std::vector<std::string> idleExcuses;
-    // What ES 3.0 lacks, used in these frames and not declared in needs.beyondEs.
+    // Features that ES 3.0 lacks, used in these frames and not declared in needs.beyondEs.
     std::vector<std::string> undeclaredBeyondEs;
-    // What the driver says, and what is no fault.
+    // The driver's remarks, which are no faults.
     std::vector<DriverRemark> remarks;
     bool clean() const { return findings.empty() && undeclaredBeyondEs.empty(); }
 };

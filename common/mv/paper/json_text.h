@@ -1,5 +1,5 @@
-// JSON as text, written in the order of the calls. What reads JSON uses a library; a page in a browser only writes it, and would load
-// the library for that.
+// JSON as text, written in the order of the calls. Readers of JSON use a library; a page in a browser only writes it,
+// and would load the library for that.
 #pragma once
 #include <concepts>
 #include <string>

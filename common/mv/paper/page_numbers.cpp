@@ -77,7 +77,7 @@ std::optional<ToldNumber> toldNumberIn(const std::string& text) {
     return told;
 }
 
-// Of the digits before the point.
+// The number of digits before the point.
 std::string inGroups(const std::string& digits) {
     const std::size_t whole = std::min(digits.find('.'), digits.size());
     std::string text;
@@ -171,7 +171,7 @@ namespace {
 // A readout is computed in double, or summed over pixels, of which another driver rounds one in hundreds differently: 0.2 %
 // of it may differ. On the same driver nothing does.
 MadeNumber measured(double value) { return {value, 0.002 * std::abs(value), false}; }
-// Of a committed file, which is the same everywhere.
+// A number of a committed file, which is the same everywhere.
 MadeNumber committedNumber(double value) { return {value, 0, false}; }
 MadeNumber counted(double value) { return {value, 0, true}; }
 

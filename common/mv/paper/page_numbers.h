@@ -4,7 +4,7 @@
 //     at 1024 texels <!--= study shadow-map; still life; 1 tap; 1024; wrong % -->0.10<!--/--> % of the pixels are wrong
 //     the horizon leans by <!--= run viewpoints view=5 height=20 frame=100; roll -->8.7<!--/--> degrees
 //
-// What makes it is one of
+// Its source is one of
 //
 //     study DEMO; SCENE; METHOD; P; COLUMN       a row of the committed study of a processor, docs/errors-and-times/DEMO.processor.csv
 //     study DEMO gpu; SCENE; METHOD; P; COLUMN   the same of a GPU
@@ -12,7 +12,8 @@
 //
 // A column is a heading of the study's page ("rms", "max", "wrong %", "away from edges %", "ms", "MAD"), one of "n",
 // "unmatched", "wrong pixels", "slope" and "time slope", or the name of a count ("fragments"). Flags stand without their
-// dashes, since a comment must not hold two of them. What follows from a formula or is held by a test has no marker.
+// dashes, since a comment must not hold two of them. A number that follows from a formula or is held by a test has no
+// marker.
 #pragma once
 #include <functional>
 #include <map>
@@ -32,7 +33,7 @@ struct PageNumber {
     std::size_t from = 0;  // where `text` begins in the page
 };
 
-// What a source makes.
+// The number that a source makes.
 struct MadeNumber {
     double value = 0;
     // How much the same source may make with another driver. 0 for counts, and for what a committed file says.
@@ -44,7 +45,7 @@ struct MadeNumber {
 // that Markdown would not take for a comment, or that holds no number.
 std::vector<PageNumber> pageNumbers(const std::string& page, const std::string& file);
 
-// Makes numbers from their sources. What was drawn or read for one of them is kept for the next.
+// Makes numbers from their sources. Pictures and files of one of them are kept for the next.
 class NumberSources {
   public:
     // `studies` gives the committed runs of a demo's study, a processor's first, `stage` a stage to draw on.

@@ -1,4 +1,4 @@
-// What is known of a drawn frame, as text or as JSON.
+// The report of a drawn frame, as text or as JSON.
 #pragma once
 #include <string>
 #include <vector>
@@ -16,7 +16,7 @@ inline double withoutRounding(double value, double largest) {
 // The draws of a frame that was stopped, what each is made of, and its buffers, a line each.
 std::string stepsText(const FrameSteps& steps);
 
-// What the driver says, a line each with `before` before it.
+// The driver's remarks, a line each with `before` before it.
 std::string remarksText(const std::vector<DriverRemark>& remarks, const std::string& before);
 
 std::string reportText(Stage& stage, int index, const FrameTimes& times);

@@ -1,18 +1,12 @@
 // Small things that reports, pages and plots say with: numbers as text, and cells of tables.
 #pragma once
 #include <algorithm>
-#include <cstdio>
 #include <string>
 #include <vector>
 
-namespace mv {
+#include "mv/formatted.h"
 
-// One number by a format of printf.
-inline std::string formatted(const char* format, double value) {
-    char text[64];
-    std::snprintf(text, sizeof text, format, value);
-    return text;
-}
+namespace mv {
 
 // Columns of text, each as wide as its widest cell and two spaces apart; the first `left` of them flush left.
 inline std::string aligned(const std::vector<std::vector<std::string>>& rows, std::size_t left) {

@@ -83,7 +83,7 @@ void readChange(const std::string& frame, const std::string& setting, Demo& demo
     command.changes.push_back({at, knob, demo.knob(knob).text()});
 }
 
-// What cannot be seen, since no frame is drawn that late, and what says twice how a knob is set.
+// Changes that cannot be seen, since no frame is drawn that late, and those that set a knob twice.
 void checkChanges(const Command& command) {
     for (const TimedChange& change : command.changes) {
         if (change.frame > command.lastFrame && (command.action != Action::window || command.frameGiven)) {
@@ -223,7 +223,7 @@ void startFrom(const Preset& preset, Command& command) {
     command.knobs.insert(command.knobs.begin(), preset.settings.begin(), preset.settings.end());
 }
 
-// What the help says beneath the flags.
+// The help's words beneath the flags.
 std::string footerOf(const DemoInfo& info) {
     std::string text;
     if (!info.lookFor.empty()) text = "Look for: " + info.lookFor;
@@ -232,7 +232,7 @@ std::string footerOf(const DemoInfo& info) {
     return text;
 }
 
-// What the name says that the file is: a PNG, or nothing. "-" is standard output.
+// The format by the file's name: PNG, or nothing. "-" is standard output.
 void checkShot(const Command& command) {
     const std::string file = frameFile(command.shot, 1);
     std::string kind = std::filesystem::path(file).extension().string();

@@ -11,7 +11,7 @@
 
 namespace mv {
 
-// What was typed cannot be understood: exit status 2. Any other Error: exit status 1.
+// A command line that cannot be understood: exit status 2. Any other Error: exit status 1.
 class UsageError : public Error {
   public:
     using Error::Error;

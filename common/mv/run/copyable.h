@@ -20,8 +20,8 @@ std::string copyableCommand(const std::string& start, const DemoInfo& info, cons
                             int height, const ComparedKnob& compared = {}, const Timeline* timeline = nullptr,
                             std::optional<int> until = {});
 
-// What to type, where the program was started so, to start that demo: "./run shadow-map", and "build/bin/shadow-map" where the
-// program is that demo's and has its name.
+// The words to type, where the program was started so, to start that demo: "./run shadow-map", and
+// "build/bin/shadow-map" where the program is that demo's and has its name.
 std::string startOf(const std::string& program, const DemoInfo& info);
 
 // The text as one word of a shell's command line: in quotes where it is not made of letters, digits and -_./=,:+@%.

@@ -8,16 +8,16 @@
 
 namespace mv {
 
-// What a command line gives: its flags, each once and without values; the knobs' flags are among `knobs`.
+// The parts of a command line: its flags, each once and without values; the knobs' flags are among `knobs`.
 struct GivenFlags {
     std::vector<std::string> flags, knobs;
     bool demo = false;  // named first, in a program of several
     bool has(std::string_view flag) const;
 };
 
-// What they ask for. With --shot, --report or --headless that is a picture without a window, without any such flag a window.
-// Error: UsageError where a flag is given that does nothing beside the one that says what to do: it names both, and what
-// the flag goes with.
+// The request of the flags. With --shot, --report or --headless that is a picture without a window, without any such
+// flag a window. Error: UsageError where a flag is given that does nothing beside the one that says what to do: it
+// names both, and what the flag goes with.
 Action actionOf(const GivenFlags& given);
 
 }  // namespace mv

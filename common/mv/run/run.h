@@ -1,4 +1,4 @@
-// What main() calls.
+// The function that main() calls.
 #pragma once
 namespace mv {
 

@@ -12,7 +12,7 @@ namespace mv {
 // Error: no display, no module, or a driver without the OpenGL that is needed.
 void openWindow(const Command& command);
 
-// What the module exports, under the name below.
+// The function that the module exports, under the name below.
 using WindowMain = void (*)(const Command& command);
 inline constexpr const char* windowMainName = "mvglWindowMain";
 

@@ -14,8 +14,8 @@ std::string caughtSentence(const std::string& subject);
 
 // The knobs that a refusal names, the refused one first: of "--near: must be less than --far 1.8, 2" near and far.
 std::vector<std::string> knobsNamed(const std::string& refusal, const Demo& demo);
-// The same for who moves knobs and types no flags: "near is 2, and must be less than far 1.8: move near or far". Of a sentence
-// that is about no knob, itself.
+// The same for who moves knobs and types no flags: "near is 2, and must be less than far 1.8: move near or far". A
+// sentence that is about no knob is returned as it is.
 std::string inPlainWords(const std::string& refusal, const Demo& demo);
 
 }  // namespace mv

@@ -6,7 +6,7 @@
 
 namespace mv {
 
-// Of at least one value; of an even number the mean of the two in the middle.
+// The median of at least one value; for an even number the mean of the two in the middle.
 inline double median(std::vector<double> values) {
     std::ranges::sort(values);
     const std::size_t half = values.size() / 2;

@@ -7,7 +7,7 @@ namespace mv {
 // leaves frames out.
 class Playback {
   public:
-    // What is not animated, as framesDiffer() has it, stands still for ever.
+    // A demo that is not animated, as framesDiffer() has it, stands still for ever.
     Playback(bool animated, int first, bool paused);
 
     bool animated() const { return animated_; }
@@ -20,7 +20,7 @@ class Playback {
     void toggle() { playing_ = animated_ && !playing_; }
     // One frame further, and paused there.
     void step();
-    // To that frame, and paused there.
+    // Goes to that frame, and pauses there.
     void goTo(int frame);
     // Back to frame 1, the first picture of an original.
     void restart();

@@ -13,7 +13,7 @@
 
 namespace mv {
 
-// What a session begins with, besides the demo.
+// The beginning of a session, besides the demo.
 struct SessionStart {
     int width = 0, height = 0;  // of the picture, in pixels
     std::vector<KnobSetting> knobs = {};
@@ -23,7 +23,7 @@ struct SessionStart {
     std::optional<int> until = {};  // as Session::stopAfter()
 };
 
-// What is drawn instead of one picture of the demo: two of its settings, say.
+// A drawing in place of one picture of the demo: two of its settings, say.
 class OtherPicture {
   public:
     struct Cost {
@@ -61,7 +61,7 @@ class Session {
     // The picture is to be drawn anew for something that the session does not see: a knob that a widget moved, a shader.
     void touch() { stale_ = true; }
 
-    // What the user does. A key of the demo's own; false: the host may take it for itself.
+    // The user's actions. A key of the demo's own; false: the host may take it for itself.
     bool press(Key key);
     // A drag that began over the picture; positions in pixels at ordinary density, y downwards.
     void pointerDown(double x, double y);
@@ -76,7 +76,7 @@ class Session {
         until_ = draws;
     }
     const std::optional<int>& until() const { return until_; }
-    // Of the last picture, where it was stopped.
+    // The draws of the last picture, where it was stopped.
     const std::optional<FrameSteps>& steps() const { return stage_.steps(); }
 
     // Back to frame 1, with the settings as they are now and nothing changed since.
@@ -102,7 +102,7 @@ class Session {
     // Whether the stage's front() has a picture of its present size, and which frame that is.
     bool hasPicture() const { return hasPicture_; }
     int drawnFrame() const { return drawnFrame_; }
-    // What the last picture left: matrices, messages, counts.
+    // The notes of the last picture: matrices, messages, counts.
     const FrameNotes& notes() const { return stage_.notes(); }
     // The first and the last picture's time; with `runs`, that of so many more, which it draws.
     FrameTimes times(int runs = 0);

@@ -31,7 +31,8 @@ void clearTarget(const vec4& color, const Needs& needs) {
     glClearColor(0, 0, 0, 0);
 }
 
-// Of a feature that came with a version of OpenGL: that one, the newest that was asked for, and the one that was given.
+// The versions for a feature that came with one of OpenGL's: that one, the newest that was asked for, and the one that
+// was given.
 std::string versionsOf(const std::string& feature) {
     const std::optional<Newer> newer = newerThan33(feature);
     if (!newer || isEs()) return "";
@@ -39,7 +40,7 @@ std::string versionsOf(const std::string& feature) {
            ", given " + versionText(contextVersion()) + ")";
 }
 
-// What is said of a feature that these settings need and the context lacks.
+// The sentence about a feature that these settings need and the context lacks.
 std::string sentenceWithout(const std::string& feature, const DemoInfo& info) {
     for (const BeyondEs& lacking : info.needs.beyondEs) {
         if (lacking.feature != feature) continue;
@@ -50,7 +51,7 @@ std::string sentenceWithout(const std::string& feature, const DemoInfo& info) {
 
 }  // namespace
 
-// What a probe asks, drawn on a stage.
+// A probe's questions, drawn on a stage.
 class StageProbing final : public Probing {
   public:
     StageProbing(Stage& stage, const Target& drawn, int index)

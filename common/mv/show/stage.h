@@ -1,4 +1,4 @@
-// Where a demo is drawn: a context, a target with just the buffers it needs, and the demo itself.
+// The stage of a demo: a context, a target with just the buffers it needs, and the demo itself.
 #pragma once
 #include <functional>
 #include <memory>
@@ -53,7 +53,7 @@ class Stage {
     // this size, and after the first where there was none. Whether it was the last, so that the picture is that of draw();
     // one without passes has it in one. Error: as draw().
     bool drawNext(int index, bool readouts = false);
-    // Of what was drawn last: how many passes it has, and how many of them were made; 0 where it has none.
+    // The passes of the last picture: how many it has, and how many of them were made; 0 where it has none.
     int passes() const { return refined_.passes; }
     int passesDone() const { return refined_.done; }
     // Called every two seconds while one draw() makes passes, with the number that are done and that there are.
@@ -65,20 +65,21 @@ class Stage {
     // Counters, notes and readouts stay those of the last draw(). Error: more draws than it has, or fewer than 0, with how
     // many it has, and the whole frame is then shown, by steps(), too; else as draw().
     void stopAfter(int index, int draws);
-    // What stopAfter() found out, and nothing after another draw().
+    // The draws that stopAfter() found, and none after another draw().
     const std::optional<FrameSteps>& steps() const { return steps_; }
     // Draws frame `index` with frame.measuring() into a target of its own and returns the quantity, one float a pixel,
     // the upper row first; -1 where the demo has none. The picture is not touched. Error: as draw().
     std::vector<float> measure(int index);
-    // What the last good draw, or measure, left.
+    // The notes of the last good draw, or measure.
     const FrameNotes& notes() const { return notes_; }
     const Counters& frameCounters() const { return counters_; }
-    // What of OpenGL's state the last audited draw left changed, and the stage put back, as changedState() names it.
+    // The part of OpenGL's state that the last audited draw left changed, and the stage put back, as changedState()
+    // names it.
     const std::vector<std::string>& undone() const { return undone_; }
     Picture picture() const { return front().read(); }
     const Target& front() const { return targets_[shown_]; }
 
-    // What the demo has been through until the frame that is drawn.
+    // The demo's history until the frame that is drawn.
     Timeline& timeline() { return *timeline_; }
     const Timeline& timeline() const { return *timeline_; }
     Demo& demo() { return *demo_; }
@@ -88,7 +89,7 @@ class Stage {
 
   private:
     friend class StageProbing;
-    // What a draw leaves beside its picture.
+    // The results of a draw beside its picture.
     struct Drawn {
         FrameNotes notes;
         Counters counters;

@@ -124,7 +124,7 @@ void Timeline::change(const Told& told, int frame) {
     if (beginsAnew) demo_.reset();
 }
 
-// To the nearest frame before `to`, or that one, of which the memory is kept.
+// Goes back to the nearest frame before `to`, or that one, of which the memory is kept.
 void Timeline::jump(Run& run, const Told& told, int to) {
     if (to != run.now || !run.entered) {
         const auto nearest = std::prev(run.kept.upper_bound(to));
@@ -162,7 +162,7 @@ void Timeline::follow(Run& run, const Told& told, int index) {
     while (run.now < index) {
         demo_.step(++run.now);
         keep(run);
-        // What somebody moves at the frame that is shown begins here.
+        // A change at the frame that is shown begins here.
         run.entered = recording_ && run.now == index ? demo_.memory()->copy() : nullptr;
         change(told, run.now);
         if (run.now % 64 != 0 || !progress) continue;

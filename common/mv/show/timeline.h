@@ -1,4 +1,4 @@
-// What a demo remembers, at any frame: from the knobs it begins with, the changes made since, and the steps between.
+// A demo's memory at any frame: from the knobs it begins with, the changes made since, and the steps between.
 //
 // A frame is a function of these three, so a copied command line, a series of frames, a test and a frame that somebody goes
 // back to show the same bytes. Going back starts at the nearest frame that was kept. A demo without a Memory and without timed
@@ -43,7 +43,7 @@ class Timeline {
 
     // Whether the demo remembers, or is changed at some frame: then the knobs it begins with are not those it has.
     bool matters() const { return demo_.memory() || !told_.changes.empty(); }
-    // What it began with, knobs at their initial values left out, and what was changed until that frame.
+    // The settings at the beginning, knobs at their initial values left out, and the changes until that frame.
     std::vector<KnobSetting> beginning() const;
     std::vector<TimedChange> changesUntil(int index) const;
 

@@ -111,7 +111,7 @@ std::optional<Ranges> rangesOf(const StudyRun& run, const std::string& scene) {
         most = std::max(most, row.all.n);
     }
     if (ranges.time.low == 0) return {};
-    // Where every error is 0 the axis shows what it could have been: from one wrong value of all to all of them.
+    // An axis on which every error is 0 shows what it could have been: from one wrong value of all to all of them.
     if (ranges.error.low == 0) {
         ranges.error.add(1);
         if (run.axis == ErrorAxis::fraction && most > 0) ranges.error.add(1.0 / double(most));
@@ -158,8 +158,8 @@ std::vector<ChartTick> ticksOf(const ChartAxis& axis, double largest) {
 // How much of the axis a label takes.
 using Extent = std::function<std::pair<double, double>(double place, const std::string& text)>;
 
-// Gives each tick its label where there is room: the powers of ten first, then the others. Where that leaves one label, the
-// ends come before them. Between two stays a gap. Returns how many have one.
+// Gives each tick its label where there is room: the powers of ten first, then the others. The ends come before them
+// where that leaves one label. Between two stays a gap. Returns how many have one.
 long labelTicks(std::vector<ChartTick>& ticks, const ChartAxis& axis, const Extent& extent, double gap,
                 const std::vector<std::pair<double, double>>& taken) {
     long labelled = 0;
@@ -254,7 +254,7 @@ std::string knobsAlongLines(const StudyRun& run, const std::string& scene) {
 // ---- Labels beside points
 
 bool crosses(const ChartLine& line, const ChartBox& box) {
-    // What of the line is inside the four sides
+    // The part of the line inside the four sides
     double enter = 0, leave = 1;
     const double dx = line.toX - line.fromX, dy = line.toY - line.fromY;
     const auto cut = [&](double from, double d, double low, double high) {

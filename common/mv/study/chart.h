@@ -36,7 +36,7 @@ struct ChartBox {
     }
 };
 
-// What a chart is laid out for.
+// The frame that a chart is laid out for.
 struct ChartSpace {
     ChartBox area;                                    // with the points
     double beside = 0;                                // room right of it, for a label of the axis

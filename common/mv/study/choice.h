@@ -10,7 +10,7 @@
 
 namespace mv {
 
-// What is asked of a setting: a time that it must keep, in milliseconds, or an error, in the quantity of the study's axis.
+// The demand on a setting: a time that it must keep, in milliseconds, or an error, in the quantity of the study's axis.
 struct StudyBound {
     enum class Of { time, error } of = Of::time;
     double value = 0;
@@ -19,8 +19,8 @@ struct StudyBound {
 // "5 ms"; "0.01".
 std::string boundText(const StudyBound& bound);
 
-// Of these rows the cheapest whose error keeps the bound, or the most exact that keeps the time; of equals the other number
-// decides, then the order. Rows without a place in the plot keep nothing. Nothing where none keeps it.
+// The cheapest of these rows whose error keeps the bound, or the most exact that keeps the time; of equals the other
+// number decides, then the order. Rows without a place in the plot keep nothing. Nothing where none keeps it.
 std::optional<std::size_t> rowWithin(const StudyRun& run, const std::vector<std::size_t>& rows,
                                      const StudyBound& bound);
 

@@ -224,7 +224,7 @@ Evaluation settledLines(const StudyRun& run, const Predicate& predicate) {
     return finding.result(nameOf(predicate.which));
 }
 
-// By markBest, which says who competes with whom: among one row and all of its rivals.
+// Judged by markBest, which says who competes with whom: among one row and all of its rivals.
 Evaluation unbeatenRows(const StudyRun& run, const Predicate& predicate) {
     Evaluation result;
     const Rows rivals = matching(run, predicate.against);

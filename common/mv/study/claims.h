@@ -9,10 +9,10 @@ namespace mv {
 
 struct Evaluation {
     bool holds = false;
-    // What was evaluated, with the numbers found and the bounds: "slope of error over p, 1 tap: -0.94 .. -0.92 in 2
-    // scenes; claimed -1.1 .. -0.9".
+    // The predicates evaluated, with the numbers found and the bounds: "slope of error over p, 1 tap: -0.94 .. -0.92 in
+    // 2 scenes; claimed -1.1 .. -0.9".
     std::string text;
-    // What does not hold, a line each: "still life, 1 tap: slope of error over p is -0.79".
+    // The predicates that do not hold, a line each: "still life, 1 tap: slope of error over p is -0.79".
     std::vector<std::string> failures;
 };
 
@@ -21,7 +21,7 @@ struct Evaluation {
 bool isAbout(const Saying& saying, const StudyRun& run);
 
 // Error: the predicate asks for what the run does not have (rows, a count, partners, times), or for a slope of fewer
-// than three rows. It would hold of nothing.
+// than three rows. The predicate would hold of nothing.
 Evaluation evaluate(const StudyRun& run, const Predicate& predicate);
 
 }  // namespace mv

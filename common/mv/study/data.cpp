@@ -7,14 +7,14 @@
 #include <functional>
 #include <map>
 
-#include "mv/demo/number.h"
+#include "mv/demo/read_number.h"
 #include "mv/error.h"
 #include "mv/paper/tables.h"
 
 namespace mv {
 namespace {
 
-// By ErrorAxis.
+// Words in the order of ErrorAxis.
 constexpr std::array<const char*, 3> axisNames{"rms", "fraction", "max"};
 
 // Six digits say all that a measurement can.
@@ -73,7 +73,7 @@ std::string csvLine(const std::vector<std::string>& fields) {
     return line + "\n";
 }
 
-// Of one line; a quoted field holds commas, and two quotes for one.
+// The fields of one line; a quoted field holds commas, and two quotes for one.
 std::vector<std::string> fieldsOf(const std::string& line) {
     std::vector<std::string> fields{""};
     bool quoted = false;
@@ -180,8 +180,9 @@ bool compete(const StudyRun& run, const StudyRow& one, const StudyRow& other) {
 }
 
 void markBest(StudyRun& run) {
-    // By the digits that a file has, so that a file that is read is judged alike: two splines may differ in the tenth.
-    // From the most exact on, of equally exact ones the fastest first: whatever may beat a row is judged before it.
+    // Rounded to the digits that a file has, so that a file that is read is judged alike: two splines may differ in the
+    // tenth. From the most exact on, of equally exact ones the fastest first: whatever may beat a row is judged before
+    // it.
     std::vector<StudyRow*> order;
     for (StudyRow& row : run.rows) {
         row.best = false;
@@ -401,7 +402,7 @@ std::string machineName(const StudyRun& run) {
 }
 
 namespace {
-// By demo. Never destroyed: the files of the demos fill it before main, in any order.
+// The committed files, by demo. Never destroyed: the files of the demos fill it before main, in any order.
 std::map<std::string, std::vector<std::string>>& committedTexts() {
     static auto& texts = *new std::map<std::string, std::vector<std::string>>;
     return texts;

@@ -60,8 +60,9 @@ std::optional<double> parameterOf(const StudyRow& row);
 // The least-squares slope of log y over log x, for positive x and y; nothing of fewer than three points, or of one x.
 std::optional<double> logarithmicSlope(const std::vector<std::pair<double, double>>& points);
 
-// The same of the line as it is drawn, time over error: the time goes as error^slope. Of the points that have a positive
-// error and a time; nothing where these are fewer than three, or their errors within a factor of 2 of each other.
+// The same of the line as it is drawn, time over error: the time goes as error^slope. The slope of the points that have
+// a positive error and a time; nothing where these are fewer than three, or their errors within a factor of 2 of each
+// other.
 std::optional<double> drawnSlope(const StudyRun& run, const std::string& scene, const std::string& method);
 
 // The rows whose points are on the line that is drawn: with a positive error and a time.
@@ -89,8 +90,8 @@ void markBest(StudyRun& run);
 // The same in words: "at most half of it is wrong, and no other best row of the same far is as near without ...".
 std::string bestText(const StudyRun& run);
 
-// A line "# name: text" for each fact about the whole, then a table with a line for each row. What a row sets stands in the
-// columns "--knob", what it counts in those after them; an empty field is what a row does not have.
+// A line "# name: text" for each fact about the whole, then a table with a line for each row. The columns "--knob" have
+// the settings of a row, those after them its counts; a row has nothing where a field is empty.
 std::string studyCsv(const StudyRun& run);
 // Reads studyCsv's text, and marks the best rows anew. Error: not such a text, with what is missing.
 StudyRun readStudy(const std::string& csv);
@@ -114,7 +115,7 @@ bool addStudyFile(const char* demo, const char* text);
 // The committed runs of a demo's study, a machine each, a processor's first; they are built in beside its shaders. Empty where
 // there is none.
 std::vector<StudyRun> committedStudies(const std::string& demo);
-// Of these the one of that kind of renderer or, where it has none, the first. Nothing where there is none.
+// The one of these of that kind of renderer or, where there is none, the first. Nothing where there is none.
 std::optional<StudyRun> committedStudy(const std::string& demo, Drawer drawer = Drawer::processor);
 
 }  // namespace mv

@@ -41,8 +41,8 @@ struct SeriesLook {
     Rgb on(Rgb inkColor) const { return ink ? inkColor : color; }
 };
 
-// Of the series of that index, from 0. Colour and dash together are another for each of 21; the marks are another for each
-// of 13, so that two that share a colour differ in both.
+// The colour of the series of that index, from 0. Colour and dash together are another for each of 21; the marks are
+// another for each of 13, so that two that share a colour differ in both.
 constexpr SeriesLook seriesLook(std::size_t index) {
     constexpr std::size_t colors = seriesColors.size() + 1;
     const std::size_t color = index % colors;

@@ -97,7 +97,7 @@ std::string setUp(const StudyRun& run) {
     return text;
 }
 
-// What is evaluated where, when the sentence is about more than one machine.
+// The machine of each evaluation, when the sentence is about more than one.
 std::string whatItSays(const std::vector<StudyRun>& runs, const Study& study) {
     std::string text =
         "Under each claim stands what was evaluated of the rows below, and what a test requires of it.\n\n";

@@ -208,7 +208,7 @@ std::vector<double> measuredValues(Stage& stage, const Study& study) {
     return {pixels.begin(), pixels.end()};
 }
 
-// What the frame costs in numbers that do not depend on the machine.
+// The cost of the frame in numbers that do not depend on the machine.
 void countWork(Stage& stage, const Study& study, StudyRow& row) {
     if (study.ofValues) {
         row.counts = stage.demo().valueCounts();

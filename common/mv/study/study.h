@@ -29,8 +29,9 @@ Study studyOf(const DemoInfo& info, const std::vector<KnobSetting>& knobs, const
 // which no reference can be made, is a row with its reason as status.
 StudyRun runStudy(Stage& stage, const Study& study, const StudyOptions& options);
 
-// What table, plot and page have in common: scenes and methods in the order of the rows, an error with three digits ("0"
-// where it is exactly that), what a row counted, how the reference was made, and where the study was measured.
+// The parts that table, plot and page have in common: scenes and methods in the order of the rows, an error with three
+// digits ("0" where it is exactly that), what a row counted, how the reference was made, and where the study was
+// measured.
 std::vector<std::string> scenesOf(const StudyRun& run);
 std::vector<std::string> methodsOf(const StudyRun& run, const std::string& scene);
 // "map, 1 tap, resolution 1024"
@@ -46,7 +47,7 @@ std::string processorName();
 // The table that --study prints: a row a setting, the Pareto-best marked with *.
 std::string studyTable(const StudyRun& run);
 
-// What an SVG's chart says otherwise than a study's does.
+// The words of an SVG's chart that a study's has otherwise.
 struct PlotWords {
     std::string title, error, time;  // above, below and beside the axes; "" for the study's own
     bool joined = true;              // a method's points, by its line

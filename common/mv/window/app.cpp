@@ -19,13 +19,13 @@ namespace {
 constexpr int framesToSettle = 3;
 // How long to sleep while nothing happens; then the shader files are looked at.
 constexpr double idleSeconds = 0.25;
-// Where the swap does not wait for the screen (it does not everywhere) this holds the pace: 62 frames a second.
+// This holds the pace where the swap does not wait for the screen (it does not everywhere): 62 frames a second.
 constexpr auto leastFrameTime = std::chrono::milliseconds(16);
 
 // So often a window that does not come to rest is reported.
 constexpr auto reportTime = std::chrono::seconds(1);
 
-// What holds of every screen: F11, and Ctrl with + and - and 0.
+// Common to every screen: F11, and Ctrl with + and - and 0.
 bool isOfTheWindow(Window& window, Gui& gui, const Event& event) {
     if (event.kind != Event::Kind::key) return false;
     if (event.key == GLFW_KEY_F11) {
@@ -47,8 +47,8 @@ bool isOfTheWindow(Window& window, Gui& gui, const Event& event) {
     return true;
 }
 
-// Shows a screen until it wishes for another one, or the window closes. It reports each time that what was done to the
-// window is handled and seen, so that a program that drives it knows when to go on.
+// Shows a screen until it wishes for another one, or the window closes. The window reports each time that what was done
+// to it is handled and seen, so that a program that drives it knows when to go on.
 Wish show(Window& window, Gui& gui, Screen& screen, bool reporting) {
     using Clock = std::chrono::steady_clock;
     gui.forgetPlaces();  // the screen before had them
@@ -96,7 +96,7 @@ Wish show(Window& window, Gui& gui, Screen& screen, bool reporting) {
             ++state.frames;
             if (settling > 0) --settling;
         }
-        // Of a hidden window nothing is drawn: it rests as it is.
+        // Nothing is drawn of a hidden window: it rests as it is.
         state.settled = !window.eventsLeft() && (!seen || (settling == 0 && !screen.pending()));
         const bool late = (due || screen.moving()) && Clock::now() - reported >= reportTime;
         if ((due && state.settled) || late) report(false);

@@ -10,7 +10,7 @@ namespace mv {
 
 class Child {
   public:
-    // Starts this very program with other arguments. What it prints to standard output is thrown away.
+    // Starts this very program with other arguments. Its standard output is thrown away.
     // Error: it cannot be started.
     explicit Child(const std::vector<std::string>& arguments);
     // Ends it, and what it has started itself, if it still runs: by TERM, which lets it remove its temporary files, and

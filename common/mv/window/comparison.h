@@ -16,7 +16,7 @@ namespace mv {
 class Comparison final : public OtherPicture {
   public:
     enum class View { divider, a, b, difference };
-    // What one of the two settings left.
+    // The notes of one of the two settings.
     struct Side {
         Picture picture;
         std::vector<std::string> messages;
@@ -45,12 +45,12 @@ class Comparison final : public OtherPicture {
     bool drawn() const { return on() && !a_.picture.rgba.empty(); }
     const Side& sideA() const { return a_; }
     const Side& sideB() const { return b_; }
-    // What either says of its picture; what only one of them says, with its setting.
+    // The messages of either about its picture; a message of one of them alone has its setting before it.
     std::vector<std::string> messages() const;
 
     View view() const { return view_; }
     void setView(View view);
-    // Where the divider stands, 0 (left) .. 1 of the picture's width; it stops at the edges.
+    // The place of the divider, 0 (left) .. 1 of the picture's width; it stops at the edges.
     double divider() const { return divider_; }
     void moveDivider(double to);
     // How far the two are apart: "difference: 2.31 % of pixels, at most 87 of 255". Both must be drawn.

@@ -114,8 +114,8 @@ void DemoScreen::handle(const Event& event) {
             if (event.key != GLFW_MOUSE_BUTTON_LEFT) break;
             draggingDivider_ = overDivider(event.x);
             if (overPicture(event.x) && !draggingDivider_ &&
-                !hand_.press(session_.demo(), shownFrame(), pictureInWindow().pixel(event.x, event.y),
-                             handReach(gui_, pictureInWindow()))) {
+                !handles_.press(session_.demo(), shownFrame(), pictureInWindow().pixel(event.x, event.y),
+                                handReach(gui_, pictureInWindow()))) {
                 session_.pointerDown(event.x, event.y);
             } else {
                 session_.pointerUp();
@@ -124,12 +124,13 @@ void DemoScreen::handle(const Event& event) {
         case Event::Kind::release:
             if (event.key != GLFW_MOUSE_BUTTON_LEFT) break;
             draggingDivider_ = false;
-            hand_.release();
+            handles_.release();
             session_.pointerUp();
             break;
         case Event::Kind::move:
             if (draggingDivider_) moveDivider(event.x);
-            if (hand_.drag(session_.demo(), shownFrame(), pictureInWindow().pixel(event.x, event.y))) session_.touch();
+            if (handles_.drag(session_.demo(), shownFrame(), pictureInWindow().pixel(event.x, event.y)))
+                session_.touch();
             session_.pointerMove(event.x, event.y);
             break;
         case Event::Kind::wheel:
@@ -171,11 +172,12 @@ void DemoScreen::onKey(const Event& event) {
     if (event.key == GLFW_KEY_F6 && panelShown_) return gui_.navigating() ? leavePanel() : enterPanel();
     if (gui_.navigating() && panelTakes(event)) return;
     bool moved = false;
-    const std::optional<Hand::Move> move = handMove(event.key);
+    const std::optional<HandleInput::Move> move = handleMove(event.key);
     if (move && !gui_.popupOpen() &&
-        hand_.key(session_.demo(), shownFrame(), *move, (event.modifiers & GLFW_MOD_SHIFT) != 0, moved)) {
+        handles_.key(session_.demo(), shownFrame(), *move, (event.modifiers & GLFW_MOD_SHIFT) != 0, moved)) {
         if (moved) session_.touch();
-        if (*move == Hand::Move::next && !hand_.picks() && panelShown_) enterPanel();  // after the last of them
+        if (*move == HandleInput::Move::next && !handles_.picks() && panelShown_)
+            enterPanel();  // after the last of them
         return;
     }
     if (event.key == GLFW_KEY_TAB && panelShown_ && !gui_.popupOpen()) return enterPanel();
@@ -197,7 +199,7 @@ void DemoScreen::onKey(const Event& event) {
     if (event.key == GLFW_KEY_BACKSPACE && menu_) wish_ = {Wish::Kind::menu};
 }
 
-// What the panel has while the keys are in it; true: the key is for it.
+// The keys that the panel has while they go to it; true: the key is for it.
 bool DemoScreen::panelTakes(const Event& event) {
     if (event.key == GLFW_KEY_ESCAPE) {
         if (gui_.popupOpen())
@@ -290,7 +292,7 @@ void DemoScreen::reloadShaders() {
 // ---- The picture
 
 void DemoScreen::redraw(bool whole) {
-    // What another part of the window did wrong is not the demo's.
+    // An error of another part of the window is not the demo's.
     for (const std::string& problem : takeErrors()) std::cerr << "window: OpenGL: " << problem << "\n";
     const auto draw = whole ? &Session::finish : &Session::draw;
     (session_.*draw)(pictureWidth(), window_.size().pixelHeight(), panelShown_ || report_ != ReportForm::none,
@@ -327,8 +329,8 @@ void DemoScreen::draw() {
     } else {
         showOverlay();
     }
-    handled_ = showHand(hand_, session_.demo(), shownFrame(), pictureInWindow(),
-                        overPicture(double(ImGui::GetMousePos().x)), gui_);
+    handled_ = showHandles(handles_, session_.demo(), shownFrame(), pictureInWindow(),
+                           overPicture(double(ImGui::GetMousePos().x)), gui_);
     showDividerHandle();
     remember();
     gui_.end();

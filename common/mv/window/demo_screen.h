@@ -9,7 +9,7 @@
 #include "mv/show/session.h"
 #include "mv/window/comparison.h"
 #include "mv/window/gui.h"
-#include "mv/window/hand_rings.h"
+#include "mv/window/handle_rings.h"
 #include "mv/window/knob_panel.h"
 #include "mv/window/panel_parts.h"
 #include "mv/window/screen.h"
@@ -79,7 +79,7 @@ class DemoScreen final : public Screen {
     Comparison comparison_;
     StudySection study_;
     StepSection steps_;
-    Hand hand_;
+    HandleInput handles_;
     std::string handled_;  // what the hand is on
 
     bool panelShown_ = true;

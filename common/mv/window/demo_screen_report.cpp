@@ -1,4 +1,4 @@
-// What a demo's window reports: the settings, the picture, the panel.
+// The report of a demo's window: the settings, the picture, the panel.
 #include <nlohmann/json.hpp>
 
 #include "mv/paper/report.h"

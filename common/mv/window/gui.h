@@ -10,7 +10,7 @@
 
 namespace mv {
 
-// Where the widgets of a frame stand, for those who drive the window by program: name -> upper left and lower right corner
+// The places of a frame's widgets, for those who drive the window by program: name -> upper left and lower right corner
 // in window coordinates.
 using Places = std::map<std::string, ImVec4>;
 
@@ -57,7 +57,7 @@ class Gui {
     // Asked inside of an open list.
     bool wantsPopupClosed() const { return closePopup_; }
 
-    // Of the widgets of the last frame, as notePlace() was told; --window --report=json prints them.
+    // The places of the widgets of the last frame, as notePlace() was told; --window --report=json prints them.
     const Places& places() const { return places_; }
     void forgetPlaces() { places_.clear(); }
 
@@ -91,7 +91,7 @@ void showFocus();
 // A child window that scrolls, and whose widgets the keys reach like those beside it.
 void beginReachable(const char* name, const ImVec2& size);
 // The words in lines no wider than that, broken at spaces alone: Dear ImGui breaks after a point as well, and so "0.0108" in
-// two. What is to stay together has U+00A0 between.
+// two. U+00A0 keeps words together.
 std::string brokenAtSpaces(const std::string& text, float width);
 // Words as they are, no wider than the panel.
 void wrapped(const std::string& text);

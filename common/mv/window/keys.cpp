@@ -21,7 +21,7 @@ std::optional<Key> demoKey(int glfwKey, int scancode) {
     if (glfwKey >= GLFW_KEY_KP_0 && glfwKey <= GLFW_KEY_KP_9) {
         return key(static_cast<char>('0' + (glfwKey - GLFW_KEY_KP_0)));
     }
-    // Where digits need Shift (on a French keyboard) the key's place says which it is.
+    // The key's place says which digit it is where digits need Shift (on a French keyboard).
     if (glfwKey >= GLFW_KEY_0 && glfwKey <= GLFW_KEY_9) return key(static_cast<char>('0' + (glfwKey - GLFW_KEY_0)));
     const char* name = glfwGetKeyName(glfwKey, scancode);
     if (name && name[0] >= 'a' && name[0] <= 'z' && name[1] == '\0') return key(static_cast<char>(name[0] - 'a' + 'A'));

@@ -10,7 +10,7 @@
 namespace mv {
 namespace {
 
-// What stands behind the name of the knob that is compared.
+// The words behind the name of the knob that is compared.
 constexpr const char *sideA = " A", *sideB = " B";
 constexpr const char* resetSign = "\u21BA";  // an arrow turning back
 
@@ -264,7 +264,7 @@ void KnobPanel::openField(const Knob& knob) {
     focusField_ = true;
 }
 
-// A field for a value to be typed. What is out of range is refused with the range, and the field stays.
+// A field for a value to be typed. Refuse a value out of range with the range, and keep the field.
 bool KnobPanel::field(Knob& knob) {
     if (focusField_) ImGui::SetKeyboardFocusHere();
     focusField_ = false;
@@ -296,7 +296,7 @@ bool KnobPanel::checkbox(bool& value) {
 
 // As words, which are edited when they are clicked.
 bool KnobPanel::points(Knob& knob) {
-    // What does not fit is in the tip; buttons come after it
+    // Words that do not fit are in the tip; buttons come after it
     const float width = ImGui::CalcItemWidth() - 2 * (ImGui::GetFrameHeight() + ImGui::GetStyle().ItemSpacing.x);
     ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_FrameBg));
     if (ImGui::Button((knob.text() + "##words").c_str(), {width, 0})) openField(knob);

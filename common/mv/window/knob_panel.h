@@ -30,7 +30,7 @@ class KnobPanel {
   private:
     bool row(Knob& knob, float labelWidth, const std::string& side);
     bool otherRow(Knob& knob, float labelWidth, Comparison& comparison);
-    // What a knob is set by. True when it was moved.
+    // The widget of a knob. True when it was moved.
     bool widget(Knob& knob);
     bool slider(const Knob& knob, double& value);
     bool checkbox(bool& value);
@@ -44,7 +44,8 @@ class KnobPanel {
     bool field(Knob& knob);
     void openField(const Knob& knob);
 
-    // Of the row that is being made: the knob's name, with " B" for the other value of the one that is compared.
+    // The name of the row that is being made: the knob's name, with " B" for the other value of the one that is
+    // compared.
     std::string rowName_;
     Gui& gui_;
     Session& session_;

@@ -15,10 +15,10 @@ bool section(const char* title);
 // A button for each preset, and what to look for in the one whose settings are the present ones. True when one was pressed.
 bool showPresets(const DemoInfo& info, Demo& demo);
 
-// What the demo measured of this picture; while two settings are compared, of both.
+// The demo's readouts of this picture; while two settings are compared, of both.
 void showReadouts(const Demo& demo, const Comparison& comparison);
 
-// What to compare, and how the two are shown. True when the picture is to be drawn anew.
+// The knob to compare, and how the two are shown. True when the picture is to be drawn anew.
 bool showComparison(Demo& demo, Comparison& comparison, Gui& gui);
 
 // Live tables of the matrices, laid out as on paper.
@@ -29,7 +29,7 @@ bool showTime(Session& session, float scale);
 // How far a picture made in passes is.
 void showPasses(int done, int passes);
 
-// What keys, drag and wheel do: the demo's own, then the window's.
+// The keys, drag and wheel: the demo's own, then the window's.
 void showControls(const Demo& demo, bool animated, bool menu, bool fromMenu, bool comparing);
 
 // Messages in a box at the bottom: errors red, notes amber. The height they take, 0 where there are none.

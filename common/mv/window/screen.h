@@ -1,11 +1,11 @@
-// What the window shows: the menu, or a demo. The loop in app.cpp shows one after the other.
+// A screen of the window: the menu, or a demo. The loop in app.cpp shows one after the other.
 #pragma once
 #include "mv/demo/demo.h"
 #include "mv/window/window.h"
 
 namespace mv {
 
-// What is to come after this screen.
+// The screen to come after this one.
 struct Wish {
     enum class Kind { stay, menu, open, quit };
     Kind kind = Kind::stay;

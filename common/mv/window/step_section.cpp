@@ -87,7 +87,7 @@ void StepSection::showBuffers(const FrameSteps& steps) {
         for (const BufferPicture& buffer : steps.shown.buffers) {
             Picture small =
                 buffer.picture.rgba.empty() ? Picture(1, 1) : shrink(buffer.picture, longestSide, longestSide);
-            // What is shown is the colour; how opaque it is, is the window's affair.
+            // The section shows the colour; its opacity is the window's affair.
             for (std::size_t i = 3; i < small.rgba.size(); i += 4) small.rgba[i] = 255;
             buffers_.emplace_back(context_, small);
         }

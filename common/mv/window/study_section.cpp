@@ -140,7 +140,7 @@ std::optional<std::size_t> StudySection::rowHere(const Demo& demo) const {
         const bool same = std::all_of(settings_[i]->begin(), settings_[i]->end(), [&](const KnobSetting& setting) {
             return demo.knob(setting.name).text() == setting.text;
         });
-        // Of several, the one that says most.
+        // The one of several that says most.
         if (same && (!here || settings_[i]->size() > settings_[*here]->size())) here = i;
     }
     return here;

@@ -25,11 +25,11 @@ class StudySection {
     bool show(Demo& demo);
 
     bool measuring() const { return measurement_.has_value(); }
-    // Where the run that is shown was measured, in a sentence; "" where none is.
+    // The machine of the run that is shown, in a sentence; "" where none is.
     std::string origin() const;
     // The row of the present settings: its name, "" for none.
     std::string here(const Demo& demo) const;
-    // What was asked for by a click on an axis, and the row that was chosen: "error 0.02: simpson 16"; "" for nothing.
+    // The demand of a click on an axis, and the row that was chosen: "error 0.02: simpson 16"; "" for nothing.
     std::string asked(const Demo& demo) const;
 
   private:
@@ -65,7 +65,7 @@ class StudySection {
     std::size_t scene_ = 0;
     bool sceneFound_ = false;
     std::optional<StudyBound> bound_;  // that was asked for last
-    // What the knobs say after a row was set; nothing where they refuse it.
+    // The knobs' words after a row was set; nothing where they refuse it.
     std::vector<std::optional<std::vector<KnobSetting>>> settings_;
     std::optional<Measurement> measurement_;
     std::string problem_;

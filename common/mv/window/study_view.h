@@ -9,7 +9,7 @@
 
 namespace mv {
 
-// What is pointed out in the plot, and what a click chooses from.
+// The point under the mouse in the plot, and the rows that a click chooses from.
 struct StudyPlotMarks {
     std::optional<std::size_t> here = {};    // the row of the present settings
     std::optional<StudyBound> bound = {};    // that was asked for, and
@@ -17,7 +17,7 @@ struct StudyPlotMarks {
     std::vector<std::size_t> rows = {};      // that a bound chooses from
 };
 
-// What was clicked: a row, or a place of an axis.
+// The target of a click: a row, or a place of an axis.
 struct StudyPlotClick {
     std::optional<std::size_t> row;
     std::optional<StudyBound> bound;

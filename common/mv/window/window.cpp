@@ -41,7 +41,7 @@ GLFWwindow* makeWindow(int version) {
     return glfwCreateWindow(640, 480, "mvgl", nullptr, nullptr);
 }
 
-// What OpenGL there is where 3.3 is not, in the driver's words.
+// The version of OpenGL where there is no 3.3, in the driver's words.
 std::string versionFound() {
     GLFWwindow* any = makeWindow(0);
     if (!any) return "none (" + lastProblem + ")";

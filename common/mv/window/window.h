@@ -24,7 +24,7 @@ struct Event {
     std::string file = {};           // that was dropped; of several each is an event
 };
 
-// What a window has been given so far, as far as frames have had it.
+// The events that a window has been given so far, as far as frames have had them.
 struct Inputs {
     long keys = 0, buttons = 0, wheel = 0;  // pressed, a repeated key each time; turns of the wheel
     int keysHeld = 0, buttonsHeld = 0;      // that are down
@@ -66,7 +66,7 @@ class Window final : public Context {
     std::vector<Event> waitForEvents(double seconds);
     // Whether there are more for the next frame.
     bool eventsLeft() const;
-    // What frames have had, the last one included.
+    // The events that frames have had, the last one included.
     const Inputs& inputs() const { return inputs_; }
     void swap();
     // Returns when the display has done all that was asked of it: what was swapped is seen.

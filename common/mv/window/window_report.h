@@ -1,4 +1,4 @@
-// What the reports of all screens of the window have in common.
+// The common part of the reports of all screens of the window.
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -15,7 +15,7 @@ nlohmann::ordered_json placesJson(const Places& places);
 // The same as windowJson, as lines of a report in words.
 std::string windowText(const WindowState& state);
 
-// To standard output, at once. Error: it cannot be written.
+// Writes to standard output, at once. Error: it cannot be written.
 void printReport(const std::string& text);
 
 }  // namespace mv

@@ -6,7 +6,7 @@ namespace mv {
 
 // A ratio that the window system tells: of a screen's density, or of pixels to window coordinates. No screen is beyond
 // 0.5 .. 8 (a wall of 8K panels wants 4); what is, as the 0 of a server that knows no density, would scale every widget to
-// nothing. It is not believed: the last value that was stays, and a line on standard error says so.
+// nothing. Such a value is not believed: the last good one stays, and a line on standard error says so.
 class Believed {
   public:
     // `subject` is what that line is about.
@@ -24,13 +24,14 @@ class Believed {
 // Both sizes are told one after the other, and taken together: a frame never sees the one without the other.
 class WindowSize {
   public:
-    // What the window system tells: the inner size in window coordinates, and that of the framebuffer in pixels.
+    // The sizes that the window system tells: the inner size in window coordinates, and that of the framebuffer in
+    // pixels.
     void setUnits(int width, int height) { told_.width = width, told_.height = height; }
     void setPixels(int width, int height) { told_.pixelWidth = width, told_.pixelHeight = height; }
     // Begins a frame with what was told last.
     void take();
 
-    // Of the frame: window coordinates, and pixels.
+    // The sizes of the frame: window coordinates, and pixels.
     int width() const { return taken_.width; }
     int height() const { return taken_.height; }
     int pixelWidth() const { return taken_.pixelWidth; }

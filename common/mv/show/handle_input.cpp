@@ -1,4 +1,4 @@
-#include "mv/show/hand.h"
+#include "mv/show/handle_input.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>
@@ -12,7 +12,7 @@ namespace {
 const vec2 newcomersStep(24, 24);  // pixels
 constexpr double farSteps = 10;    // pixels
 
-// What has no place in the present settings is not there.
+// A handle without a place in the present settings is not there.
 std::optional<vec2> placeOf(const Handle& handle, const FrameInfo& frame, std::size_t which) {
     try {
         return handle.where(frame, which);
@@ -21,15 +21,15 @@ std::optional<vec2> placeOf(const Handle& handle, const FrameInfo& frame, std::s
     }
 }
 
-vec2 stepOf(Hand::Move move) {
+vec2 stepOf(HandleInput::Move move) {
     switch (move) {
-        case Hand::Move::left:
+        case HandleInput::Move::left:
             return {-1, 0};
-        case Hand::Move::right:
+        case HandleInput::Move::right:
             return {1, 0};
-        case Hand::Move::up:
+        case HandleInput::Move::up:
             return {0, 1};
-        case Hand::Move::down:
+        case HandleInput::Move::down:
             return {0, -1};
         default:
             return {0, 0};
@@ -38,7 +38,7 @@ vec2 stepOf(Hand::Move move) {
 
 }  // namespace
 
-std::vector<Hand::Found> Hand::found(const Demo& demo, const FrameInfo& frame) {
+std::vector<HandleInput::Found> HandleInput::found(const Demo& demo, const FrameInfo& frame) {
     std::vector<Found> all;
     for (std::size_t i = 0; i < demo.handles().size(); ++i) {
         const Handle& handle = demo.handles()[i];
@@ -51,7 +51,8 @@ std::vector<Hand::Found> Hand::found(const Demo& demo, const FrameInfo& frame) {
     return all;
 }
 
-std::optional<Hand::Found> Hand::nearest(const Demo& demo, const FrameInfo& frame, const vec2& pointer, double reach) {
+std::optional<HandleInput::Found> HandleInput::nearest(const Demo& demo, const FrameInfo& frame, const vec2& pointer,
+                                                       double reach) {
     double least = reach;
     std::optional<Found> best;
     for (const Found& one : found(demo, frame)) {
@@ -63,20 +64,20 @@ std::optional<Hand::Found> Hand::nearest(const Demo& demo, const FrameInfo& fram
     return best;
 }
 
-bool Hand::press(const Demo& demo, const FrameInfo& frame, const vec2& pointer, double reach) {
+bool HandleInput::press(const Demo& demo, const FrameInfo& frame, const vec2& pointer, double reach) {
     picked_.reset();
     held_.reset();
     if (const auto one = nearest(demo, frame, pointer, reach)) held_ = {one->grip, one->at - pointer};
     return held_.has_value();
 }
 
-bool Hand::drag(Demo& demo, const FrameInfo& frame, const vec2& pointer) {
+bool HandleInput::drag(Demo& demo, const FrameInfo& frame, const vec2& pointer) {
     if (!held_) return false;
     const Handle& handle = demo.handles()[held_->grip.handle];
     return handle.drag(frame, held_->grip.which, pointer + held_->offset);
 }
 
-void Hand::hover(const Demo& demo, const FrameInfo& frame, const std::optional<vec2>& pointer, double reach) {
+void HandleInput::hover(const Demo& demo, const FrameInfo& frame, const std::optional<vec2>& pointer, double reach) {
     // Points may have been taken away beside this
     const auto isGone = [&](const Grip& grip) { return grip.which >= demo.handles()[grip.handle].count(); };
     if (picked_ && isGone(*picked_)) picked_.reset();
@@ -86,7 +87,7 @@ void Hand::hover(const Demo& demo, const FrameInfo& frame, const std::optional<v
     if (const auto one = nearest(demo, frame, *pointer, reach)) under_ = one->grip;
 }
 
-bool Hand::pickNext(const Demo& demo, const FrameInfo& frame) {
+bool HandleInput::pickNext(const Demo& demo, const FrameInfo& frame) {
     const std::vector<Found> all = found(demo, frame);
     auto next = all.begin();
     if (picked_) {
@@ -98,7 +99,7 @@ bool Hand::pickNext(const Demo& demo, const FrameInfo& frame) {
     return !demo.handles().empty();
 }
 
-bool Hand::changeNumber(const Demo& demo, const FrameInfo& frame, bool more, bool& moved) {
+bool HandleInput::changeNumber(const Demo& demo, const FrameInfo& frame, bool more, bool& moved) {
     const std::optional<Grip> meant = picked_ ? picked_ : under_;
     if (!meant) return false;
     const Handle& handle = demo.handles()[meant->handle];
@@ -117,7 +118,7 @@ bool Hand::changeNumber(const Demo& demo, const FrameInfo& frame, bool more, boo
     return true;
 }
 
-bool Hand::key(Demo& demo, const FrameInfo& frame, Move move, bool far, bool& moved) {
+bool HandleInput::key(Demo& demo, const FrameInfo& frame, Move move, bool far, bool& moved) {
     if (move == Move::next) return pickNext(demo, frame);
     if (move == Move::more || move == Move::less) return changeNumber(demo, frame, move == Move::more, moved);
     if (!picked_) return false;
@@ -131,7 +132,7 @@ bool Hand::key(Demo& demo, const FrameInfo& frame, Move move, bool far, bool& mo
     return true;
 }
 
-std::vector<Hand::Place> Hand::places(const Demo& demo, const FrameInfo& frame) const {
+std::vector<HandleInput::Place> HandleInput::places(const Demo& demo, const FrameInfo& frame) const {
     std::vector<Place> all;
     for (const Found& one : found(demo, frame)) {
         const Handle& handle = demo.handles()[one.grip.handle];

@@ -10,7 +10,7 @@
 
 namespace mv {
 
-class Hand {
+class HandleInput {
   public:
     // A handle that has a place inside of the picture.
     struct Place {
@@ -18,8 +18,8 @@ class Hand {
         vec2 at;
         bool active;  // held, picked or under the pointer
     };
-    // What keys do: pick the next one, and after the last none; make one more after the one that is picked or under the pointer,
-    // or take that away; let the picked one go; move it.
+    // The moves by keys: pick the next one, and after the last none; make one more after the one that is picked or
+    // under the pointer, or take that away; let the picked one go; move it.
     enum class Move { next, more, less, letGo, left, right, up, down };
 
     // A button goes down there: true when a handle is within `reach` of it, which is held from then on.
@@ -29,11 +29,11 @@ class Hand {
     void release() { held_.reset(); }
     bool holds() const { return held_.has_value(); }
     bool picks() const { return picked_.has_value(); }
-    // Where the pointer is while it holds nothing; nothing: not over the picture.
+    // The pointer's place while it holds nothing; nothing: not over the picture.
     void hover(const Demo& demo, const FrameInfo& frame, const std::optional<vec2>& pointer, double reach);
     bool isOver() const { return under_.has_value(); }
 
-    // By a pixel, or by ten where `far`. True when the key was for this; `moved`: and a knob has moved.
+    // Moves by a pixel, or by ten where `far`. True when the key was for this; `moved`: and a knob has moved.
     bool key(Demo& demo, const FrameInfo& frame, Move move, bool far, bool& moved);
 
     std::vector<Place> places(const Demo& demo, const FrameInfo& frame) const;

@@ -1,4 +1,4 @@
-// What a study says in words: its names, its table.
+// A study in words: its names, its table.
 #include <algorithm>
 
 #include "mv/paper/tables.h"

@@ -1,4 +1,4 @@
-#include "mv/window/hand_rings.h"
+#include "mv/window/handle_rings.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -15,31 +15,31 @@ double handReach(const Gui& gui, const PictureInWindow& picture) {
     return reach * double(gui.scale()) * picture.pixelsPerUnit;
 }
 
-std::optional<Hand::Move> handMove(int glfwKey) {
+std::optional<HandleInput::Move> handleMove(int glfwKey) {
     switch (glfwKey) {
         case GLFW_KEY_TAB:
-            return Hand::Move::next;
+            return HandleInput::Move::next;
         case GLFW_KEY_INSERT:
-            return Hand::Move::more;
+            return HandleInput::Move::more;
         case GLFW_KEY_DELETE:
-            return Hand::Move::less;
+            return HandleInput::Move::less;
         case GLFW_KEY_ESCAPE:
-            return Hand::Move::letGo;
+            return HandleInput::Move::letGo;
         case GLFW_KEY_LEFT:
-            return Hand::Move::left;
+            return HandleInput::Move::left;
         case GLFW_KEY_RIGHT:
-            return Hand::Move::right;
+            return HandleInput::Move::right;
         case GLFW_KEY_UP:
-            return Hand::Move::up;
+            return HandleInput::Move::up;
         case GLFW_KEY_DOWN:
-            return Hand::Move::down;
+            return HandleInput::Move::down;
         default:
             return {};
     }
 }
 
-std::string showHand(Hand& hand, const Demo& demo, const FrameInfo& frame, const PictureInWindow& picture,
-                     bool mouseOver, const Gui& gui) {
+std::string showHandles(HandleInput& hand, const Demo& demo, const FrameInfo& frame, const PictureInWindow& picture,
+                        bool mouseOver, const Gui& gui) {
     const ImVec2 mouse = ImGui::GetMousePos();
     std::optional<vec2> pointer;
     if (mouseOver) pointer = picture.pixel(double(mouse.x), double(mouse.y));
@@ -47,7 +47,7 @@ std::string showHand(Hand& hand, const Demo& demo, const FrameInfo& frame, const
     std::string active;
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     const float scale = gui.scale();
-    for (const Hand::Place& place : hand.places(demo, frame)) {
+    for (const HandleInput::Place& place : hand.places(demo, frame)) {
         if (place.active) active = place.name;
         const vec2 at = picture.window(place.at);
         const ImVec2 middle{float(at.x), float(at.y)};

@@ -3,12 +3,12 @@
 #include <optional>
 #include <string>
 
-#include "mv/show/hand.h"
+#include "mv/show/handle_input.h"
 #include "mv/window/gui.h"
 
 namespace mv {
 
-// Where the picture is in the window: its upper left corner is the window's.
+// The place of the picture in the window: its upper left corner is the window's.
 struct PictureInWindow {
     int height;            // pixels
     double pixelsPerUnit;  // of window coordinates
@@ -19,12 +19,12 @@ struct PictureInWindow {
 // So near to a handle, in pixels of the picture, the mouse takes it.
 double handReach(const Gui& gui, const PictureInWindow& picture);
 
-// What a key of GLFW does: Tab picks, the arrows move, Insert makes one more, Delete takes one away, Escape lets go.
-std::optional<Hand::Move> handMove(int glfwKey);
+// The move of a key of GLFW: Tab picks, the arrows move, Insert makes one more, Delete takes one away, Escape lets go.
+std::optional<HandleInput::Move> handleMove(int glfwKey);
 
 // Rings round the handles while the mouse is over the picture or one is picked, and a hand for the mouse that is on one.
 // Returns the name of the one that the mouse is on, or that is held or picked; "" for none.
-std::string showHand(Hand& hand, const Demo& demo, const FrameInfo& frame, const PictureInWindow& picture,
-                     bool mouseOver, const Gui& gui);
+std::string showHandles(HandleInput& hand, const Demo& demo, const FrameInfo& frame, const PictureInWindow& picture,
+                        bool mouseOver, const Gui& gui);
 
 }  // namespace mv
