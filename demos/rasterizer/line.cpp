@@ -42,7 +42,7 @@ void drawLine(Gpu& gpu, const Line& line, const Grid& grid, const Frame& frame) 
     showDifferent(gpu, differing(grid.whole(), pixels, glPicture), grid, frame);
     showWords(gpu, frame, grid, std::string(nameOf(line.method)) + ": " + countOf(grid, pixels.size()),
               formatted("OpenGL: pixels set otherwise, ringed: %.0f",
-                      double(countDifferent(inked(grid.whole(), pixels), glPicture))));
+                        double(countDifferent(inked(grid.whole(), pixels), glPicture))));
 }
 
 // Frame the pixel that was set last, and show the error that decides where the next one goes: as a bar to the right where it is 0 or

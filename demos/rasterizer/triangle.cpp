@@ -115,7 +115,7 @@ void drawTriangles(Gpu& gpu, const Triangles& s, const Corners& corners, const G
     }
     showWords(gpu, frame, grid, std::string(nameOf(s.method)) + ", " + nameOf(s.rule) + ": " + countOf(grid, count),
               formatted("OpenGL: pixels set otherwise: %.0f",
-                      double(countDifferent(pictureOf(all, s, corners, grid.whole()), glPicture))),
+                        double(countDifferent(pictureOf(all, s, corners, grid.whole()), glPicture))),
               more);
 }
 

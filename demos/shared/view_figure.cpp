@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "mv/formatted.h"
 #include "mv/gl/functions.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
