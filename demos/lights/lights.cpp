@@ -66,10 +66,8 @@ void setLights(const Program& program, const Settings& s, const std::vector<std:
     program.set("size", s.size);
     program.set("reach", std::isfinite(reach(s)) ? reach(s) : 0.0);
     program.set("encode", s.encode);
-    if (isOn(s, Kind::spot)) {
-        program.set("innerCosine", std::cos(radians(s.inner)));
-        program.set("outerCosine", std::cos(radians(s.outer)));
-    }
+    program.set("innerCosine", std::cos(radians(s.inner)));
+    program.set("outerCosine", std::cos(radians(s.outer)));
     for (std::size_t i = 0; i < sent.size(); ++i) setLight(program, s, sent[i], i);
     program.set("count", static_cast<int>(sent.size()));
 }

@@ -72,11 +72,11 @@ void drawWorld(Gpu& gpu, const Settings& s, const Sight& sight, const View& view
     gpu.world.use();
     gpu.world.set("light", sight.scene.lights.front().position);
     gpu.world.set("part", part);
-    if (!isEs()) gpu.world.set("clips", clips);
-    if (clips) {
+    if (!isEs()) {
+        gpu.world.set("clips", clips);
         gpu.world.set("beforeMirror", view.before);
-        glEnable(GL_CLIP_DISTANCE0);
     }
+    if (clips) glEnable(GL_CLIP_DISTANCE0);
     setFront(s, view.bounce);
     const auto all = gpu.meshes.of(sight.scene);
     for (const std::size_t i : shownIn(gpu, s, sight, view)) {
