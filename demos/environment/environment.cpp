@@ -57,7 +57,7 @@ void drawBody(Gpu& gpu, const Settings& s, const Scene& scene, const Frame& fram
     // Set walls and balls: the lookup by walls needs them, and so do the rays right of the line
     program.set("lookup", inRoom(s) ? static_cast<int>(s.lookup) : 0);
     program.set("raysFrom", splits(s) && !frame.measuring() ? 0.5 * pane.width : 1e9);
-    if (inRoom(s)) setRoom(program, roomOf(s, frame));
+    setRoom(program, roomOf(s, frame));
     bodyOf(gpu, s).draw();
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/matrix.hpp>
 
+#include "mv/gl/beyond_es.h"
 #include "mv/gl/gl.h"
 
 namespace mv::mirror {
@@ -71,11 +72,11 @@ void drawWorld(Gpu& gpu, const Settings& s, const Sight& sight, const View& view
     gpu.world.use();
     gpu.world.set("light", sight.scene.lights.front().position);
     gpu.world.set("part", part);
-    if (clips) {
-        gpu.world.set("clips", true);
+    if (!isEs()) {
+        gpu.world.set("clips", clips);
         gpu.world.set("beforeMirror", view.before);
-        glEnable(GL_CLIP_DISTANCE0);
     }
+    if (clips) glEnable(GL_CLIP_DISTANCE0);
     setFront(s, view.bounce);
     const auto all = gpu.meshes.of(sight.scene);
     for (const std::size_t i : shownIn(gpu, s, sight, view)) {
@@ -86,10 +87,7 @@ void drawWorld(Gpu& gpu, const Settings& s, const Sight& sight, const View& view
         gpu.world.set("clipFromObject", view.clipFromWorld * object.worldFromObject);
         mesh.draw();
     }
-    if (clips) {
-        gpu.world.set("clips", false);
-        glDisable(GL_CLIP_DISTANCE0);
-    }
+    if (clips) glDisable(GL_CLIP_DISTANCE0);
 }
 
 // Draw a mirror of the chain as it is seen after `bounce` reflections: with its texture, or empty.

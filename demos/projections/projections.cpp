@@ -21,6 +21,8 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(1, 1);
     glEnable(GL_SCISSOR_TEST);
+    gpu.lines.use();
+    gpu.lines.set("side", vec3(1));
 
     const FourViews four = views(s);
     for (std::size_t i = 0; i < 4; ++i) {

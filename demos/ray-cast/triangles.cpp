@@ -107,14 +107,13 @@ static double numberOf(const std::string& name) {
     return double(std::ranges::find(castKindNames, name) - castKindNames.begin()) + 1;
 }
 
-static void drawInto(Gpu& gpu, const Settings& s, const Scene& scene, const mat4& clipFromWorld, const Pane& pane,
-                     bool isMeasured) {
+static void drawInto(Gpu& gpu, const Settings& s, const Scene& scene, const mat4& clipFromWorld, const Pane& pane) {
     glViewport(pane.x, pane.y, pane.width, pane.height);
     gpu.program.set("clipFromScene",
                     clipFromWorld * scale(s.size, s.size, s.size));  // all objects are in world space already
     for (const auto& [object, mesh] : gpu.meshes.of(scene)) {
         gpu.program.set("color", object.color);
-        if (isMeasured) gpu.program.set("id", numberOf(object.name));
+        gpu.program.set("id", numberOf(object.name));
         mesh.draw();
     }
 }
@@ -126,10 +125,9 @@ void drawTriangles(Gpu& gpu, const Settings& s, const Frame& frame) {
     glEnable(GL_DEPTH_TEST);
     gpu.program.use();
     gpu.program.set("toLight", glm::normalize(vec3(0.5, 0.8, 0.35)));
-    if (frame.measuring())
-        return drawInto(gpu, s, scene, scene.clipFromWorld(), {0, 0, frame.width(), frame.height()}, true);
-    drawInto(gpu, s, scene, fromSide(s, frame).clipFromWorld(), sidePane(frame), false);
-    if (s.by == Maker::gl) drawInto(gpu, s, scene, scene.clipFromWorld(), picturePane(frame), false);
+    if (frame.measuring()) return drawInto(gpu, s, scene, scene.clipFromWorld(), {0, 0, frame.width(), frame.height()});
+    drawInto(gpu, s, scene, fromSide(s, frame).clipFromWorld(), sidePane(frame));
+    if (s.by == Maker::gl) drawInto(gpu, s, scene, scene.clipFromWorld(), picturePane(frame));
     glViewport(0, 0, frame.width(), frame.height());
 }
 

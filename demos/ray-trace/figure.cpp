@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <string>
+#include <utility>
 
 #include "mv/formatted.h"
 #include "mv/gl/text.h"
@@ -13,7 +14,9 @@ namespace mv::ray_trace {
 
 TracePicture::Plan planOf(const Settings& s, int width, int height, std::shared_ptr<const TriangleFinder> finder) {
     const vec3 eye(rotateY(s.eyeTurn) * vec4(0.3, s.eyeHeight, 6.2, 1));
-    return {.scene = tracedRoom(s.room, s.shadows ? s.lampSize : 0, s.index, std::move(finder)),
+    TracedScene scene = tracedRoom(s.room, s.shadows ? s.lampSize : 0, s.index, std::move(finder));
+    scene.leave = s.leave;
+    return {.scene = std::move(scene),
             .view = {eye, {0.1, 0.65, 0}, 34.4},
             .options = {.depth = s.depth,
                         .shadows = s.shadows,
@@ -29,6 +32,7 @@ TracePicture::Plan planOf(const Settings& s, int width, int height, std::shared_
 }
 
 std::shared_ptr<const TriangleFinder> finderOf(const Settings& s) {
+    if (s.room == TracedRoom::strips) return findTriangles(RayStructure::tree, floorOfStrips(s.triangles));
     if (s.room != TracedRoom::teapot) return {};
     return findTriangles(s.structure, teapotTriangles(static_cast<int>(std::lround(std::sqrt(s.triangles / 64.0)))));
 }

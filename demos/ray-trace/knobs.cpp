@@ -25,9 +25,12 @@ namespace {
 bool hasLamp(const Settings& s) { return s.room != TracedRoom::white; }
 bool hasShadows(const Settings& s) { return s.shadows; }
 bool hasGlass(const Settings& s) { return s.room == TracedRoom::stillLife || s.room == TracedRoom::white; }
-bool hasTriangles(const Settings& s) { return s.room == TracedRoom::teapot; }
+bool hasTeapot(const Settings& s) { return s.room == TracedRoom::teapot; }
+bool hasTriangles(const Settings& s) { return hasTeapot(s) || s.room == TracedRoom::strips; }
 bool hasSquares(const Settings& s) { return s.room == TracedRoom::stillLife || s.room == TracedRoom::teapot; }
-bool isFollowed(const Settings& s) { return s.room != TracedRoom::softShadow && s.room != TracedRoom::lamp; }
+bool isFollowed(const Settings& s) {
+    return s.room == TracedRoom::stillLife || hasTeapot(s) || s.room == TracedRoom::white;
+}
 
 std::vector<Row<Settings>> rows() {
     return together(
@@ -36,7 +39,8 @@ std::vector<Row<Settings>> rows() {
               {"teapot", "triangles beside a mirror"},
               {"soft-shadow", "a ball over a grey floor"},
               {"lamp", "that floor and the lamp alone"},
-              {"white", "mirror and glass where all else is white and shines"}},
+              {"white", "mirror and glass where all else is white and shines"},
+              {"strips", "the ball over a grey floor of slender triangles"}},
              "what is seen"),
         word("show", &Settings::show,
              {{"light"}, {"cut", "what the depth leaves out"}, {"rays", "how many a sample takes"}}, "of each pixel"),
@@ -61,9 +65,16 @@ std::vector<Row<Settings>> rows() {
         toggle("filtered", &Settings::filtered, "average the floor's squares over the ray's cone")
             .when(hasSquares, "there are no squares"),
         word("structure", &Settings::structure, structureWords, "how a ray finds its triangle")
-            .when(hasTriangles, "there are no triangles"),
+            .when(hasTeapot, "there is no teapot"),
         oneOf("triangles", &Settings::triangles, {1024, 4096, 16384, 65536, 262144, 1048576},
-              "of the teapot, less those that have collapsed to an edge")
+              "of the teapot, less those that have collapsed to an edge; of the floor of strips")
+            .when(hasTriangles, "there are no triangles"),
+        word("leave", &Settings::leave,
+             {{"point", "at the point itself"},
+              {"components", "off it by roundings of each coordinate along the normal"},
+              {"largest", "by as many roundings of the largest coordinate"},
+              {"bounded", "and nothing is met in whose plane the ray begins"}},
+             "where a ray begins that leaves a triangle")
             .when(hasTriangles, "there are no triangles"),
         angle("eye-turn", &Settings::eyeTurn, "of the eye about the middle"),
         number("eye-height", &Settings::eyeHeight, {0.2, 5}, "of the eye above the floor"),

@@ -38,7 +38,7 @@ class Lens {
 
 }  // namespace
 
-TracedScene tracedRoom(TracedRoom room, double lampSize, double index, std::shared_ptr<const TriangleFinder> teapot) {
+TracedScene tracedRoom(TracedRoom room, double lampSize, double index, std::shared_ptr<const TriangleFinder> mesh) {
     TracedScene scene;
     if (room == TracedRoom::white) {
         scene.ambient = vec3(0);
@@ -48,17 +48,22 @@ TracedScene tracedRoom(TracedRoom room, double lampSize, double index, std::shar
     }
     scene.lamps = {{{-2.5, 5.5, 3}, {lampSize, 0, 0}, {0, 0, lampSize}, vec3(0.85)}};
     scene.ambient = vec3(0.18);
-    if (room == TracedRoom::softShadow || room == TracedRoom::lamp) {
+    if (room == TracedRoom::softShadow || room == TracedRoom::lamp || room == TracedRoom::strips) {
         const Surface grey{.color = vec3(0.8)};
-        scene.floor = TracedScene::Floor{0, 1, grey, grey};
-        if (room == TracedRoom::softShadow) scene.balls = {{{0, 1.4, 0}, 1, {.color = vec3(0.75, 0.35, 0.25)}}};
+        if (room == TracedRoom::strips) {
+            scene.mesh = std::move(mesh);
+            scene.meshSurface = grey;
+        } else {
+            scene.floor = TracedScene::Floor{0, 1, grey, grey};
+        }
+        if (room != TracedRoom::lamp) scene.balls = {{{0, 1.4, 0}, 1, {.color = vec3(0.75, 0.35, 0.25)}}};
         return scene;
     }
     scene.floor = TracedScene::Floor{
         0, 0.8, {.color = vec3(0.85), .mirrored = 0.06}, {.color = vec3(0.06, 0.06, 0.08), .mirrored = 0.12}};
     if (room == TracedRoom::teapot) {
         scene.balls = {{{-1.7, 1, -1.2}, 1, {.color = vec3(0.9), .mirrored = 0.92}}};
-        scene.mesh = std::move(teapot);
+        scene.mesh = std::move(mesh);
         scene.meshSurface = {.color = vec3(0.85, 0.45, 0.2), .mirrored = 0.08};
         return scene;
     }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "mv/geometry/ray_forms.h"
 #include "mv/gl/text.h"
@@ -36,6 +37,7 @@ struct Following {
     double radius = 0, spread = 0;  // of the ray's cone at its start, and how it widens
     double weight = 1;
     int left = 0;  // rays that may follow
+    const SceneTriangle* from = nullptr;
 };
 
 class Tracer {
@@ -45,7 +47,7 @@ class Tracer {
 
     vec3 along(const Following& path) {
         ++traced.rays;
-        const auto met = firstMet(scene_, path.ray);
+        const auto met = firstMet(scene_, path.ray, path.from);
         if (const TracedLamp* lamp = lampBefore(path.ray, met ? met->t : HUGE_VAL)) return lamp->emitted;
         if (!met) return skyAlong(scene_, path.ray.direction);
         const double radius = path.radius + path.spread * met->t * glm::length(path.ray.direction);
@@ -100,7 +102,7 @@ class Tracer {
             double through = 1;
             if (options_.shadows) {
                 ++traced.rays;
-                through = letThrough(scene_, startFrom(scene_, met, toLamp), onLamp);
+                through = letThrough(scene_, startFrom(scene_, met, toLamp), onLamp, met.triangle);
             }
             const double falloff = options_.falloff ? glm::dot(lamp.middle, lamp.middle) / glm::dot(toLamp, toLamp) : 1;
             light.diffuse += cosine * through * falloff * lamp.light;
@@ -131,7 +133,8 @@ class Tracer {
                              radius,
                              path.spread,
                              path.weight * part,
-                             path.left - 1});
+                             path.left - 1,
+                             met.triangle});
     }
 
     vec3 throughGlass(const Following& path, const Met& met, double index, double radius) {
@@ -162,11 +165,23 @@ class Tracer {
 Traced traceRay(const TracedScene& scene, const Ray& ray, double spread, const LampPlace& place,
                 const TraceOptions& options) {
     Tracer tracer(scene, place, options);
-    tracer.traced.light = tracer.along({ray, 0, spread, 1, options.depth});
+    tracer.traced.light = tracer.along({ray, 0, spread, 1, options.depth, nullptr});
     return tracer.traced;
 }
 
-std::optional<Met> firstMet(const TracedScene& scene, const Ray& ray) {
+static Met metAt(const TriangleHit<double>& hit, const SceneTriangle& in, const Ray& ray) {
+    const vec3 normal = glm::normalize(glm::cross(in.b - in.a, in.c - in.a));
+    return Met{.t = hit.t,
+               // The corners' weights give a point nearer to the triangle than ray.at(t)
+               .point = hit.a * in.a + hit.b * in.b + hit.c * in.c,
+               .normal = glm::dot(normal, ray.direction) > 0 ? -normal : normal,
+               .triangle = &in};
+}
+
+std::optional<Met> firstMet(const TracedScene& scene, const Ray& ray, const SceneTriangle* left) {
+    if (left != nullptr && scene.leave != Leave::bounded) {
+        if (const auto again = metAgain(*left, ray, scene.leave)) return metAt(*again, *left, ray);
+    }
     Met met{.t = HUGE_VAL};
     for (std::size_t i = 0; i < scene.balls.size(); ++i) {
         const TracedBall& ball = scene.balls[i];
@@ -184,15 +199,7 @@ std::optional<Met> firstMet(const TracedScene& scene, const Ray& ray) {
     }
     if (scene.mesh) {
         const auto hit = scene.mesh->nearest(ray);
-        if (hit && hit->hit.t < met.t) {
-            const SceneTriangle& in = *hit->triangle;
-            const vec3 normal = glm::normalize(glm::cross(in.b - in.a, in.c - in.a));
-            return Met{.t = hit->hit.t,
-                       // The corners' weights give a point nearer to the triangle than ray.at(t)
-                       .point = hit->hit.a * in.a + hit->hit.b * in.b + hit->hit.c * in.c,
-                       .normal = glm::dot(normal, ray.direction) > 0 ? -normal : normal,
-                       .triangle = hit->triangle};
-        }
+        if (hit && hit->hit.t < met.t) return metAt(hit->hit, *hit->triangle, ray);
     }
     if (met.t == HUGE_VAL) return {};
     if (met.ball >= 0) {
@@ -204,11 +211,7 @@ std::optional<Met> firstMet(const TracedScene& scene, const Ray& ray) {
 }
 
 vec3 startFrom(const TracedScene& scene, const Met& met, const vec3& direction) {
-    if (met.triangle != nullptr) {
-        const SceneTriangle& in = *met.triangle;
-        return besideSurface(met.point, met.normal, direction,
-                             glm::max(glm::abs(in.a), glm::max(glm::abs(in.b), glm::abs(in.c))), 8);
-    }
+    if (met.triangle != nullptr) return startOff(*met.triangle, met.point, met.normal, direction, scene.leave);
     if (met.ball >= 0) {
         // The point has the roundings of the middle and of radius times normal. The next ray's test has those of the
         // radius' square, which are half as many of the radius
@@ -218,11 +221,11 @@ vec3 startFrom(const TracedScene& scene, const Met& met, const vec3& direction) 
     return besideSurface(met.point, met.normal, direction, vec3(std::abs(scene.floor->height)), 8);
 }
 
-double letThrough(const TracedScene& scene, const vec3& start, const vec3& lamp) {
+double letThrough(const TracedScene& scene, const vec3& start, const vec3& lamp, const SceneTriangle* left) {
     double through = 1;
     Ray ray{start, lamp - start};
     for (;;) {
-        const auto met = firstMet(scene, ray);
+        const auto met = firstMet(scene, ray, std::exchange(left, nullptr));
         if (!met || met->t >= 1) return through;  // each ray ends in the lamp, at t = 1
         if (met->ball < 0) return 0;              // the floor and triangles are opaque
         const Surface& surface = scene.balls[static_cast<std::size_t>(met->ball)].surface;

@@ -27,6 +27,7 @@ struct Settings {
     bool filtered = true;
     RayStructure structure = RayStructure::tree;
     int triangles = 4096;
+    Leave leave = Leave::bounded;
     double eyeTurn = 0;  // degrees
     double eyeHeight = 2;
     int seed = 1;

@@ -55,8 +55,10 @@ std::shared_ptr<const TriangleFinder> keptFinder(const Settings& s) {
 
 }  // namespace
 
-// The middle of a picture of 48 x 32 pixels for each of eight seeds, as grey; of triangles the t of a thousand rays, 0 for none.
+// The middle of a picture of 48 x 32 pixels for each of eight seeds, as grey; of triangles the t of a thousand rays, 0 for none;
+// of strips, which rays meet again what they leave.
 std::vector<double> values(const Settings& s) {
+    if (s.room == TracedRoom::strips) return againOffStrips(s.triangles, s.leave);
     std::vector<double> all;
     if (s.room == TracedRoom::teapot) {
         const TracePicture::Plan plan = planOf(s, 40, 25, keptFinder(s));
@@ -78,7 +80,7 @@ std::vector<double> values(const Settings& s) {
 
 // The spread of the seeds' mean squares, each taken from the mean of all seeds' pictures.
 std::vector<std::pair<std::string, double>> valueCounts(const Settings& s) {
-    if (s.room == TracedRoom::teapot) return {};
+    if (s.room == TracedRoom::teapot || s.room == TracedRoom::strips) return {};
     const std::vector<double> greys = values(s);
     constexpr std::size_t pixels = std::size_t{width} * height;
     std::vector<double> mean(pixels, 0), squares(seeds, 0);
@@ -147,15 +149,21 @@ Reference everyTriangle(const Demo& demo) {
     return reference;
 }
 
+// No ray that leaves a floor upwards meets it again.
+Reference noneAgain(const Demo&) {
+    constexpr std::size_t rays = 100'000;
+    return {.values = std::vector<double>(rays, 0), .work = double(rays)};
+}
+
 Study study() {
     Study study;
     study.quantity =
-        "the grey of 24 x 16 pixels, the middle of 48 x 32, by each of 8 seeds; in the last scene t of 1000 rays to "
-        "the teapot's triangles";
+        "the grey of 24 x 16 pixels, the middle of 48 x 32, by each of 8 seeds; of triangles t of 1000 rays to the "
+        "teapot's; of leaving 1 for each of 100 000 rays that meets again what it leaves";
     study.reference =
-        "4096 samples a pixel of a sequence with a seed of its own; in the last scene every triangle by the "
-        "textbook's form";
+        "4096 samples a pixel of a sequence with a seed of its own; every triangle by the textbook's form; 0";
     study.makeReference = [](const Demo& demo, const ReferenceFrame&, const auto&) {
+        if (demo.word("room") == "strips") return noneAgain(demo);
         return demo.word("room") == "teapot" ? everyTriangle(demo) : ofManySamples(demo);
     };
     study.ofValues = true;
@@ -166,7 +174,8 @@ Study study() {
     study.scenes = {{"outlines", {{"room", "soft-shadow"}, {"eye-height", "5"}, {"lamp-size", "0"}}},
                     {"soft shadow", {{"room", "soft-shadow"}, {"eye-height", "5"}, {"lamp-size", "2"}}},
                     {"smooth", {{"room", "lamp"}, {"eye-height", "5"}, {"lamp-size", "2"}}},
-                    {"triangles", {{"room", "teapot"}}}};
+                    {"triangles", {{"room", "teapot"}}},
+                    {"leaving", {{"room", "strips"}}}};
     for (const std::string pattern : {"random", "regular", "jittered", "sequence"})
         study.lines.push_back({.method = pattern,
                                .settings = {{"pattern", pattern}},
@@ -182,6 +191,12 @@ Study study() {
                                .values = {triangles.begin(), triangles.begin() + sizes},
                                .scenes = {"triangles"}});
     }
+    for (const std::string leave : {"point", "components", "largest", "bounded"})
+        study.lines.push_back({.method = leave,
+                               .settings = {{"leave", leave}},
+                               .knob = "triangles",
+                               .values = {"1024", "16384", "262144", "1048576"},
+                               .scenes = {"leaving"}});
     const auto falls = [](const char* method, const char* scene, double power) {
         // The slope is of the mean square's power p / 2, within 0.15 of the former
         return slope(of::rms, rows(method).in(scene), power / 2 - 0.075, power / 2 + 0.075);
@@ -213,6 +228,14 @@ Study study() {
               {ratio(of::time, rows("tree").at(1048576), rows("tree").at(1024), 1, 3)}),
         note("None stops at 65536 triangles: a million times a thousand rays would take the study minutes. The picture "
              "is made of the same rays; its knob stops earlier."),
+        claim("leaves-the-floor",
+              "Of the rays that leave a floor y = 0 from the point itself a quarter or more meet it again, and as many "
+              "from off it by each coordinate's roundings, which are 0 along y.",
+              {atLeast(of::wrong, rows("point", "components").in("leaving"), 25)}),
+        claim("leaves-strips",
+              "Off it by roundings of the largest coordinate 2 % or more do where triangles are 512 times as long as "
+              "wide, and more where they are longer; with a bound none.",
+              {atLeast(of::wrong, rows("largest").in("leaving"), 2), zero(of::wrong, rows("bounded").in("leaving"))}),
     };
     return study;
 }

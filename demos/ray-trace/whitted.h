@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "leaving.h"
 #include "mv/geometry/ray.h"
 #include "mv/math/types.h"
 #include "shared/ray_structures.h"
@@ -46,6 +47,7 @@ struct TracedScene {
     std::optional<Floor> floor;
     std::shared_ptr<const TriangleFinder> mesh;  // may be none
     Surface meshSurface;
+    Leave leave = Leave::bounded;  // how rays leave the mesh
     std::vector<TracedLamp> lamps;
     vec3 ambient{0.1};
     vec3 skyBelow{0.75, 0.82, 0.9},
@@ -81,7 +83,8 @@ struct Met {
     int ball = -1;
     const SceneTriangle* triangle = nullptr;
 };
-std::optional<Met> firstMet(const TracedScene& scene, const Ray& ray);
+// `left`: the triangle that the ray has left, if any, which may be met again as scene.leave has it.
+std::optional<Met> firstMet(const TracedScene& scene, const Ray& ray, const SceneTriangle* left = nullptr);
 
 // The start of a ray that leaves the place: off the surface, to the side that the direction leads to, by more than the
 // place's roundings, so that it does not meet the surface that it leaves.
@@ -89,7 +92,7 @@ vec3 startFrom(const TracedScene& scene, const Met& met, const vec3& direction);
 
 // The part of the lamp's light that comes through on the way: 0 behind what is opaque; through glass what is transmitted at each
 // surface, as if the ray went straight on.
-double letThrough(const TracedScene& scene, const vec3& start, const vec3& lamp);
+double letThrough(const TracedScene& scene, const vec3& start, const vec3& lamp, const SceneTriangle* left = nullptr);
 
 // The floor's squares averaged over a box of that width: 0 (dark) to 1 (light).
 double squaresAround(double x, double z, double square, double width);

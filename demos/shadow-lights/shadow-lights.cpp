@@ -53,6 +53,9 @@ void drawUnlit(Gpu& gpu, const Settings& s, const Scene& scene) {
     program.set("byMap", s.method == Method::maps);
     program.set("map", 0);
     program.set("ambientPass", true);
+    program.set("light", vec4(0));
+    program.set("lightColor", vec3(0));
+    program.set("shaded", false);
     gpu.noMap.bind(0, DepthLookup::compareNearest);
     drawObjects(gpu, scene, mat4(1));
     program.set("ambientPass", false);

@@ -21,7 +21,7 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     program.set("beyond", s.reach - 1);
     if (isByHand(s)) program.set("divided", s.surface.method == Method::byHand);
     if (isTriangle(s)) setPlaneMap(program, planeMap(s.triangle));  // triangle.cpp
-    if (frame.measuring()) setMeasured(program, s, pane);
+    setMeasured(program, s, pane);
 
     // Draw the surface: triangles with texture coordinates, or a point for each texel
     glEnable(GL_DEPTH_TEST);

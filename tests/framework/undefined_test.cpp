@@ -109,6 +109,24 @@ TEST_F(Undefined, a_unit_holds_a_texture_of_its_samplers_kind) {
               std::string::npos);
 }
 
+TEST_F(Undefined, a_uniform_was_set) {
+    const Program tinted = reading("uniform vec4 tint;\n", "tint");
+    EXPECT_EQ(faults(tinted),
+              "draw of 'triangle': uniform tint of program 'reading' is used and was never set: it is 0");
+    tinted.set("tint", vec4(1));
+    EXPECT_EQ(faults(tinted), "");
+    const Program another = reading("uniform vec4 tint;\n", "tint");
+    EXPECT_NE(faults(another), "") << "set in one program, not in the next";
+    another.set("tint", vec4(0));
+    EXPECT_EQ(faults(another), "") << "0 is a value";
+
+    // Of an array a program reads as many elements as it is told.
+    const Program lit = reading("uniform vec4 lamps[2];\nuniform int count;\n", "count > 1 ? lamps[1] : vec4(0.0)");
+    lit.use();
+    lit.set("count", 0);
+    EXPECT_EQ(faults(lit), "");
+}
+
 TEST_F(Undefined, a_texture_is_complete) {
     const Texture texture(checks, GL_LINEAR, "checks");
     texture.bind(0);

@@ -2,6 +2,8 @@
 //
 // - [energy] In a white room with mirror and glass alone, the light seen and the light that the depth cuts off add up to 1.
 // - [never-itself] A ray meets the surface that it leaves only on the surface's other side.
+// - [leaves] Of the rays that leave a floor y = 0 of slender triangles a quarter meet the triangle again, from the point itself and off
+//   it by each coordinate's roundings; off it by the largest coordinate's fewer, and with a bound none.
 // - [as-one-thread] The picture has the same bits, however many threads share the rows.
 // - [soft-contact] A lamp without an area makes shadows that are on or off; one with an area makes them soft, and the softer,
 //   the farther the body is from the floor.
@@ -29,7 +31,7 @@
 #include <utility>
 #include <vector>
 
-#include "ray-trace/passes.h"
+#include "ray-trace/ray-trace.h"
 #include "shared/fresnel.h"
 #include "support/demo_run.h"
 #include "support/random.h"
@@ -147,6 +149,40 @@ TEST(RayTrace, never_itself) {
         EXPECT_EQ(again, 0) << isFloor;
         EXPECT_GT(left, count / 4) << isFloor;
     }
+}
+
+TEST(RayTrace, leaves) {
+    const auto part = [](int triangles, Leave leave) {
+        double again = 0;
+        const std::vector<double> all = againOffStrips(triangles, leave);
+        for (const double one : all) again += one;
+        return again / double(all.size());
+    };
+    for (const int triangles : {1024, 1048576}) {
+        EXPECT_GT(part(triangles, Leave::point), 0.25) << triangles;
+        EXPECT_EQ(part(triangles, Leave::components), part(triangles, Leave::point)) << triangles;
+        EXPECT_GT(part(triangles, Leave::largest), 0.02) << triangles;
+        EXPECT_LT(part(triangles, Leave::largest), part(triangles, Leave::point)) << triangles;
+        EXPECT_EQ(part(triangles, Leave::bounded), 0) << triangles;
+    }
+    // The longer, the more
+    EXPECT_GT(part(1048576, Leave::largest), 3 * part(1024, Leave::largest));
+
+    // And so in the picture, whose floor is lit as the endless one is, or speckled: the lower rows.
+    DemoRun run("ray-trace", 96, 64);
+    run.set("samples", 4).set("eye-height", 5);
+    const auto below = [](const Picture& a, const Picture& b) {
+        long differ = 0;
+        for (int y = 48; y < 64; ++y) {
+            for (int x = 0; x < 96; ++x) differ += std::abs(a.at(x, y).r - b.at(x, y).r) > 3;
+        }
+        return differ;
+    };
+    const Picture endless = run.set("room", "soft-shadow").picture();
+    run.set("room", "strips");
+    EXPECT_EQ(below(run.set("leave", "bounded").picture(), endless), 0);
+    EXPECT_GT(below(run.set("leave", "components").picture(), endless), 300);
+    EXPECT_GT(below(run.set("leave", "point").picture(), endless), 300);
 }
 
 TEST(RayTrace, as_one_thread) {

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "mv/geometry/ray.h"
+#include "ray-trace/leaving.h"
 
 namespace mv::test {
 
@@ -41,25 +42,6 @@ std::optional<TriangleHit<T>> textbookTriangle(const RayOf<T>& ray, const glm::v
     const T t = glm::dot(ac, q) / determinant;
     if (!(t > 0)) return {};
     return TriangleHit<T>{t, 1 - v - w, v, w};
-}
-
-// Woop, Benthin and Wald's as published (2013), in double: t by the weights of the corners, and a hit where it is above 0.
-inline std::optional<TriangleHit<double>> publishedWatertight(const Ray& ray, const vec3& a, const vec3& b,
-                                                              const vec3& c) {
-    const vec3 d = glm::abs(ray.direction);
-    const int z = d.x > d.y ? (d.x > d.z ? 0 : 2) : (d.y > d.z ? 1 : 2), x = (z + 1) % 3, y = (z + 2) % 3;
-    const auto sheared = [&](const vec3& corner) {
-        const vec3 way = corner - ray.origin;
-        const double along = way[z] / ray.direction[z];
-        return vec3(way[x] - ray.direction[x] * along, way[y] - ray.direction[y] * along, along);
-    };
-    const vec3 ofA = sheared(a), ofB = sheared(b), ofC = sheared(c);
-    const double u = ofC.x * ofB.y - ofC.y * ofB.x, v = ofA.x * ofC.y - ofA.y * ofC.x,
-                 w = ofB.x * ofA.y - ofB.y * ofA.x, sum = u + v + w;
-    if ((std::min({u, v, w}) < 0 && std::max({u, v, w}) > 0) || sum == 0) return {};
-    const double t = (u * ofA.z + v * ofB.z + w * ofC.z) / sum;
-    if (!(t > 0)) return {};
-    return TriangleHit<double>{t, u / sum, v / sum, w / sum};
 }
 
 }  // namespace mv::test

@@ -66,6 +66,8 @@ bool isSampler(GLenum type) {
            within(GL_SAMPLER_2D_MULTISAMPLE, GL_UNSIGNED_INT_SAMPLER_2D_MULTISAMPLE_ARRAY);
 }
 
+bool isImage(GLenum type) { return type >= GL_IMAGE_1D && type <= GL_UNSIGNED_INT_IMAGE_2D_MULTISAMPLE_ARRAY; }
+
 struct UniformPlace {
     std::string name;
     GLenum type;
@@ -249,7 +251,7 @@ class UndefinedWatch {
     void before_DispatchCompute(GLuint, GLuint, GLuint) {
         if (!isAllowed(Newer::compute)) return;  // it is refused
         subject_ = "dispatch";
-        if (const GLuint program = programInUse()) checkUniforms(program, {});
+        if (const GLuint program = programInUse()) checkUniforms(program, {}, true);
         for (const auto& [unit, texture] : imageUnits_) wrote(Image{GL_TEXTURE, texture, GL_NONE, 0, GL_COLOR});
     }
     void before_BindImageTexture(GLuint unit, GLuint texture, GLint, GLboolean, GLint, GLenum, GLenum) {
@@ -261,20 +263,22 @@ class UndefinedWatch {
         samplers_.erase(program);
         unset_[program] = {};
         for (const UniformPlace& uniform : uniformsOf(program)) {
-            if (uniform.location >= 0) unset_[program].emplace(uniform.location, uniform.name);
+            const bool isArray = uniform.name.ends_with(']'),
+                       hasUnit = isSampler(uniform.type) || isImage(uniform.type);
+            if (uniform.location >= 0 && !isArray && !hasUnit) unset_[program].emplace(uniform.location, uniform.name);
         }
     }
     void before_DeleteProgram(GLuint program) {
         samplers_.erase(program);
         unset_.erase(program);
     }
-    void before_Uniform1f(GLint at, GLfloat) { set(at, 1); }
-    void before_Uniform1i(GLint at, GLint) { set(at, 1); }
-    void before_Uniform2fv(GLint at, GLsizei n, const GLfloat*) { set(at, n); }
-    void before_Uniform3fv(GLint at, GLsizei n, const GLfloat*) { set(at, n); }
-    void before_Uniform4fv(GLint at, GLsizei n, const GLfloat*) { set(at, n); }
-    void before_UniformMatrix3fv(GLint at, GLsizei n, GLboolean, const GLfloat*) { set(at, n); }
-    void before_UniformMatrix4fv(GLint at, GLsizei n, GLboolean, const GLfloat*) { set(at, n); }
+    void before_Uniform1f(GLint at, GLfloat) { set(at); }
+    void before_Uniform1i(GLint at, GLint) { set(at); }
+    void before_Uniform2fv(GLint at, GLsizei, const GLfloat*) { set(at); }
+    void before_Uniform3fv(GLint at, GLsizei, const GLfloat*) { set(at); }
+    void before_Uniform4fv(GLint at, GLsizei, const GLfloat*) { set(at); }
+    void before_UniformMatrix3fv(GLint at, GLsizei, GLboolean, const GLfloat*) { set(at); }
+    void before_UniformMatrix4fv(GLint at, GLsizei, GLboolean, const GLfloat*) { set(at); }
 
     // ---- contents
     void after_TexImage2D(GLenum target, GLint level, GLint, GLsizei, GLsizei, GLint, GLenum format, GLenum,
@@ -372,7 +376,7 @@ class UndefinedWatch {
                 return faultHere("the framebuffer is not complete");
             written = imagesOf(GL_DRAW_FRAMEBUFFER, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         }
-        checkUniforms(program, written);
+        checkUniforms(program, written, !drawsPixels || writesColors(own, written));
         checkAttributes(vertices());
         if (!own || !drawsPixels) return;
         GLbitfield reads = 0, writes = GL_COLOR_BUFFER_BIT;
@@ -390,14 +394,21 @@ class UndefinedWatch {
     }
 
     // ---- uniforms
-    void set(GLint location, GLsizei count) {
-        const auto unset = unset_.find(bound(GL_CURRENT_PROGRAM));
-        if (unset == unset_.end()) return;
-        for (GLsizei element = 0; element < count; ++element) unset->second.erase(location + element);
+    // Where only depths or stencil values are written, the fragments' colour need not be known.
+    static bool writesColors(bool own, const std::vector<Image>& written) {
+        std::array<GLint, 4> mask{};
+        below.GetIntegerv(GL_COLOR_WRITEMASK, mask.data());
+        const auto isColor = [](const Image& image) { return image.aspect == GL_COLOR; };
+        return mask != std::array<GLint, 4>{} && (!own || std::any_of(written.begin(), written.end(), isColor));
     }
 
-    void checkUniforms(GLuint program, const std::vector<Image>& written) {
-        if (const auto unset = unset_.find(program); unset != unset_.end()) {
+    void set(GLint location) {
+        if (const auto unset = unset_.find(bound(GL_CURRENT_PROGRAM)); unset != unset_.end())
+            unset->second.erase(location);
+    }
+
+    void checkUniforms(GLuint program, const std::vector<Image>& written, bool colorsCount) {
+        if (const auto unset = unset_.find(program); unset != unset_.end() && colorsCount) {
             for (const auto& [location, name] : unset->second)
                 faultHere("uniform " + name + " of program " + labelOf(GL_PROGRAM, program) +
                           " is used and was never set: it is 0");
