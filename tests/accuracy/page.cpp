@@ -10,8 +10,8 @@
 #include <sstream>
 #include <thread>
 
-#include "mv/formatted.h"
 #include "mv/error.h"
+#include "mv/formatted.h"
 #include "mv/study/study.h"
 
 namespace mv::accuracy {

@@ -8,8 +8,8 @@
 #include <optional>
 #include <sstream>
 
-#include "mv/formatted.h"
 #include "mv/error.h"
+#include "mv/formatted.h"
 #include "mv/study/claims.h"
 #include "mv/study/study.h"
 
