@@ -65,8 +65,8 @@ void addByMatrix(Gpu& gpu, const Scene& scene, const std::vector<vec3>& points) 
     glEnable(GL_STENCIL_TEST);
     glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
     glDepthMask(GL_FALSE);
-    const auto& [ground, groundMesh] = gpu.meshes.of(scene).front();
-    const auto casters = gpu.meshes.castersOf(scene);
+    const auto objects = gpu.meshes.of(scene), casters = gpu.meshes.castersOf(scene);
+    const auto& [ground, groundMesh] = objects.front();
     for (std::size_t i = 0; i < points.size(); ++i) {
         const auto turn = static_cast<GLint>(i % 254);
         if (turn == 0) {
