@@ -298,7 +298,7 @@ TEST(RayTrace, texture_averaged) {
     vec3 mean(0);
     const FloatPicture& finest = globe.levels->front();
     for (std::size_t i = 0; i < finest.values.size(); i += 3)
-        mean += vec3(finest.values[i], finest.values[i + 1], finest.values[i + 2]) / (finest.values.size() / 3.0);
+        mean += vec3(finest.values[i], finest.values[i + 1], finest.values[i + 2]) / (double(finest.values.size()) / 3);
     EXPECT_LT(glm::distance(all, mean), 1e-6);
 }
 
