@@ -14,7 +14,7 @@ namespace mv::ray_trace {
 
 TracePicture::Plan planOf(const Settings& s, int width, int height, std::shared_ptr<const TriangleFinder> finder) {
     const vec3 eye(rotateY(s.eyeTurn) * vec4(0.3, s.eyeHeight, 6.2, 1));
-    TracedScene scene = tracedRoom(s.room, s.shadows ? s.lampSize : 0, s.index, std::move(finder));
+    TracedScene scene = tracedRoom(s.room, s.shadows ? s.lampSize : 0, s.index, std::move(finder), s.globeTurn);
     scene.leave = s.leave;
     return {.scene = std::move(scene),
             .view = {eye, {0.1, 0.65, 0}, 34.4},

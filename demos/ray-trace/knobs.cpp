@@ -27,10 +27,9 @@ bool hasShadows(const Settings& s) { return s.shadows; }
 bool hasGlass(const Settings& s) { return s.room == TracedRoom::stillLife || s.room == TracedRoom::white; }
 bool hasTeapot(const Settings& s) { return s.room == TracedRoom::teapot; }
 bool hasTriangles(const Settings& s) { return hasTeapot(s) || s.room == TracedRoom::strips; }
-bool hasSquares(const Settings& s) { return s.room == TracedRoom::stillLife || s.room == TracedRoom::teapot; }
-bool isFollowed(const Settings& s) {
-    return s.room == TracedRoom::stillLife || hasTeapot(s) || s.room == TracedRoom::white;
-}
+bool hasGlobes(const Settings& s) { return s.room == TracedRoom::globes; }
+bool hasPattern(const Settings& s) { return s.room == TracedRoom::stillLife || hasTeapot(s) || hasGlobes(s); }
+bool isFollowed(const Settings& s) { return hasPattern(s) || s.room == TracedRoom::white; }
 
 std::vector<Row<Settings>> rows() {
     return together(
@@ -40,7 +39,8 @@ std::vector<Row<Settings>> rows() {
               {"soft-shadow", "a ball over a grey floor"},
               {"lamp", "that floor and the lamp alone"},
               {"white", "mirror and glass where all else is white and shines"},
-              {"strips", "the ball over a grey floor of slender triangles"}},
+              {"strips", "the ball over a grey floor of slender triangles"},
+              {"globes", "two balls with a picture round them, and a mirror"}},
              "what is seen"),
         word("show", &Settings::show,
              {{"light"}, {"cut", "what the depth leaves out"}, {"rays", "how many a sample takes"}}, "of each pixel"),
@@ -62,8 +62,9 @@ std::vector<Row<Settings>> rows() {
              "which part glass reflects")
             .when(hasGlass, "there is no glass"),
         toggle("shadows", &Settings::shadows, "ask whether the lamp is seen").when(hasLamp, "there is no lamp"),
-        toggle("filtered", &Settings::filtered, "average the floor's squares over the ray's cone")
-            .when(hasSquares, "there are no squares"),
+        toggle("filtered", &Settings::filtered,
+               "average the floor's squares, or a globe's picture, over the ray's cone")
+            .when(hasPattern, "there is no pattern"),
         word("structure", &Settings::structure, structureWords, "how a ray finds its triangle")
             .when(hasTeapot, "there is no teapot"),
         oneOf("triangles", &Settings::triangles, {1024, 4096, 16384, 65536, 262144, 1048576},
@@ -82,7 +83,9 @@ std::vector<Row<Settings>> rows() {
         number("highlight", &Settings::highlight, {0, 200}, "Phong's exponent, of what is not glass; 0: no highlight")
             .when(hasLamp, "there is no lamp"),
         toggle("falloff", &Settings::falloff, "the lamp's light falls as 1/d^2; at the middle of the floor it stays")
-            .when(hasLamp, "there is no lamp"));
+            .when(hasLamp, "there is no lamp"),
+        angle("globe-turn", &Settings::globeTurn, "of the globes about their axis")
+            .when(hasGlobes, "there is no globe"));
 }
 
 constexpr Declaration about{
@@ -110,6 +113,10 @@ std::vector<SettingsPreset<Settings>> presets() {
         {"cut-off",
          "Where all light is 1, what is missing is what the depth has cut off.",
          {.room = TracedRoom::white, .show = Show::cut, .depth = 3}},
+        {"globes",
+         "A picture round a ball: each ray that meets it is taken to the ball's own space, and from there to the "
+         "picture.",
+         {.room = TracedRoom::globes}},
         {"rays", "How many rays a sample takes: most where glass and mirror see each other.", {.show = Show::rays}},
     };
 }

@@ -38,7 +38,8 @@ class Lens {
 
 }  // namespace
 
-TracedScene tracedRoom(TracedRoom room, double lampSize, double index, std::shared_ptr<const TriangleFinder> mesh) {
+TracedScene tracedRoom(TracedRoom room, double lampSize, double index, std::shared_ptr<const TriangleFinder> mesh,
+                       double turn) {
     TracedScene scene;
     if (room == TracedRoom::white) {
         scene.ambient = vec3(0);
@@ -48,6 +49,15 @@ TracedScene tracedRoom(TracedRoom room, double lampSize, double index, std::shar
     }
     scene.lamps = {{{-2.5, 5.5, 3}, {lampSize, 0, 0}, {0, 0, lampSize}, vec3(0.85)}};
     scene.ambient = vec3(0.18);
+    if (room == TracedRoom::globes) {
+        const Surface grey{.color = vec3(0.45)};
+        scene.floor = TracedScene::Floor{0, 1, grey, grey};
+        const auto texture = std::make_shared<const BallTexture>(globeTexture(turn));
+        scene.balls = {{{-0.75, 1.2, 0}, 1.2, {}, texture},
+                       {{1.35, 0.3, 1.3}, 0.3, {}, texture},
+                       {{1.35, 0.8, -0.7}, 0.8, {.color = vec3(0.9), .mirrored = 0.92}}};
+        return scene;
+    }
     if (room == TracedRoom::softShadow || room == TracedRoom::lamp || room == TracedRoom::strips) {
         const Surface grey{.color = vec3(0.8)};
         if (room == TracedRoom::strips) {

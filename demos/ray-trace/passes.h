@@ -11,9 +11,11 @@ namespace mv {
 
 // Mirror, glass and coloured balls on a floor of squares; the teapot, of triangles, beside a mirror ball; a ball over a grey
 // floor; that floor alone; a mirror and a glass ball in a room whose walls are white and shine, so that whatever way light
-// takes, 1 is seen; the ball over a grey floor of triangles.
-enum class TracedRoom { stillLife, teapot, softShadow, lamp, white, strips };
-TracedScene tracedRoom(TracedRoom room, double lampSize, double index, std::shared_ptr<const TriangleFinder> mesh = {});
+// takes, 1 is seen; the ball over a grey floor of triangles; two globes, a near and a far one, with a picture round them, beside
+// a mirror ball.
+enum class TracedRoom { stillLife, teapot, softShadow, lamp, white, strips, globes };
+TracedScene tracedRoom(TracedRoom room, double lampSize, double index, std::shared_ptr<const TriangleFinder> mesh = {},
+                       double turn = 0);
 
 struct TraceView {
     vec3 eye{0.3, 2, 6.2}, at{0.1, 0.65, 0};

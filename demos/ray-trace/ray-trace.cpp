@@ -67,17 +67,26 @@ class Tracer {
 
   private:
     Surface surfaceAt(const Met& met, double radius, const vec3& direction) const {
-        if (met.ball >= 0) return scene_.balls[static_cast<std::size_t>(met.ball)].surface;
+        // The flatter the cone meets the surface, the longer is its cut through it
+        const double slant = std::max(std::abs(glm::dot(glm::normalize(direction), met.normal)), 1e-3);
+        if (met.ball >= 0) return ballSurface(scene_.balls[static_cast<std::size_t>(met.ball)], met, radius, slant);
         if (met.triangle != nullptr) return scene_.meshSurface;
         const TracedScene::Floor& floor = *scene_.floor;
-        // The flatter the cone meets the floor, the longer is its cut through the floor
-        const double slant = std::abs(glm::normalize(direction).y);
-        const double width = options_.filtered ? 2 * radius / std::max(slant, 1e-3) : 0;
+        const double width = options_.filtered ? 2 * radius / slant : 0;
         const double part = squaresAround(met.point.x, met.point.z, floor.square, width);
         Surface mixed = floor.dark;
         mixed.color = glm::mix(floor.dark.color, floor.light.color, part);
         mixed.mirrored = glm::mix(floor.dark.mirrored, floor.light.mirrored, part);
         return mixed;
+    }
+
+    // The colour of a ball with a texture is looked up there: from the world to the model, and from the model to the texture. The mean is over a
+    // circle with the area of the cone's cut.
+    Surface ballSurface(const TracedBall& ball, const Met& met, double radius, double slant) const {
+        Surface surface = ball.surface;
+        const double width = options_.filtered ? 2 * radius / std::sqrt(slant) : 0;
+        if (ball.texture) surface.color = textureAround(*ball.texture, met.normal, width / ball.radius);
+        return surface;
     }
 
     const TracedLamp* lampBefore(const Ray& ray, double end) const {

@@ -33,6 +33,7 @@ struct Settings {
     int seed = 1;
     double highlight = 0;  // Phong's exponent; 0: none
     bool falloff = false;
+    double globeTurn = 0;  // degrees
 };
 
 // The processor makes the picture.

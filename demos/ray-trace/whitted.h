@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "ball_texture.h"
 #include "leaving.h"
 #include "mv/geometry/ray.h"
 #include "mv/math/types.h"
@@ -28,6 +29,7 @@ struct TracedBall {
     vec3 center{0};
     double radius = 1;
     Surface surface;
+    std::shared_ptr<const BallTexture> texture = {};  // instead of the surface's colour
 };
 
 // A lamp that is a parallelogram; of no area, and not seen, where both halves are 0.
@@ -60,7 +62,7 @@ struct TraceOptions {
     bool schlick = false;  // instead of Fresnel's equations
     double highlight = 0;  // Phong's exponent, of what is opaque; 0: only Lambert's part
     bool falloff = false;  // the lamps' light falls as the square of the distance
-    bool filtered = true;  // the floor's squares are averaged over what the ray's cone covers
+    bool filtered = true;  // squares and textures are averaged over what the ray's cone covers
 };
 
 // A place of the lamps, -1..1 along both halves.

@@ -61,6 +61,9 @@ std::vector<SettingsPreset<Settings>> presets() {
     return {
         {"coarse", "Sixteen edges round the sphere: the highlight has the shape of the faces."},
         {"flat", "One colour a face.", {.shading = Shading::flat}},
+        {"flat-enough",
+         "Diffuse, of one colour, and faces so small that their light hardly changes: once a face is enough.",
+         {.shading = Shading::flat, .material = Kind::diffuse, .edges = 256}},
         {"per-pixel",
          "The same mesh, its normals interpolated: only the outline shows the faces.",
          {.shading = Shading::phong}},

@@ -9,6 +9,9 @@
 //   the farther the body is from the floor.
 // - [through-glass] Glass casts a shadow, with some light in it.
 // - [squares-averaged] The floor's squares are averaged over the ray's cone as the mean of many places is.
+// - [to-the-texture] A ray that meets a globe has the colour that its picture has there: found in the world, turned back to the ball's
+//   own space, and taken to longitude and latitude. A globe that is turned shows another longitude.
+// - [texture-averaged] What a mipmap says of a place of the globe is about the mean round it, and of all of it the mean of the picture.
 // - [total-reflection] If the slide's root is negative, all light is reflected and none is refracted.
 // - [both-ways] Lambert's, the mirror's and Fresnel's parts are the same with light and eye exchanged; the radiance in the glass, and
 //   Phong's lobe as it is printed, are not.
@@ -31,6 +34,7 @@
 #include <utility>
 #include <vector>
 
+#include "mv/math/transform.h"
 #include "ray-trace/ray-trace.h"
 #include "shared/fresnel.h"
 #include "support/demo_run.h"
@@ -267,6 +271,71 @@ TEST(RayTrace, squares_averaged) {
     EXPECT_EQ(squaresAround(0.5, 0.5, 1, 0), 1);
     EXPECT_EQ(squaresAround(-0.5, 0.5, 1, 0), 0);
     EXPECT_NEAR(squaresAround(0.3, 0.2, 1, 200), 0.5, 1e-12);
+}
+
+TEST(RayTrace, to_the_texture) {
+    // Of the axes: u goes eastwards, seen from the north counter-clockwise, and v to the north
+    EXPECT_NEAR(glm::distance(onTexture({1, 0, 0}), vec2(0.5, 0.5)), 0, 1e-15);
+    EXPECT_NEAR(glm::distance(onTexture({0, 0, -1}), vec2(0.75, 0.5)), 0, 1e-15);
+    EXPECT_NEAR(glm::distance(onTexture({0, 0, 1}), vec2(0.25, 0.5)), 0, 1e-15);
+    EXPECT_EQ(onTexture({0, 1, 0}), vec2(0.5, 1));
+    EXPECT_EQ(onTexture({0, -1, 0}), vec2(0.5, 0));
+    Random random(3);
+    for (int i = 0; i < 200; ++i) {
+        const double turn = random.number(-360, 360);
+        TracedScene scene;
+        scene.ambient = vec3(1);
+        const auto texture = std::make_shared<const BallTexture>(globeTexture(turn));
+        scene.balls = {{{3, -2, 1}, 0.7, {}, texture}};
+        // A place by longitude and latitude in the ball's own space, and a ray straight down on it from the world
+        const double east = random.number(-179, 179), north = random.number(-85, 85);
+        const vec3 model(std::cos(radians(north)) * std::cos(radians(east)), std::sin(radians(north)),
+                         -std::cos(radians(north)) * std::sin(radians(east)));
+        const vec3 normal = rotateZ(-23.4) * rotateY(turn) * vec4(model, 0);
+        const vec3 seen =
+            traceRay(scene, {scene.balls[0].center + 5.0 * normal, -normal}, 1e-3, vec2(0), {.filtered = false}).light;
+        const FloatPicture& finest = texture->levels->front();
+        const auto column = static_cast<std::size_t>((east + 180) / 360 * finest.width),
+                   row = static_cast<std::size_t>((north + 90) / 180 * finest.height),
+                   at = 3 * (row * static_cast<std::size_t>(finest.width) + column);
+        EXPECT_EQ(seen, vec3(finest.values[at], finest.values[at + 1], finest.values[at + 2])) << east << " " << north;
+    }
+}
+
+TEST(RayTrace, texture_averaged) {
+    const BallTexture globe = globeTexture(0);
+    Random random(5);
+    double worst = 0;
+    for (int i = 0; i < 200; ++i) {
+        // Away from the poles, where east and west are as far as north and south
+        const double north = random.number(-40, 40), east = random.number(-180, 180),
+                     width = std::pow(10, random.number(-2, -0.5));
+        const auto normalAt = [](double longitude, double latitude) {
+            return vec3(std::cos(latitude) * std::cos(longitude), std::sin(latitude),
+                        -std::cos(latitude) * std::sin(longitude));
+        };
+        const auto back = glm::transpose(globe.modelFromWorld);
+        vec3 mean(0);
+        constexpr int side = 40;
+        for (int k = 0; k < side * side; ++k) {
+            const double along = width * ((k % side + 0.5) / side - 0.5), up = width * ((k / side + 0.5) / side - 0.5);
+            const double latitude = radians(north) + up;
+            mean += textureAround(globe, back * normalAt(radians(east) + along, latitude), 0);
+        }
+        mean /= side * side;
+        const vec3 averaged = textureAround(globe, back * normalAt(radians(east), radians(north)), width);
+        worst = std::max(worst, glm::distance(mean, averaged));
+    }
+    // Texels are squares that lie where they lie, and not about the place: up to a quarter of the step from light to dark
+    EXPECT_LT(worst, 0.35);
+    // The whole: the mean of the picture, from everywhere the same
+    const vec3 all = textureAround(globe, vec3(1, 0, 0), 100);
+    EXPECT_LT(glm::distance(all, textureAround(globe, vec3(0, 0, 1), 100)), 1e-7);
+    vec3 mean(0);
+    const FloatPicture& finest = globe.levels->front();
+    for (std::size_t i = 0; i < finest.values.size(); i += 3)
+        mean += vec3(finest.values[i], finest.values[i + 1], finest.values[i + 2]) / (double(finest.values.size()) / 3);
+    EXPECT_LT(glm::distance(all, mean), 1e-6);
 }
 
 TEST(RayTrace, total_reflection) {

@@ -1,6 +1,7 @@
 // What shading claims, and a test for each; X46, X47 and X50 in docs/stability.md are its extremes.
 //
 // - [one-colour-a-face] Flat shading gives each face one colour; a body without shading has one in all.
+// - [flat-is-enough] On a diffuse body of small faces flat shading is Phong's to a sixteenth of the range; with a narrow highlight it is not.
 // - [misses-the-highlight] Gouraud shading loses a highlight that lies within a face, and Phong shading shows it.
 // - [finer-is-alike] The finer the mesh, the nearer are flat and Gouraud shading to Phong's.
 // - [no-light-from-behind] A lamp behind the surface gives no light and no highlight, in any model.
@@ -9,8 +10,10 @@
 //   the cosine do not, by the ratio of the two cosines.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <functional>
 #include <glm/geometric.hpp>
 #include <set>
@@ -64,6 +67,28 @@ TEST(Shading, one_colour_a_face) {
         EXPECT_LE(double(colors), run.readout("triangles")) << edges;
         EXPECT_GT(colorsOf(run.set("shading", "gouraud").picture()), std::size_t(run.readout("triangles"))) << edges;
     }
+}
+
+TEST(Shading, flat_is_enough) {
+    DemoRun run("shading");
+    const auto largest = [&] {
+        const Picture flat = run.set("shading", "flat").picture(), phong = run.set("shading", "phong").picture();
+        int most = 0;
+        for (int y = 0; y < flat.height; ++y) {
+            for (int x = 0; x < flat.width / 2; ++x)  // where the body is
+                most = std::max(most, std::abs(flat.at(x, y).red - phong.at(x, y).red));
+        }
+        return most;
+    };
+    run.preset("flat-enough");
+    const int small = largest();
+    EXPECT_GT(small, 0);
+    EXPECT_LT(small, 16);
+    run.set("material", "plastic").set("exponent", 400);
+    EXPECT_GT(largest(), 32);
+    run.preset("flat-enough");
+    run.set("edges", "16");
+    EXPECT_GT(largest(), 32);
 }
 
 TEST(Shading, misses_the_highlight) {
