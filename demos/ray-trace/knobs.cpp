@@ -22,11 +22,13 @@ void check(const Settings& s) {
 
 namespace {
 
-bool hasLamp(const Settings& s) { return s.room != TracedRoom::white; }
+bool hasLamp(const Settings& s) { return s.room != TracedRoom::white && s.room != TracedRoom::glassBall; }
 bool hasShadows(const Settings& s) { return s.shadows; }
-bool hasGlass(const Settings& s) { return s.room == TracedRoom::stillLife || s.room == TracedRoom::white; }
+bool partsColors(const Settings& s) { return s.room == TracedRoom::stillLife || s.room == TracedRoom::glassBall; }
+bool hasGlass(const Settings& s) { return partsColors(s) || s.room == TracedRoom::white; }
+bool hasWavelengths(const Settings& s) { return s.wavelengths > 1; }
 bool hasTriangles(const Settings& s) { return s.room == TracedRoom::teapot; }
-bool hasSquares(const Settings& s) { return s.room == TracedRoom::stillLife || s.room == TracedRoom::teapot; }
+bool hasSquares(const Settings& s) { return partsColors(s) || s.room == TracedRoom::teapot; }
 bool isFollowed(const Settings& s) { return s.room != TracedRoom::softShadow && s.room != TracedRoom::lamp; }
 
 std::vector<Row<Settings>> rows() {
@@ -36,7 +38,8 @@ std::vector<Row<Settings>> rows() {
               {"teapot", "triangles beside a mirror"},
               {"soft-shadow", "a ball over a grey floor"},
               {"lamp", "that floor and the lamp alone"},
-              {"white", "mirror and glass where all else is white and shines"}},
+              {"white", "mirror and glass where all else is white and shines"},
+              {"glass-ball", "over the squares, without a lamp"}},
              "what is seen"),
         word("show", &Settings::show,
              {{"light"}, {"cut", "what the depth leaves out"}, {"rays", "how many a sample takes"}}, "of each pixel"),
@@ -71,7 +74,13 @@ std::vector<Row<Settings>> rows() {
         number("highlight", &Settings::highlight, {0, 200}, "Phong's exponent, of what is not glass; 0: no highlight")
             .when(hasLamp, "there is no lamp"),
         toggle("falloff", &Settings::falloff, "the lamp's light falls as 1/d^2; at the middle of the floor it stays")
-            .when(hasLamp, "there is no lamp"));
+            .when(hasLamp, "there is no lamp"),
+        oneOf("wavelengths", &Settings::wavelengths, {1, 3, 4, 8, 16, 32},
+              "that are traced where glass is met; 1: one index for all")
+            .when(partsColors, "no glass parts colours here"),
+        number("abbe", &Settings::abbe, {20, 90}, "Abbe number of the glass: the smaller, the more it parts colours")
+            .when(partsColors, "no glass parts colours here")
+            .when(hasWavelengths, "all wavelengths have one index"));
 }
 
 constexpr Declaration about{
@@ -99,6 +108,10 @@ std::vector<SettingsPreset<Settings>> presets() {
         {"cut-off",
          "Where all light is 1, what is missing is what the depth has cut off.",
          {.room = TracedRoom::white, .show = Show::cut, .depth = 3}},
+        {"flint",
+         "Heavy flint glass, N-SF11: each edge that it shows has coloured fringes, blue at one side and red at the "
+         "other.",
+         {.room = TracedRoom::glassBall, .samples = 4, .index = 1.7847, .wavelengths = 8, .abbe = 25.68}},
         {"rays", "How many rays a sample takes: most where glass and mirror see each other.", {.show = Show::rays}},
     };
 }

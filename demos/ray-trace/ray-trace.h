@@ -32,6 +32,8 @@ struct Settings {
     int seed = 1;
     double highlight = 0;  // Phong's exponent; 0: none
     bool falloff = false;
+    int wavelengths = 1;  // traced where glass is met; 1: all alike
+    double abbe = 64.17;  // of the glass: small where it parts the colours much
 };
 
 // The processor makes the picture.
@@ -49,6 +51,7 @@ void draw(Gpu& gpu, const Settings& s, const Made& made, const Frame& frame);
 void refine(Made& made, const Settings& s, const FrameInfo& frame, int pass);
 
 // The picture that is shown, and the words over it: figure.cpp.
+std::vector<TracePicture::Colored> colorsOf(const Settings& s, int wavelengths);
 TracePicture::Plan planOf(const Settings& s, int width, int height, std::shared_ptr<const TriangleFinder> finder);
 std::shared_ptr<const TriangleFinder> finderOf(const Settings& s);
 Picture shown(const Settings& s, const Made& made);
