@@ -9,14 +9,28 @@
 #include "mv/gl/text.h"
 #include "mv/math/transform.h"
 #include "ray-trace.h"
+#include "spectrum.h"
 
 namespace mv::ray_trace {
+
+// The scene of each wavelength, which differ by the glass' index alone.
+std::vector<TracePicture::Colored> colorsOf(const Settings& s, int wavelengths) {
+    if (wavelengths == 1 || (s.room != TracedRoom::stillLife && s.room != TracedRoom::glassBall)) return {};
+    std::vector<TracePicture::Colored> colors;
+    for (const TracedWavelength& one : tracedWavelengths(wavelengths)) {
+        // No glass has an index below that of nothing
+        const double index = std::max(1.0, indexAt(one.nanometres, s.index, s.abbe));
+        colors.push_back({tracedRoom(s.room, s.shadows ? s.lampSize : 0, index), one.share});
+    }
+    return colors;
+}
 
 TracePicture::Plan planOf(const Settings& s, int width, int height, std::shared_ptr<const TriangleFinder> finder) {
     const vec3 eye(rotateY(s.eyeTurn) * vec4(0.3, s.eyeHeight, 6.2, 1));
     TracedScene scene = tracedRoom(s.room, s.shadows ? s.lampSize : 0, s.index, std::move(finder), s.globeTurn);
     scene.leave = s.leave;
     return {.scene = std::move(scene),
+            .colors = colorsOf(s, s.wavelengths),
             .view = {eye, {0.1, 0.65, 0}, 34.4},
             .options = {.depth = s.depth,
                         .shadows = s.shadows,

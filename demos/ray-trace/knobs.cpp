@@ -22,13 +22,15 @@ void check(const Settings& s) {
 
 namespace {
 
-bool hasLamp(const Settings& s) { return s.room != TracedRoom::white; }
+bool hasLamp(const Settings& s) { return s.room != TracedRoom::white && s.room != TracedRoom::glassBall; }
 bool hasShadows(const Settings& s) { return s.shadows; }
-bool hasGlass(const Settings& s) { return s.room == TracedRoom::stillLife || s.room == TracedRoom::white; }
+bool partsColors(const Settings& s) { return s.room == TracedRoom::stillLife || s.room == TracedRoom::glassBall; }
+bool hasGlass(const Settings& s) { return partsColors(s) || s.room == TracedRoom::white; }
+bool hasWavelengths(const Settings& s) { return s.wavelengths > 1; }
 bool hasTeapot(const Settings& s) { return s.room == TracedRoom::teapot; }
 bool hasTriangles(const Settings& s) { return hasTeapot(s) || s.room == TracedRoom::strips; }
 bool hasGlobes(const Settings& s) { return s.room == TracedRoom::globes; }
-bool hasPattern(const Settings& s) { return s.room == TracedRoom::stillLife || hasTeapot(s) || hasGlobes(s); }
+bool hasPattern(const Settings& s) { return partsColors(s) || hasTeapot(s) || hasGlobes(s); }
 bool isFollowed(const Settings& s) { return hasPattern(s) || s.room == TracedRoom::white; }
 
 std::vector<Row<Settings>> rows() {
@@ -40,7 +42,8 @@ std::vector<Row<Settings>> rows() {
               {"lamp", "that floor and the lamp alone"},
               {"white", "mirror and glass where all else is white and shines"},
               {"strips", "the ball over a grey floor of slender triangles"},
-              {"globes", "two balls with a picture round them, and a mirror"}},
+              {"globes", "two balls with a picture round them, and a mirror"},
+              {"glass-ball", "over the squares, without a lamp"}},
              "what is seen"),
         word("show", &Settings::show,
              {{"light"}, {"cut", "what the depth leaves out"}, {"rays", "how many a sample takes"}}, "of each pixel"),
@@ -85,7 +88,13 @@ std::vector<Row<Settings>> rows() {
         toggle("falloff", &Settings::falloff, "the lamp's light falls as 1/d^2; at the middle of the floor it stays")
             .when(hasLamp, "there is no lamp"),
         angle("globe-turn", &Settings::globeTurn, "of the globes about their axis")
-            .when(hasGlobes, "there is no globe"));
+            .when(hasGlobes, "there is no globe"),
+        oneOf("wavelengths", &Settings::wavelengths, {1, 3, 4, 8, 16, 32},
+              "that are traced where glass is met; 1: one index for all")
+            .when(partsColors, "no glass parts colours here"),
+        number("abbe", &Settings::abbe, {20, 90}, "Abbe number of the glass: the smaller, the more it parts colours")
+            .when(partsColors, "no glass parts colours here")
+            .when(hasWavelengths, "all wavelengths have one index"));
 }
 
 constexpr Declaration about{
@@ -117,6 +126,10 @@ std::vector<SettingsPreset<Settings>> presets() {
          "A picture round a ball: each ray that meets it is taken to the ball's own space, and from there to the "
          "picture.",
          {.room = TracedRoom::globes}},
+        {"flint",
+         "Heavy flint glass, N-SF11: each edge that it shows has coloured fringes, blue at one side and red at the "
+         "other.",
+         {.room = TracedRoom::glassBall, .samples = 4, .index = 1.7847, .wavelengths = 8, .abbe = 25.68}},
         {"rays", "How many rays a sample takes: most where glass and mirror see each other.", {.show = Show::rays}},
     };
 }

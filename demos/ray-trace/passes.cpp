@@ -36,6 +36,21 @@ class Lens {
     int width_, height_;
 };
 
+// A sample of the picture. Where glass is met, which is where wavelengths part, it is traced for each of them.
+Traced traceSample(const TracePicture::Plan& plan, const Ray& ray, double spread, const LampPlace& place) {
+    Traced all = traceRay(plan.scene, ray, spread, place, plan.options);
+    if (plan.colors.empty() || !all.glass) return all;
+    all.light = vec3(0);
+    all.cut = 0;
+    for (const TracePicture::Colored& color : plan.colors) {
+        const Traced one = traceRay(color.scene, ray, spread, place, plan.options);
+        all.light += color.share * one.light;
+        all.cut += one.cut / double(plan.colors.size());
+        all.rays += one.rays;
+    }
+    return all;
+}
+
 }  // namespace
 
 TracedScene tracedRoom(TracedRoom room, double lampSize, double index, std::shared_ptr<const TriangleFinder> mesh,
@@ -45,6 +60,12 @@ TracedScene tracedRoom(TracedRoom room, double lampSize, double index, std::shar
         scene.ambient = vec3(0);
         scene.skyBelow = scene.skyAbove = vec3(1);
         scene.balls = {{{-1.2, 1, 0}, 1, {.color = vec3(1), .mirrored = 1}}, {{1.2, 1, 0}, 1, {.index = index}}};
+        return scene;
+    }
+    if (room == TracedRoom::glassBall) {
+        scene.ambient = vec3(1);
+        scene.floor = TracedScene::Floor{0, 0.8, {.color = vec3(0.9)}, {.color = vec3(0.03)}};
+        scene.balls = {{{0.2, 1.25, 2.6}, 1, {.index = index}}};
         return scene;
     }
     scene.lamps = {{{-2.5, 5.5, 3}, {lampSize, 0, 0}, {0, 0, lampSize}, vec3(0.85)}};
@@ -108,8 +129,7 @@ void TracePicture::pass(const Plan& plan, int number) {
             long rays = 0;
             for (int column = 0; column < blocks(width_); ++column) {
                 const vec2 middle = double(side) * (vec2(column, row) + 0.5);
-                const Traced traced =
-                    traceRay(plan.scene, lens.through(middle), side * lens.spread(), vec2(0), plan.options);
+                const Traced traced = traceSample(plan, lens.through(middle), side * lens.spread(), vec2(0));
                 rays += traced.rays;
                 for (int y = row * side; y < std::min(height_, (row + 1) * side); ++y) {
                     for (int x = column * side; x < std::min(width_, (column + 1) * side); ++x) {
@@ -133,8 +153,7 @@ void TracePicture::pass(const Plan& plan, int number) {
             const std::size_t pixel = pixelIndex(x, row, width_);
             const auto [within, onLamp] =
                 samplePoints(plan.pattern, sample, plan.samples, static_cast<std::uint32_t>(pixel), plan.seed);
-            const Traced traced =
-                traceRay(plan.scene, lens.through(vec2(x, row) + within), spread, 2.0 * onLamp - 1.0, plan.options);
+            const Traced traced = traceSample(plan, lens.through(vec2(x, row) + within), spread, 2.0 * onLamp - 1.0);
             rays += traced.rays;
             sum_[pixel] += traced.light;
             cutSum_[pixel] += traced.cut;

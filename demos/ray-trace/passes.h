@@ -12,8 +12,8 @@ namespace mv {
 // Mirror, glass and coloured balls on a floor of squares; the teapot, of triangles, beside a mirror ball; a ball over a grey
 // floor; that floor alone; a mirror and a glass ball in a room whose walls are white and shine, so that whatever way light
 // takes, 1 is seen; the ball over a grey floor of triangles; two globes, a near and a far one, with a picture round them, beside
-// a mirror ball.
-enum class TracedRoom { stillLife, teapot, softShadow, lamp, white, strips, globes };
+// a mirror ball; a glass ball over the squares, that fills most of the picture.
+enum class TracedRoom { stillLife, teapot, softShadow, lamp, white, strips, globes, glassBall };
 TracedScene tracedRoom(TracedRoom room, double lampSize, double index, std::shared_ptr<const TriangleFinder> mesh = {},
                        double turn = 0);
 
@@ -26,9 +26,15 @@ double halved(double fovy);
 
 class TracePicture {
   public:
+    // What is traced of one wavelength: its scene, and its share of what is seen.
+    struct Colored {
+        TracedScene scene;
+        mat3 share{1};
+    };
     // The settings of a picture, the same for all its passes.
     struct Plan {
         TracedScene scene;
+        std::vector<Colored> colors = {};  // with glass that has another index for each wavelength; none: for all alike
         TraceView view;
         TraceOptions options;
         SamplePattern pattern = SamplePattern::sequence;

@@ -112,6 +112,7 @@ class Tracer {
             if (options_.shadows) {
                 ++traced.rays;
                 through = letThrough(scene_, startFrom(scene_, met, toLamp), onLamp, met.triangle);
+                traced.glass |= through > 0 && through < 1;
             }
             const double falloff = options_.falloff ? glm::dot(lamp.middle, lamp.middle) / glm::dot(toLamp, toLamp) : 1;
             light.diffuse += cosine * through * falloff * lamp.light;
@@ -147,6 +148,7 @@ class Tracer {
     }
 
     vec3 throughGlass(const Following& path, const Met& met, double index, double radius) {
+        traced.glass = true;
         const vec3 direction = glm::normalize(path.ray.direction);
         const bool enters = glm::dot(direction, met.normal) < 0;
         const vec3 normal = enters ? met.normal : -met.normal;

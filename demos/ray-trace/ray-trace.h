@@ -34,6 +34,8 @@ struct Settings {
     double highlight = 0;  // Phong's exponent; 0: none
     bool falloff = false;
     double globeTurn = 0;  // degrees
+    int wavelengths = 1;   // traced where glass is met; 1: all alike
+    double abbe = 64.17;   // of the glass: small where it parts the colours much
 };
 
 // The processor makes the picture.
@@ -51,6 +53,7 @@ void draw(Gpu& gpu, const Settings& s, const Made& made, const Frame& frame);
 void refine(Made& made, const Settings& s, const FrameInfo& frame, int pass);
 
 // The picture that is shown, and the words over it: figure.cpp.
+std::vector<TracePicture::Colored> colorsOf(const Settings& s, int wavelengths);
 TracePicture::Plan planOf(const Settings& s, int width, int height, std::shared_ptr<const TriangleFinder> finder);
 std::shared_ptr<const TriangleFinder> finderOf(const Settings& s);
 Picture shown(const Settings& s, const Made& made);

@@ -72,6 +72,7 @@ struct Traced {
     vec3 light{0};
     double cut = 0;  // the part of the light that rays would bring which the depth leaves out
     long rays = 0;
+    bool glass = false;  // whether a ray of them, or one to a lamp, met glass
 };
 
 // `spread` is by how much the ray's cone widens in a length of 1, as its radius.

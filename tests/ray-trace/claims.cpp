@@ -19,6 +19,11 @@
 // - [falls-off] With a falloff the lamp's light is as the square of the distance, and that at the origin is as without. Phong's
 //   lobe adds half of the lamp where its mirrored direction leads to the eye, and nothing far from there.
 // - [more-samples] More samples come nearer; in cells, or in a sequence, faster than at random.
+// - [cauchy] Cauchy's formula through a glass' index and Abbe number gives the maker's index at other lines.
+// - [white-stays] The shares of any number of wavelengths are 1 together. Where no glass is met the picture has the same bits, and where all
+//   wavelengths have one index it is the same but for roundings.
+// - [colours-part] Glass that parts colours has coloured edges, and more of them for a smaller Abbe number. Three wavelengths and many,
+//   which look the same without glass, do not look the same behind it.
 // - [same-answers] None, boxes, grid and tree find the same triangle at the same t, bit for bit.
 #include <gtest/gtest.h>
 
@@ -35,7 +40,9 @@
 #include <vector>
 
 #include "mv/math/transform.h"
+#include "ray-trace/passes.h"
 #include "ray-trace/ray-trace.h"
+#include "ray-trace/spectrum.h"
 #include "shared/fresnel.h"
 #include "support/demo_run.h"
 #include "support/random.h"
@@ -504,4 +511,80 @@ TEST(RayTrace, same_answers) {
     for (const char* structure : {"none", "boxes", "grid"}) EXPECT_EQ(tree, run.set("structure", structure).picture());
     EXPECT_NE(run.set("structure", "none").set("triangles", 4096).refusal(), "");
     EXPECT_EQ(run.set("structure", "boxes").refusal(), "");
+}
+
+TEST(RayTrace, cauchy) {
+    // N-BK7, n_d = 1.51680, V_d = 64.17. Two terms are within 2e-4 of the maker's six. Source: Schott, data sheet of N-BK7 (2014).
+    const std::vector<std::pair<double, double>> lines{
+        {656.2725, 1.51432}, {587.5618, 1.51680}, {486.1327, 1.52238}, {435.8343, 1.52668}, {404.6561, 1.53024}};
+    for (const auto& [nanometres, index] : lines)
+        EXPECT_NEAR(indexAt(nanometres, 1.5168, 64.17), index, 2e-4) << nanometres;
+    // By definition, for any glass
+    EXPECT_NEAR((1.7847 - 1) / (indexAt(486.1327, 1.7847, 25.68) - indexAt(656.2725, 1.7847, 25.68)), 25.68, 1e-9);
+    EXPECT_EQ(indexAt(450, 1, 30), 1);
+}
+
+namespace {
+
+// All passes of the settings' picture, small, with one ray through each pixel.
+TracePicture colored(ray_trace::Settings s) {
+    s.samples = 1;
+    const TracePicture::Plan plan = ray_trace::planOf(s, 120, 80, {});
+    TracePicture picture;
+    for (int pass = 0; pass < TracePicture::passesOf(1); ++pass) picture.pass(plan, pass);
+    return picture;
+}
+
+// Root mean square of the difference, and the pixels of which any bit differs.
+std::pair<double, int> difference(const TracePicture& a, const TracePicture& b) {
+    double squares = 0;
+    int differ = 0;
+    for (std::size_t i = 0; i < a.light().size(); ++i) {
+        const vec3 one = a.light()[i] - b.light()[i];
+        squares += glm::dot(one, one) / 3;
+        differ += one != vec3(0) ? 1 : 0;
+    }
+    return {std::sqrt(squares / double(a.light().size())), differ};
+}
+
+}  // namespace
+
+TEST(RayTrace, white_stays) {
+    for (const int count : {3, 4, 5, 8, 16, 32, 256}) {
+        mat3 sum(0);
+        for (const TracedWavelength& one : tracedWavelengths(count)) sum += one.share;
+        for (int i = 0; i < 3; ++i) {
+            for (int k = 0; k < 3; ++k) EXPECT_NEAR(sum[i][k], i == k ? 1 : 0, 1e-13) << count;
+        }
+    }
+    for (const int count : {-1, 0, 1, 2, 257}) EXPECT_THROW((void)tracedWavelengths(count), Error);
+
+    ray_trace::Settings s;
+    const TracePicture plain = colored(s);
+    s.wavelengths = 8;
+    s.abbe = 1e15;
+    const auto [same, roundings] = difference(plain, colored(s));
+    EXPECT_LT(same, 1e-12);
+    s.abbe = 25;
+    const auto [parted, changed] = difference(plain, colored(s));
+    EXPECT_GT(parted, 1e-3);
+    EXPECT_GT(changed, 500);
+    EXPECT_LT(changed, 120 * 80 / 2);  // nothing but the glass, what shows it and what it shades
+    s.room = TracedRoom::softShadow;
+    const TracePicture without = colored(s);
+    s.wavelengths = 1;
+    EXPECT_EQ(difference(without, colored(s)).second, 0);
+}
+
+TEST(RayTrace, colours_part) {
+    const auto ball = [](int wavelengths, double abbe) {
+        return colored({.room = TracedRoom::glassBall, .index = 1.7847, .wavelengths = wavelengths, .abbe = abbe});
+    };
+    const TracePicture grey = ball(1, 25.68), flint = ball(32, 25.68), crown = ball(32, 64.17), three = ball(3, 25.68);
+    const double byFlint = difference(grey, flint).first, byCrown = difference(grey, crown).first;
+    EXPECT_GT(byFlint, 0.01);
+    EXPECT_GT(byFlint, 1.5 * byCrown);
+    // Three are better than one, and no better than that.
+    EXPECT_LT(difference(three, flint).first, 0.5 * byFlint);
+    EXPECT_GT(difference(three, flint).first, 0.05 * byFlint);
 }
