@@ -29,7 +29,7 @@ struct Line {
     LineMethod method = LineMethod::octants;
     int thickness = 1;  // pixels
     Thicken thicken = Thicken::columns;
-    std::array<vec2, 2> ends{vec2(2, 3), vec2(20, 12)};
+    std::array<vec2, 2> ends{vec2(2, 3), vec2(20, 11)};
 };
 using Corners = std::array<vec2, 4>;  // of two triangles, 0 1 2 and 0 2 3, or of an outline
 struct Triangles {

@@ -32,7 +32,7 @@ static void drawOrder(Gpu& gpu, const Settings& s, const Frame& frame) {
 }
 
 void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
-    if (s.shown == Shown::colors && s.scene == Which::cycle) drawOrder(gpu, s, frame);
+    if (s.words && s.shown == Shown::colors && s.scene == Which::cycle) drawOrder(gpu, s, frame);
     if (s.shown != Shown::curve) return;
     const mat4 clip = clipFromView(s, frame.aspect());
     const auto kept = [&](double distance) { return keptDepth(s.format, depthOf(s, clip, float(distance))); };

@@ -29,6 +29,8 @@ bool turns(const Settings& s) { return s.scene != Which::road; }
 bool isSeparated(const Settings& s) { return s.scene != Which::cycle; }
 bool keepsDepth(const Settings& s) { return s.depthTest; }
 
+bool showsBars(const Settings& s) { return s.shown == Shown::colors && s.scene == Which::cycle; }
+
 std::vector<Row<Settings>> rows() {
     return {
         word("scene", &Settings::scene,
@@ -66,6 +68,8 @@ std::vector<Row<Settings>> rows() {
         number("opacity", &Settings::opacity, {0.2, 1}, "below 1 colours are blended"),
         angle("spin-x", &Settings::spinX, "turn about the x axis").when(turns, "only bars and panes are turned"),
         angle("spin-y", &Settings::spinY, "turn about the y axis").when(turns, "only bars and panes are turned"),
+        toggle("words", &Settings::words, "number the bars in the order in which they are drawn, and say what decides")
+            .when(showsBars, "only the colours of the bars have words"),
     };
 }
 

@@ -36,6 +36,7 @@ struct Settings {
     double separation = 1e-5;  // as a part of the distance
     double opacity = 1;
     double spinX = 0, spinY = 0;  // degrees
+    bool words = true;            // of the bars: numbers in the order of drawing, and what decides
 };
 
 // A run of cells of a plate, drawn by one call.

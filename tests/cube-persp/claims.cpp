@@ -216,8 +216,8 @@ TEST(CubePersp, volume_beside) {
     const Pixel far{217, 64, 13};
     mv::cube_persp::Settings s;
     EXPECT_TRUE(sameColor(discAt(s), far));
-    run.set("far", 5);
+    run.set("far", 2.2);
     EXPECT_FALSE(sameColor(discAt(s), far)) << "it has moved";
-    s.far = 5;
+    s.far = 2.2;
     EXPECT_TRUE(sameColor(discAt(s), far));
 }

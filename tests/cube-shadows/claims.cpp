@@ -11,6 +11,7 @@
 // - [grazing-light] Under a light 1e-7 above the plane no pixel beside floor and wall is darkened.
 // - [far-from-the-origin] A shadow's place is right to 1e-5 of the cube with the plane 1e6 from the origin.
 // - [moved-by-hand] The arrow keys turn the light by 5 degrees.
+// - [lamp-to-drag] As the demo opens its lamp is in the picture, where its handle is.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -19,6 +20,7 @@
 
 #include "mv/demo/demo.h"
 #include "mv/geometry/ray_caster.h"
+#include "mv/math/projection.h"
 #include "mv/math/shadow.h"
 #include "mv/math/transform.h"
 #include "mv/study/study.h"
@@ -433,4 +435,16 @@ TEST(CubeShadows, moved_by_hand) {
         EXPECT_NE(run.matrix("shadowFromWorld"), matrix);
         EXPECT_EQ(againstRays(run).wrong, 0);
     }
+}
+
+TEST(CubeShadows, lamp_to_drag) {
+    DemoRun run("cube-shadows");
+    const Picture picture = run.picture();
+    const Scene scene = run.demo().scene(FrameInfo(1, 700, 700));
+    const vec3 ndc = ndcFromClip(scene.clipFromWorld() * vec4(vec3(scene.lights[0].position), 1));
+    const int x = int((ndc.x + 1) * 350), y = 699 - int((ndc.y + 1) * 350);
+    ASSERT_TRUE(x > 20 && x < 680 && y > 20 && y < 680) << x << ", " << y;
+    const Pixel lamp = picture.at(x, y);
+    EXPECT_GT(lamp.red, 200);
+    EXPECT_LT(lamp.blue, 60);
 }

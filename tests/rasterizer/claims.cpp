@@ -13,6 +13,8 @@
 // - [circle-nearest] In each column of an eighth, and in each row of the next one, the midpoint method sets the nearest pixel, and no
 //   pixel twice; a square root in float, mirrored, sets the same ones.
 // - [circle-gaps] One pixel a column leaves gaps in a circle; its eighths mirrored, or a point turned round, leave none.
+// - [one-decides] Of a line that is not whole the pixel set last is framed, and the bar below lies to the right of 0 where the line
+//   steps up, and else to the left.
 // - [one-by-one] A key takes away one of all pixels, however many there are, and the picture counts them.
 // - [two-insides] A star's middle is outside by even and odd, and inside by how often the outline winds round it.
 #include <gtest/gtest.h>
@@ -35,6 +37,8 @@
 #include "rasterizer/circle.h"
 #include "rasterizer/fill.h"
 #include "rasterizer/line.h"
+#include "rasterizer/rasterizer.h"
+#include "rasterizer/sheet.h"
 #include "rasterizer/trials.h"
 #include "shared/raster_triangle.h"
 #include "support/demo_run.h"
@@ -430,12 +434,49 @@ TEST(Rasterizer, circle_gaps) {
         EXPECT_EQ(loose(method), 0);
 }
 
+TEST(Rasterizer, one_decides) {
+    // The frame is round the pixel that was set last: red half a pixel inside of its upper edge
+    const auto steps = linePixels(LineMethod::octants, 2, 3, 20, 11);
+    DemoRun run("rasterizer", 960, 440);
+    for (const int step : {1, 10, 11, 18}) {
+        const Picture picture = run.set("step", step).picture();
+        for (std::size_t i = 0; i < steps.size(); ++i) {
+            rasterizer::Settings s;
+            s.step = step;
+            const FrameInfo frame(1, 960, 440);
+            const vec2 corner = rasterizer::plotOf(frame, rasterizer::Grid(s)).pixel({steps[i].x + 0.5, steps[i].y});
+            const Pixel at = picture.at(int(corner.x), 439 - int(corner.y));
+            EXPECT_EQ(at.red > 180 && at.green < 90, int(i) == step - 1) << step << ", " << i;
+        }
+    }
+    // To the right of 0 the line steps up. The bar is the only blue, or red, that thick below the grid
+    const Plot grid = rasterizer::plotOf(FrameInfo(1, 960, 440), rasterizer::Grid(rasterizer::Settings{}));
+    const int row =
+        439 - int(grid.box.low.y - 6 - 2.1 * 14) + 4;  // below the axis, which goes through the middle of the bar
+    const auto barIsUp = [&](int step) {
+        const Picture picture = run.set("step", step).picture();
+        long up = 0, level = 0;
+        for (int x = 10; x < 300; ++x) {
+            const Pixel p = picture.at(x, row);
+            up += p.red > 180 && p.green < 90;
+            level += p.blue > 180 && p.red < 90;
+        }
+        EXPECT_NE(up > 20, level > 20) << step;
+        return up > 20;
+    };
+    for (int step = 3; step < 18; ++step) {
+        const bool isUp = steps[std::size_t(step)].y > steps[std::size_t(step) - 1].y;
+        if (steps[std::size_t(step) - 1].error + 16 == 0) continue;  // no bar
+        EXPECT_EQ(barIsUp(step), isUp) << step;
+    }
+}
+
 TEST(Rasterizer, one_by_one) {
     for (const char* preset : {"bresenham", "circle", "shared-edge"}) {
         const auto demo = findDemo("rasterizer").make();
         const auto& presets = findDemo("rasterizer").presets;
         applyPreset(*demo, *std::ranges::find(presets, preset, &Preset::name));
-        ASSERT_EQ(demo->number("step"), 999) << "all";
+        demo->knob("step").parse("999");  // all
         DemoRun run("rasterizer", 480, 220);
         (void)run.preset(preset).picture();
         const double all = run.readout("set");

@@ -228,6 +228,7 @@ TEST(Viewpoints, exact_hits_house) {
 TEST(Viewpoints, down_needs_another_up) {
     EXPECT_THROW(mv::lookAt(vec3(0, 0, 200), vec3(0, 0, 0), vec3(0, 0, 1)), mv::Error);
     DemoRun run("viewpoints");
+    run.set("camera", "off").set("lit", "off");
     const mv::Picture picture = run.set("view", "9").set("height", 40).picture(30);
     const vec3 middle = seenAt(run, {0, 0, 0}), north = seenAt(run, {0, 90, 0}), east = seenAt(run, {90, 0, 0});
     EXPECT_NEAR(length(middle - vec3(0, 0, middle.z)), 0, 1e-12);
