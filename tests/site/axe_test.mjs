@@ -1,5 +1,5 @@
 // node axe_test.mjs SOURCE MVGL BUILD [DEMO...]: nothing that axe-core knows of (WCAG 2.2 AA and good practice) stands between a page and
-// a screen reader, a keyboard or weak eyes: each lesson with all of it unfolded, light and dark, and the start page.
+// a screen reader, a keyboard or weak eyes: each lesson with all of it unfolded, light and dark, two in another language, and the start page.
 import fs from 'node:fs';
 import path from 'node:path';
 import { browserOf, counted, demosOf, expect, made, opened, served, skipUnlessBuilt } from './support.mjs';
@@ -22,7 +22,7 @@ for (const scheme of ['light', 'dark']) {
   await ask(start, `the start page, ${scheme}`);
   await start.close();
 }
-for (const demo of named.length ? named : demosOf(program)) {
+for (const demo of named.length ? named : [...demosOf(program), 'cube-cull.is', 'shadow.is']) {
   const page = await opened(browser, address, `${demo}.html`);
   await page.$$eval('details', (all) => all.forEach((one) => (one.open = true)));
   for (const scheme of ['light', 'dark']) {
