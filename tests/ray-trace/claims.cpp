@@ -185,7 +185,7 @@ TEST(RayTrace, leaves) {
     const auto below = [](const Picture& a, const Picture& b) {
         long differ = 0;
         for (int y = 48; y < 64; ++y) {
-            for (int x = 0; x < 96; ++x) differ += std::abs(a.at(x, y).r - b.at(x, y).r) > 3;
+            for (int x = 0; x < 96; ++x) differ += std::abs(a.at(x, y).red - b.at(x, y).red) > 3;
         }
         return differ;
     };
