@@ -1,0 +1,16 @@
+// What Mesa's softpipe, the second rasterizer of ./test --long, does otherwise than llvmpipe, zink and GPUs.
+#pragma once
+#include "support/demo_run.h"
+
+namespace mv::test {
+
+inline bool onSoftpipe() { return stage().driver().renderer.find("softpipe") != std::string::npos; }
+
+// It adds the polygon offset to a triangle's corners and clamps it there, where OpenGL clamps the depth of each fragment: a floor that
+// reaches a shadow map's end is pushed the less the nearer to that end, and shades itself there.
+inline bool clampsOffsetAtCorners() { return onSoftpipe(); }
+
+// It reads a footprint that is longer than the texture from the smallest levels, however narrow it is.
+inline bool blursLongFootprints() { return onSoftpipe(); }
+
+}  // namespace mv::test
