@@ -19,7 +19,7 @@ constexpr Declaration about{
     .width = 600,
     .height = 600,
     .background = vec4(0.9, 1.0, 1.0, 1.0),
-    .needs = {.depth = true},
+    .needs = {.depth = true, .beyondEs = {{"float targets", "wrong-pixels is not measured"}}},
     .waste = {{"unused-buffer", "depth of 'cube-cull'", "the buffer stays when --depth-test switches the test off"},
               {"no-sample", "draw of 'body'", "that faces are left out, or all of them, is the lesson"}},
 };

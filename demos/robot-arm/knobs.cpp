@@ -104,6 +104,8 @@ constexpr Declaration about{
     .animated = true,
     .background = vec4(1, 1, 1, 1),
     .needs = {.depth = true},
+    .waste = {{"no-sample", "draw of 'cylinder', up to 8 times",
+               "a joint within the limbs that it joins is drawn all the same"}},
 };
 
 std::vector<SettingsPreset<Settings>> presets() {

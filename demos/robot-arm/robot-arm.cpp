@@ -99,7 +99,8 @@ void drawParts(Gpu& gpu, const Pane& pane, const Jointed& thing, const std::vect
             gpu.box.draw();
         }
         const Joint& joint = thing.tree.joints()[i];
-        if (joint.kind == JointKind::fixed) continue;
+        // A joint that turns a part about its own length has no pin
+        if (joint.kind == JointKind::fixed || joint.axis.x != 0) continue;
         gpu.program.set("color", vec3(0.32));
         const mat4 jointFromCylinder = (joint.axis.y == 0 ? rotateX(90) : mat4(1)) * scale(0.11, 0.2, 0.11);
         gpu.program.set("worldFromModel", worldFromPart[i] * jointFromCylinder);

@@ -25,6 +25,7 @@ constexpr Declaration about{
     .needs = {.depth = true,
               .beyondEs = {{"float targets", "falsely-dark, falsely-lit and pixels-asked are not measured"}}},
     .waste = {{"outside-view", "draw of 'light'", "the light's ball is drawn sooner than asked for"},
+              {"no-sample", "draw of 'light's frustum'", "from below the casters none of its edges is in the picture"},
               {"outside-view", "draw of 'ball'", "it hangs above the picture, and only its shadow is seen"},
               {"outside-view", "draw of 'cord #'", "it hangs above the picture, and only its shadow is seen"},
               {"no-sample", "draw of 'floor'",
@@ -167,7 +168,7 @@ std::vector<SettingsPreset<Settings>> presets() {
           .orbit = {.distance = 4}}},
         {"overhead",
          "A ball of six sides throws a polygon; cords thinner than a texel throw rows of dashes.",
-         {.scene = Which::overhead, .sides = 6, .cord = 0.006, .showFrustum = false}},
+         {.scene = Which::overhead, .sides = 6, .cord = 0.006}},
     };
 }
 
