@@ -109,8 +109,8 @@ std::vector<SettingsPreset<Settings>> presets() {
          "Where all light is 1, what is missing is what the depth has cut off.",
          {.room = TracedRoom::white, .show = Show::cut, .depth = 3}},
         {"flint",
-         "Heavy flint glass, N-SF11: each edge that it shows has coloured fringes, blue at one side and red at the "
-         "other.",
+         "Heavy flint glass, N-SF11: each edge that it shows has coloured fringes, orange on one side and blue on "
+         "the other.",
          {.room = TracedRoom::glassBall, .samples = 4, .index = 1.7847, .wavelengths = 8, .abbe = 25.68}},
         {"rays", "How many rays a sample takes: most where glass and mirror see each other.", {.show = Show::rays}},
     };
