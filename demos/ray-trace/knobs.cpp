@@ -127,8 +127,8 @@ std::vector<SettingsPreset<Settings>> presets() {
          "picture.",
          {.room = TracedRoom::globes}},
         {"flint",
-         "Heavy flint glass, N-SF11: each edge that it shows has coloured fringes, blue at one side and red at the "
-         "other.",
+         "Heavy flint glass, N-SF11: each edge that it shows has coloured fringes, orange on one side and blue on "
+         "the other.",
          {.room = TracedRoom::glassBall, .samples = 4, .index = 1.7847, .wavelengths = 8, .abbe = 25.68}},
         {"rays", "How many rays a sample takes: most where glass and mirror see each other.", {.show = Show::rays}},
     };
