@@ -438,8 +438,8 @@ TEST(Rasterizer, one_decides) {
             up += p.red > 180 && p.green < 90;
             level += p.blue > 180 && p.red < 90;
         }
-        EXPECT_NE(up > 20, level > 20) << step;
-        return up > 20;
+        EXPECT_NE(up > 3, level > 3) << step;
+        return up > 3;
     };
     for (int step = 3; step < 18; ++step) {
         const bool isUp = steps[std::size_t(step)].y > steps[std::size_t(step) - 1].y;
