@@ -33,6 +33,7 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
         frame.show(matrixName(step), step.uploaded);
         program.set(matrixName(step).c_str(), step.uploaded);
     }
+    if (s.products == Products::shader) program.set("wanted", 0);  // clip space
 
     // Draw the cube, and mark the vertex so that it is seen through the cube
     gpu.cube.draw();

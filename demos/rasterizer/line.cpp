@@ -39,9 +39,11 @@ void drawLine(Gpu& gpu, const Line& line, const Grid& grid, const Frame& frame) 
         showErrors(gpu, pixels, grid, frame);
         showDecision(gpu, line, pixels, grid, frame);
     }
-    showDifferent(gpu, differing(grid.whole(), pixels, glPicture), grid, frame);
+    const auto different = differing(grid.whole(), pixels, glPicture);
+    const bool areFew = different.size() <= 6;
+    if (areFew) showDifferent(gpu, different, grid, frame);
     showWords(gpu, frame, grid, std::string(nameOf(line.method)) + ": " + countOf(grid, pixels.size()),
-              formatted("OpenGL: pixels set otherwise, ringed: %.0f",
+              formatted(areFew ? "OpenGL: pixels set otherwise, ringed: %.0f" : "OpenGL: pixels set otherwise: %.0f",
                         double(countDifferent(inked(grid.whole(), pixels), glPicture))));
 }
 

@@ -105,7 +105,8 @@ std::vector<double> rivalry(Probing& probing) {
         ++n;
     }
     if (n == 0) return {};
-    return {100 * std::sqrt(brightness / n), std::sqrt(colors / n)};
+    const double percent = 100 * std::sqrt(brightness / n);
+    return {percent < 1e-9 ? 0 : percent, std::sqrt(colors / n)};  // of grey there are roundings alone
 }
 
 Study study() {

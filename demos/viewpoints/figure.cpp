@@ -98,7 +98,8 @@ static void drawCameras(Drawing& drawing, const Settings& s, const Car& car, con
         const vec4& color = isChosen ? chosenColor : ink;
         const vec2 from = pixel(eye);
         const double turned = radians(90 - 72.0 * (view - 3));
-        const vec2 label = isOfCar ? pixel(car.place) + 3.6 * size * vec2(std::cos(turned), std::sin(turned)) : from;
+        vec2 label = isOfCar ? pixel(car.place) + 3.6 * size * vec2(std::cos(turned), std::sin(turned)) : from;
+        label.y = std::min(label.y, pane.height - 1.0 * size);  // of a camera that is higher up than the pane
         if (isOfCar) drawing.line(label, from, {color, 1});
         if (isChosen) {
             const double reach = view < 3 || view == 8 ? 90 : 45;
