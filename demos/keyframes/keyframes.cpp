@@ -21,10 +21,10 @@ void drawBall(Gpu& gpu, const Settings& s, const Frame& frame) {
     const vec2 ball(motion.position(std::clamp(now, 0.0, motion.end())));
 
     // Draw path and ball, and beside them the ball's speed and acceleration over time
-    const Pane pane = leftPane(frame);
+    const Pane pane = leftPane(frame.inUnits());
     showWay(gpu.drawing, s, motion, now, pane);
     showBall(gpu.drawing, ball, velocityShown(motion, now), pane);
-    showGraphs(gpu.drawing, s, motion, now, frame);
+    showGraphs(gpu.drawing, s, motion, now, frame.inUnits());
     tell(s, frame);
 }
 

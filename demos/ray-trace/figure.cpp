@@ -5,6 +5,7 @@
 #include <string>
 
 #include "mv/gl/text.h"
+#include "mv/gl/word_size.h"
 #include "mv/math/transform.h"
 #include "ray-trace.h"
 
@@ -52,7 +53,7 @@ void drawFigure(Gpu&, const Settings& s, const Made& made, const Frame& frame) {
     const std::string what = s.show == Show::rays
                                  ? rounded("white: %.3g rays a sample", largest(s, made))
                                  : rounded("white: %.3g %% of the light is cut off", 100 * largest(s, made));
-    const TextStyle style{std::clamp(frame.height() / 20, 8, 24)};
+    const TextStyle style{std::clamp(frame.height() / 20, leastWords, 24)};
     drawText(frame, 6, frame.height() - textHeight(style) - 6, what, style);
 }
 

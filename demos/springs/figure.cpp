@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "mv/gl/word_size.h"
 #include "mv/motion/ode_stability.h"
 
 namespace mv {
@@ -151,7 +152,7 @@ MeshData stabilityGrid(OdeMethod method, const Plot& plot) {
 }
 
 void paneWords(Drawing& drawing, const Pane& pane, const vec2& at, const std::string& text, const vec4& color) {
-    drawing.text(at, text, {std::clamp(pane.width / 32, 8, 15), color});
+    drawing.text(at, text, {std::clamp(pane.width / 32, leastWords, 15), color});
 }
 
 std::vector<std::string> wrapped(const std::string& text, std::size_t width) {

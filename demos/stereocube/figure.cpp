@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mv/gl/functions.h"
+#include "mv/gl/word_size.h"
 #include "stereocube.h"
 
 namespace mv::stereocube {
@@ -38,7 +39,7 @@ void figure(Gpu& gpu, const Settings& s, const Frame& frame) {
     const bool isTooFar = here->most > betweenPupils;
     const vec4 ink(vec3(s.background == Paper::white ? 0.25 : 0.75), 1), red(0.8, 0.15, 0.1, 1);
     const double pixelsPerMm = frame.width() / s.screenWidth;
-    const int size = std::clamp(frame.height() / 36, 7, 16);
+    const int size = std::clamp(frame.height() / 36, leastWords, 16);
     const auto bar = [&](double row, double mm, const std::string& words, const vec4& color) {
         const double y = row * 1.9 * size, end = 10 + std::min(mm * pixelsPerMm, 2.0 * frame.width());
         gpu.drawing.line({10, y}, {end, y}, {color, 3});

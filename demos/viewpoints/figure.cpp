@@ -86,8 +86,9 @@ void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
     const mat4 clipFromOutside = translate(0, -0.5, 0) * perspective(34, pane.aspect(), 1, 2000);
     const mat4 outsideFromWorld = lookAt(vec3(420, -560, 400), vec3(70, 10, 40), vec3(0, 0, 1));
     const Car car = carAt(frame.index());
-    glViewport(pane.x, pane.y, pane.width, pane.height);
-    glScissor(pane.x, pane.y, pane.width, pane.height);
+    const auto [x, y, width, height] = frame.pixels(pane);
+    glViewport(x, y, width, height);
+    glScissor(x, y, width, height);
     glEnable(GL_SCISSOR_TEST);
     glClearColor(0.82F, 0.95F, 0.82F, 1);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -98,7 +99,8 @@ void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
 
     // Draw its axes, and write the product that lookAt is
     glDisable(GL_SCISSOR_TEST);
-    glViewport(0, 0, frame.width(), frame.height());
+    const FrameInfo inPixels = frame.inPixels();
+    glViewport(0, 0, inPixels.width(), inPixels.height());
     gpu.drawing.begin(frame);
     gpu.drawing.in(pane);
     drawAxes(gpu.drawing, clipFromOutside * outsideFromWorld, lookFrom(s, car).viewFromWorld, pane);
