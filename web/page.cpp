@@ -43,10 +43,7 @@ std::unique_ptr<Page>& page() {
 Session& session() { return *page()->session; }
 Demo& demo() { return session().demo(); }
 
-FrameInfo shownFrame() {
-    const Target& target = page()->stage.front();
-    return {session().playback().frame(), target.width(), target.height()};
-}
+FrameInfo shownFrame() { return page()->stage.frame(session().playback().frame()); }
 // From a place in pixels from the picture's upper left corner.
 vec2 placeOf(double x, double y) { return {x, page()->stage.front().height() - y}; }
 
@@ -284,6 +281,9 @@ EMSCRIPTEN_KEEPALIVE bool mvDraw(int width, int height, bool readouts) {
     return session().stale();
 }
 
+// The canvas' pixels for each of the page's: words and lines of figures are no smaller than can be read.
+EMSCRIPTEN_KEEPALIVE void mvDensity(double density) { session().setDensity(density); }
+
 EMSCRIPTEN_KEEPALIVE bool mvIsDue(int width, int height) { return session().due(width, height); }
 
 // {"knob": "value"}, of all.
@@ -314,7 +314,7 @@ EMSCRIPTEN_KEEPALIVE const char* mvCommand(const char* knob, const char* other) 
     const Target& target = page()->stage.front();
     return say(copyableCommand("./run " + session().info().name, session().info(), demo(), session().drawnFrame(),
                                target.width(), target.height(), {knob, other}, &page()->stage.timeline(),
-                               *knob ? std::nullopt : session().until()));
+                               *knob ? std::nullopt : session().until(), page()->stage.density()));
 }
 
 // The last picture's bytes, red, green, blue, alpha, the upper row first; as many as its size says.

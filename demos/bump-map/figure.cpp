@@ -6,6 +6,7 @@
 
 #include "bump-map.h"
 #include "mv/gl/gl.h"
+#include "mv/gl/word_size.h"
 #include "shared/strip.h"
 
 namespace mv::bump_map {
@@ -19,8 +20,10 @@ vec2 inStrip(const FrameInfo& frame, double part) { return {part * frame.width()
 void drawMap(Gpu& gpu, ReliefBody body, const Frame& frame, int unit, const char* name, int words) {
     const double wide = 2 * reach(frame), high = body == ReliefBody::wall ? wide : wide / 2;
     const vec2 corner = inStrip(frame, 0.02) + vec2(unit * 1.2, -0.5) * wide;
-    glViewport(static_cast<int>(corner.x), static_cast<int>(corner.y), std::max(1, static_cast<int>(wide)),
-               std::max(1, static_cast<int>(high)));
+    const auto [x, y, width, height] =
+        frame.pixels({static_cast<int>(corner.x), static_cast<int>(corner.y), std::max(1, static_cast<int>(wide)),
+                      std::max(1, static_cast<int>(high))});
+    glViewport(x, y, width, height);
     gpu.mapProgram->set("image", unit);
     gpu.mapProgram->set("isAlpha", unit == 0);
     gpu.sheet->draw();
@@ -54,12 +57,13 @@ void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
     Drawing& drawing = gpu.drawing;
     drawing.begin(frame);
     // No words where they have no room
-    const int size = std::clamp(std::min(frame.height() / 36, frame.width() / 50), 8, 16);
+    const int size = std::clamp(std::min(frame.height() / 36, frame.width() / 50), leastWords, 16);
     const int words = textWidth("height map", {size}) < 2.4 * reach(frame) ? size : 0;
     gpu.mapProgram->use();
     drawMap(gpu, s.body, frame, 0, "height map", words);
     if (usesNormals(s.method)) drawMap(gpu, s.body, frame, 1, "normal map", words);
-    glViewport(0, 0, frame.width(), frame.height());
+    const FrameInfo inPixels = frame.inPixels();
+    glViewport(0, 0, inPixels.width(), inPixels.height());
     sightFigure(frame).draw(drawing, s.angle, words);
     lampDial(frame).draw(drawing, towardsLamp(s), words);
 

@@ -1,4 +1,5 @@
 #include "clip_figure.h"
+#include "mv/gl/word_size.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -7,7 +8,11 @@ namespace mv {
 
 using namespace clip;
 
-Pane ClipFigure::leftPane(const FrameInfo& frame) { return {0, 0, std::max(1, frame.width() * 5 / 8), frame.height()}; }
+Pane ClipFigure::leftPane(const FrameInfo& frame) {
+    if (!frame.isUpright()) return {0, 0, std::max(1, frame.width() * 5 / 8), frame.height()};
+    const int below = frame.height() * 3 / 8;
+    return {0, below, frame.width(), frame.height() - below};
+}
 
 Plot ClipFigure::plotIn(const Pane& pane) {
     const double unit = std::min(pane.width / 6.2, pane.height / 5.8);
@@ -24,8 +29,9 @@ void ClipFigure::begin(const Frame& frame) {
 
 void ClipFigure::draw(const Frame& frame) {
     drawing.in({0, 0, frame.width(), frame.height()});
-    const int height = std::clamp(frame.height() / 32, 8, 18);
-    vec2 at(leftPane(frame).width + 4, frame.height() - 12);
+    const int height = std::clamp(frame.height() / 32, leastWords, 18);
+    vec2 at =
+        frame.isUpright() ? vec2(12, leftPane(frame).y - 4) : vec2(leftPane(frame).width + 4, frame.height() - 12);
     for (const auto& [line, color] : said_) {
         if (!line.empty()) drawing.text(at, line, {height, color, vec4(0)});
         at.y -= 1.45 * height;
@@ -55,7 +61,7 @@ void ClipFigure::hatch(const std::vector<vec2>& corners, const vec4& color) {
     }
 }
 
-int ClipFigure::lineHeight(double of) const { return std::max(8, static_cast<int>(plot_.box.size().y / of)); }
+int ClipFigure::lineHeight(double of) const { return std::max(leastWords, static_cast<int>(plot_.box.size().y / of)); }
 
 void ClipFigure::name(const vec2& at, const std::string& words, const vec4& color) {
     const int height = lineHeight(32);

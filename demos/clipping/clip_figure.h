@@ -1,4 +1,4 @@
-// The figure of lessons on clipping: a plane with a window on the left, the results in words on the right.
+// The figure of lessons on clipping: a plane with a window on the left, the results in words on the right, or below it.
 #pragma once
 #include <string>
 #include <utility>
@@ -19,7 +19,7 @@ inline const Box plane{{-3, -2.8}, {3, 2.8}};
 
 class ClipFigure {
   public:
-    // The left five eighths of the picture, and the plane in them.
+    // The left five eighths of the picture, or the upper ones of an upright picture, and the plane in them.
     static Pane leftPane(const FrameInfo& frame);
     static Plot plotIn(const Pane& pane);
 
@@ -40,7 +40,7 @@ class ClipFigure {
     void window(const Box& box);
     void codes(const Box& box);
 
-    // One more line on the right.
+    // One more line there.
     void say(const std::string& line, const vec4& color = clip::ink) { said_.emplace_back(line, color); }
 
     Drawing drawing;

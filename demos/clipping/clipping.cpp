@@ -5,7 +5,8 @@
 
 namespace mv::clipping {
 
-void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
+void draw(Gpu& gpu, const Settings& s, const Frame& inPixels) {
+    const Frame frame = inPixels.inUnits();
     constexpr std::array ofSubject{drawPoint, drawSegment, drawPolygon, drawSpace};
     gpu.figure.begin(frame);
     ofSubject.at(std::size_t(s.subject))(gpu.figure, s, frame);

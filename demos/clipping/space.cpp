@@ -78,8 +78,10 @@ static void drawFromAbove(ClipFigure& figure, const InSpace& s) {
 // Draw the picture that the eye sees: the shown part of the segment and, where it is wrong, the right part.
 static void drawPicture(ClipFigure& figure, const InSpace& s, const Frame& frame, bool isRight) {
     const Pane left = ClipFigure::leftPane(frame);
-    const double side = std::min((frame.width() - left.width) * 0.85, frame.height() * 0.62);
-    const vec2 low(left.width + 4, frame.height() * 0.2);
+    const double side = frame.isUpright() ? std::min(0.45 * frame.width(), 0.7 * left.y)
+                                          : std::min((frame.width() - left.width) * 0.85, frame.height() * 0.62);
+    const vec2 low =
+        frame.isUpright() ? vec2(frame.width() - side - 12, 12) : vec2(left.width + 4, frame.height() * 0.2);
     const Plot picture{{low, low + side}, {-1, 1}, {-1, 1}};
     figure.drawing.in({0, 0, frame.width(), frame.height()});
     figure.drawing.fill(picture.box, pale);

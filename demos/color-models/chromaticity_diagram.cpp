@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mv/formatted.h"
+#include "mv/gl/word_size.h"
 #include "mv/math/clip.h"
 #include "mv/math/color.h"
 #include "mv/math/transform.h"
@@ -90,7 +91,7 @@ void ChromaticityDiagram::draw(Drawing& drawing, const FrameInfo& frame) const {
     drawing.point(plot.pixel(place(srgbWhite)), 5, ink);
 
     const double unit = std::min(frame.width() / 960.0, frame.height() / 640.0);
-    const int pixels = std::max(6, static_cast<int>(14 * unit));
+    const int pixels = std::max(leastWords, static_cast<int>(14 * unit));
     const auto note = [&](const vec2& at, const vec2& moved, const std::string& text, const vec4& color) {
         drawing.textAround(plot.pixel(at) + moved * unit, text, {pixels, color, vec4(0)});
     };

@@ -20,7 +20,7 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
         drawSolids(gpu, s, frame);
     else
         drawDiagram(gpu, s, frame);
-    drawMarks(gpu.drawing, s, frame);
+    drawMarks(gpu.drawing, s, frame.inUnits());
     gpu.drawing.draw(frame);
     tell(s, frame);
 }
@@ -49,8 +49,8 @@ void drawSolids(Gpu& gpu, const Settings& s, const Frame& frame) {
         }
         glViewport(0, 0, frame.width(), frame.height());
     }
-    drawOverSolids(gpu.drawing, s, frame);
-    drawStrips(gpu.drawing, s, frame);
+    drawOverSolids(gpu.drawing, s, frame.inUnits());
+    drawStrips(gpu.drawing, s, frame.inUnits());
 }
 
 // The place of a colour in a solid: HSL's lightness, HSV's value and the cube's diagonal are heights.
@@ -114,13 +114,14 @@ std::vector<vec3> strip(const Settings& s, Way way) {
 // Draw the colours of the spectrum's inside. The fragment shader computes the brightest colour of a chromaticity.
 void drawDiagram(Gpu& gpu, const Settings& s, const Frame& frame) {
     const ChromaticityDiagram diagram{s.diagram};
+    const FrameInfo units = frame.inUnits();
     gpu.ofDiagram->use();
     gpu.ofDiagram->set("clipFromXy",
-                       ChromaticityDiagram::clipFromPlace(diagram.plotIn(frame), frame) * diagram.placeFromXy());
+                       ChromaticityDiagram::clipFromPlace(diagram.plotIn(units), units) * diagram.placeFromXy());
     gpu.ofDiagram->set("linearFromXyz", linearFromXyz());
     gpu.spectrum->draw();
-    diagram.draw(gpu.drawing, frame);
-    drawMixture(gpu.drawing, s, frame);
+    diagram.draw(gpu.drawing, units);
+    drawMixture(gpu.drawing, s, units);
 }
 
 }  // namespace mv::color_models

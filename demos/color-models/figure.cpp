@@ -8,6 +8,7 @@
 #include "mv/formatted.h"
 #include "mv/geometry/plot.h"
 #include "mv/geometry/shapes.h"
+#include "mv/gl/word_size.h"
 #include "mv/math/color.h"
 #include "mv/math/color_difference.h"
 
@@ -24,7 +25,7 @@ double unit(const FrameInfo& frame) { return std::min(frame.width() / 960.0, fra
 // Write words. Places are in units of 1/640 of the picture's height, or 1/960 of its width, from the lower left corner.
 void words(Drawing& drawing, const FrameInfo& frame, const vec2& at, const std::string& text, const vec4& color,
            double size) {
-    const int pixels = std::max(6, static_cast<int>(size * unit(frame)));
+    const int pixels = std::max(leastWords, static_cast<int>(size * unit(frame)));
     drawing.text(at * unit(frame), text, {pixels, color, vec4(0)});
 }
 

@@ -6,6 +6,7 @@
 #include "mv/gl/beyond_es.h"
 #include "mv/gl/feedback.h"
 #include "mv/gl/gl.h"
+#include "mv/gl/word_size.h"
 
 namespace mv::displacement {
 namespace {
@@ -27,7 +28,7 @@ LampDial lampDial(const FrameInfo& frame) { return {vec2(1.5 * reach(frame)), re
 void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
     Drawing& drawing = gpu.drawing;
     drawing.begin(frame);
-    const int size = std::clamp(std::min(frame.height() / 36, frame.width() / 50), 8, 16);
+    const int size = std::clamp(std::min(frame.height() / 36, frame.width() / 50), leastWords, 16);
     const bool hasRoom = reach(frame) > 12;
     const vec2 box(2.75 * reach(frame) + (hasRoom ? 4 * size : 0), 2.75 * reach(frame));
     drawing.fill({vec2(0.25 * reach(frame)), box}, paper);

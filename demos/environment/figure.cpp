@@ -4,6 +4,7 @@
 
 #include "environment.h"
 #include "mv/gl/gl.h"
+#include "mv/gl/word_size.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
 #include "reflectance_plot.h"
@@ -17,7 +18,8 @@ void drawCross(Gpu& gpu, const Frame& frame, int x, int words) {
     const double width = frame.width() - x, height = frame.height();
     const double side = std::min((width - 28) / 4, 0.40 * height / 3);
     const Pane cross{x + int(0.5 * (width - 4 * side)), int(0.03 * height), int(4 * side), int(3 * side)};
-    glViewport(cross.x, cross.y, cross.width, cross.height);
+    const auto [left, low, across, up] = frame.pixels(cross);
+    glViewport(left, low, across, up);
     glDisable(GL_DEPTH_TEST);
     gpu.crossProgram->use();
     gpu.pane->draw();
@@ -46,8 +48,9 @@ Scene sceneOf(const Settings& s, const FrameInfo& frame) {
 }
 
 Pane viewPane(const FrameInfo& frame) {
-    if (frame.width() < 700 || frame.height() < 350) return {0, 0, frame.width(), frame.height()};
-    return {0, 0, frame.width() * 5 / 8, frame.height()};
+    const FrameInfo units = frame.inUnits();
+    const bool hasRoom = units.width() >= 700 && units.height() >= 350;
+    return {0, 0, hasRoom ? frame.width() * 5 / 8 : frame.width(), frame.height()};
 }
 // A quantity is measured all over.
 Pane paneOf(const Frame& frame) {
@@ -66,7 +69,7 @@ void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
     if (inRoom(s)) glDisable(GL_CULL_FACE);
     Drawing& drawing = gpu.drawing;
     drawing.begin(frame);
-    const int words = std::clamp(frame.height() / 38, 8, 16);
+    const int words = std::clamp(frame.height() / 38, leastWords, 16);
     if (splits(s) && left.height >= 100 && left.width >= 200) {
         drawing.line({0.5 * left.width, 0}, {0.5 * left.width, left.height}, {{1, 1, 1, 0.8}, 1.5});
         drawing.text({8, left.height - 8}, std::string(looksUp(s) ? "cube map, " : "") + nameOf(s.lookup),
@@ -75,7 +78,8 @@ void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
     }
     if (left.width < frame.width()) {
         drawBeside(gpu, s, frame, left.width, words);
-        glViewport(0, 0, frame.width(), frame.height());
+        const FrameInfo inPixels = frame.inPixels();
+        glViewport(0, 0, inPixels.width(), inPixels.height());
     }
     drawing.draw(frame);
 }

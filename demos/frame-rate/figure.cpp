@@ -6,6 +6,7 @@
 #include "frame-rate.h"
 #include "mv/formatted.h"
 #include "mv/geometry/plot.h"
+#include "mv/gl/word_size.h"
 
 namespace mv::frame_rate {
 namespace {
@@ -17,7 +18,7 @@ double unit(const Pane& pane) { return std::min(pane.width / 240.0, pane.height 
 
 void words(Drawing& drawing, const Pane& pane, double height, const std::string& text, const vec4& color,
            double size = 1) {
-    const int pixels = std::max(8, static_cast<int>(16 * size * unit(pane)));
+    const int pixels = std::max(leastWords, static_cast<int>(16 * size * unit(pane)));
     drawing.text({12 * unit(pane), height * pane.height}, text, {pixels, color, vec4(0)});
 }
 std::string offBy(double seconds) {

@@ -27,8 +27,8 @@ void draw(Gpu& gpu, const Settings& s, const Running& now, const Frame& frame) {
 
     // Draw clocks and balls by the same times, and show how long each of the last pictures stayed
     gpu.drawing.begin(frame);
-    drawClocks(gpu.drawing, s, time, frame);
-    drawPictures(gpu.drawing, s, now, frame);
+    drawClocks(gpu.drawing, s, time, frame.inUnits());
+    drawPictures(gpu.drawing, s, now, frame.inUnits());
     gpu.drawing.draw(frame);
     frame.count("pictures of the display", double(now.pictures));
 }
@@ -80,7 +80,9 @@ double stepTime(const Settings& s) { return 1.0 / s.steps; }
 
 mat4 clipFromCube(double turn, double aspect) {
     const mat4 viewFromWorld = lookAt(vec3(0, 1.6, 2.6), vec3(0, 0, 0), vec3(0, 1, 0));
-    return perspective(40, aspect, 1, 10) * viewFromWorld * rotateY(turn);
+    // In a narrow pane from farther away, as it were: all of the cube is seen
+    const double fovy = aspect < 1 ? 2 * degrees(std::atan(std::tan(radians(20)) / aspect)) : 40;
+    return perspective(fovy, aspect, 1, 10) * viewFromWorld * rotateY(turn);
 }
 
 }  // namespace mv::frame_rate

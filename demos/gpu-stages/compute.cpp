@@ -54,8 +54,7 @@ static void drawStored(Gpu& gpu, Kernel kernel, const Pane& right) {
 }
 
 void drawCompute(Gpu& gpu, const Settings& s, const Frame& frame) {
-    const std::vector<Pane> panes = frame.panes(2);
-    const Pane left = belowHeading(panes[0]), right = belowHeading(panes[1]);
+    const Pane left = belowHeading(frame, 0), right = belowHeading(frame, 1);
     if (s.computes && s.kernel == Kernel::rings) computePicture(gpu, right, frame);
     if (s.computes && s.kernel == Kernel::caustics) countRays(gpu, right);
 

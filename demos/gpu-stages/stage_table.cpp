@@ -53,8 +53,9 @@ std::string primitivesText(long number, GLenum primitive) {
 }
 
 void drawStageTable(Drawing& drawing, const FrameInfo& frame, int direct3d, const PatchDraw& patch) {
-    const Box box{vec2(0.455 * frame.width(), 0.08 * frame.height()),
-                  vec2(0.99 * frame.width(), 0.94 * frame.height())};
+    const vec2 size(frame.width(), frame.height());
+    const Box box = frame.isUpright() ? Box{size * vec2(0.02, 0.02), size * vec2(0.98, 0.48)}
+                                      : Box{size * vec2(0.455, 0.08), size * vec2(0.99, 0.94)};
     const std::array<Flow, 11> flows = flowsOf(patch);
     const double width = box.high.x - box.low.x, height = box.high.y - box.low.y;
     const double line = height / double(stageNames.size() + 1);

@@ -62,8 +62,9 @@ void drawStageTable(Drawing& drawing, const FrameInfo& frame, int direct3d, cons
 void drawHeadings(Drawing& drawing, const FrameInfo& frame, bool isWater, bool computes);
 
 // The pane below a line of words at its upper edge, for which it gives up 32 pixels; all of it where it has not twice that.
-inline Pane belowHeading(const Pane& pane) {
-    return {pane.x, pane.y, pane.width, pane.height < 64 ? pane.height : pane.height - 32};
+inline Pane belowHeading(const FrameInfo& frame, std::size_t side) {
+    const Pane pane = frame.inUnits().panes(2)[side];
+    return frame.fromUnits({pane.x, pane.y, pane.width, pane.height < 64 ? pane.height : pane.height - 32});
 }
 
 }  // namespace mv

@@ -92,8 +92,7 @@ std::vector<double> differing(Probing& probing) {
     const Demo& demo = probing.demo();
     if (demo.word("show") != "compute" || demo.word("kernel") != "rings") return {};
     if (!fallback(settingsOf<Settings>(demo)).computes) return {};
-    std::vector<Pane> panes = probing.frame().panes(2);
-    for (Pane& pane : panes) pane = belowHeading(pane);
+    const std::vector<Pane> panes{belowHeading(probing.frame(), 0), belowHeading(probing.frame(), 1)};
     const Picture picture = probing.picture();
     long count = 0;
     for (int y = 0; y < panes[0].height; ++y) {

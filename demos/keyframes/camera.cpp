@@ -27,7 +27,7 @@ void drawCamera(Gpu& gpu, const Settings& s, const Frame& frame) {
     gpu.street->mesh.draw();
     glViewport(0, 0, frame.width(), frame.height());
 
-    showZoom(gpu.drawing, s, now, frame);
+    showZoom(gpu.drawing, s, now, frame.inUnits());
 }
 
 // The view at a time. The distance goes near, far and near again. The angle is computed from it, or has keys at the same

@@ -7,6 +7,7 @@
 
 #include "keyframes.h"
 #include "mv/formatted.h"
+#include "mv/gl/word_size.h"
 #include "mv/motion/nodes.h"
 
 namespace mv::keyframes {
@@ -20,10 +21,10 @@ double unit(const Pane& pane) { return std::min(pane.width, pane.height) / 560.0
 // Ten metres each way and a margin, for what goes beyond its keys.
 double metre(const Pane& pane) { return std::min(pane.width, pane.height) / 12.5; }
 TextStyle wordStyle(const FrameInfo& frame, const vec4& color) {
-    return {.height = std::clamp(frame.height() / 33, 6, 20), .color = color, .background = vec4(0)};
+    return {.height = std::clamp(frame.height() / 33, leastWords, 20), .color = color, .background = vec4(0)};
 }
 TextStyle numberStyle(double unit) {
-    return {.height = std::max(6, static_cast<int>(14 * unit)), .color = vec4(1), .background = vec4(0)};
+    return {.height = std::max(leastWords, static_cast<int>(14 * unit)), .color = vec4(1), .background = vec4(0)};
 }
 
 Pane wholePane(const FrameInfo& frame) { return {0, 0, frame.width(), frame.height()}; }

@@ -20,10 +20,10 @@ void drawBall(Gpu& gpu, const Settings& s, const Frame& frame) {
     const double now = momentOf(motion, frame.time());
 
     // Draw path and ball, and beside them the ball's speed and acceleration over time
-    const Pane pane = leftPane(frame);
+    const Pane pane = leftPane(frame.inUnits());
     showWay(gpu.drawing, s, motion, now, pane);
     showBall(gpu.drawing, motion, now, pane);
-    showGraphs(gpu.drawing, s, motion, now, frame);
+    showGraphs(gpu.drawing, s, motion, now, frame.inUnits());
     tell(s, frame);
 }
 

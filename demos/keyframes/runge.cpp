@@ -32,7 +32,7 @@ void drawRunge(Gpu& gpu, const Settings& s, const Frame& frame) {
     }
 
     // Draw the values and their errors, and warn of a polynomial that is bound to swing
-    showValues(gpu.drawing, s, gpu.sampled, frame);
+    showValues(gpu.drawing, s, gpu.sampled, frame.inUnits());
     if (gpu.sampled.warning) frame.say(*gpu.sampled.warning);
 }
 

@@ -7,6 +7,7 @@
 #include "lights.h"
 #include "mv/formatted.h"
 #include "mv/geometry/plot.h"
+#include "mv/gl/word_size.h"
 #include "mv/math/transform.h"
 #include "shared/scenes.h"
 
@@ -45,7 +46,7 @@ const vec4 ink(0.1, 0.1, 0.1, 1), grey(0.62, 0.62, 0.62, 1), blue(0.1, 0.35, 0.7
 
 double unitOf(const FrameInfo& frame) { return std::min(frame.width() / 960.0, frame.height() / 540.0); }
 TextStyle style(double unit, const vec4& color, const vec4& background = vec4(0)) {
-    return {std::max(8, static_cast<int>(15 * unit)), color, background};
+    return {std::max(leastWords, static_cast<int>(15 * unit)), color, background};
 }
 
 // The outer cone, 0.4 long.

@@ -9,6 +9,7 @@
 
 #include "mv/error.h"
 #include "mv/geometry/shapes.h"
+#include "mv/gl/word_size.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
 
@@ -55,7 +56,9 @@ Scene MirrorRoom::scene(double aspect) const {
         scene.objects.push_back({"second frame", back, translate(secondMiddle) * rotateY(180), {0.35, 0.27, 0.20}});
     scene.lights = {{.position = vec4(3, 5, 2, 0)}};
     scene.viewFromWorld = lookAt(eye, lookedAt(), vec3(0, 1, 0));
-    scene.clipFromView = translate(-0.3, 0, 0) * perspective(50, aspect, 0.1, 200);
+    // The frame of the mirror is seen in a narrow picture, too
+    const double fovy = aspect < 1.2 ? 2 * degrees(std::atan(std::tan(radians(25)) * 1.2 / aspect)) : 50;
+    scene.clipFromView = translate(-0.3, 0, 0) * perspective(fovy, aspect, 0.1, 200);
     return scene;
 }
 
@@ -68,7 +71,7 @@ Plot planOfRoom(const FrameInfo& frame) {
 void drawPlan(Drawing& drawing, const FrameInfo& frame, const MirrorRoom& room, const Scene& scene,
               const std::vector<std::vector<SeenMirror>>& chains) {
     const Plot plot = planOfRoom(frame);
-    const int words = std::clamp(frame.height() / 38, 8, 16);
+    const int words = std::clamp(frame.height() / 38, leastWords, 16);
     const double meter = plot.pixel({1, 0}).x - plot.pixel({0, 0}).x;
     const auto at = [&](const vec3& p) { return plot.pixel({p.x, p.z}); };
     const auto label = [&](const vec2& where, const std::string& text, const vec4& color) {

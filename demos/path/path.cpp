@@ -44,7 +44,7 @@ void drawTrack(Gpu& gpu, const Settings& s, const Frame& frame) {
     const Pane left = outsidePane(frame), right = paneAboveStrip(frame, 0.58, 1);
     drawFrom(gpu, left, clipFromOutside(s, left), worldFromCar);
     drawFrom(gpu, right, perspective(60, right.aspect(), 1, 400) * chaseFromWorld, worldFromCar);
-    showTrack(gpu, s, now, axes, frame);
+    showTrack(gpu, s, now, axes, frame.inUnits());
 }
 
 // Remake the lap when one of these settings has changed.

@@ -31,10 +31,10 @@ void drawPoses(Gpu& gpu, const Settings& s, const Frame& frame) {
         gpu.program.set("clipFromWorld", clipFromPoses(s, pane));
         gpu.program.set("worldFromModel", worldFromCar);
         gpu.car.draw();
-        showPose(gpu.drawing, s, way, turnings.at(way), frame);
+        showPose(gpu.drawing, s, way, turnings.at(way), frame.inUnits());
     }
     tellLock(s.poses, frame);
-    showTurnings(gpu.drawing, turnings, frame);
+    showTurnings(gpu.drawing, turnings, frame.inUnits());
 }
 
 // The pose at part t between two poses: mix three angles (0), or quaternions on the sphere (1) or straight through it (2).

@@ -63,7 +63,7 @@ static void magnify(Drawing& drawing, const Pane& pane, const vec2& pixel, const
 
 // Write the way from clip space to the pixel, and name the vertex where it is, or where it would be without clipping.
 static void writePixel(Drawing& drawing, TextColumn& text, const Settings& s, const Frame& frame) {
-    const Pane pane = viewIn(frame);
+    const Pane pane = viewIn(frame.inPixels());  // of whose pixels the numbers tell
     const auto [clip, exact] = clipOf(s, pane.aspect());
     const bool inside = isInView(clip);
     text.left(0,
@@ -86,24 +86,36 @@ static void writePixel(Drawing& drawing, TextColumn& text, const Settings& s, co
                exactPixel[row], row == 0);
 
     const bool inPane = pixel.x >= 0 && pixel.x < pane.width && pixel.y >= 0 && pixel.y < pane.height;
-    const int x = int(pixel.x), y = frame.height() - int(pixel.y);
+    const vec2 at = vec2(glm::floor(pixel)) / frame.scale();
+    const int x = int(at.x), y = frame.height() - int(at.y);
     if (inside)
-        text.lines.push_back({x + 8, y, "vertex " + std::to_string(s.vertex)});
+        drawText(frame, x + 8, y, "vertex " + std::to_string(s.vertex));
     else if (clip.w < 0 && inPane)
-        text.lines.push_back({x - 7, y - 11, "× divided by w < 0", {.color = red}});
+        drawText(frame, x - 7, y - 11, "× divided by w < 0", {.color = red});
     if (clip.w < 0) frame.say("The vertex has w < 0, and is clipped.");
-    if (inside) magnify(drawing, pane, vec2(pixel), vec2(exactPixel));
+    if (inside) magnify(drawing, viewIn(frame), vec2(pixel), vec2(exactPixel));
+}
+
+static std::vector<TextLine> scaled(std::vector<TextLine> lines, double scale) {
+    if (scale == 1) return lines;
+    for (TextLine& line : lines) {
+        line.x = int(line.x * scale);
+        line.y = int(line.y * scale);
+        line.style.height = int(line.style.height * scale);
+    }
+    return lines;
 }
 
 void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
-    glViewport(0, 0, frame.width(), frame.height());
+    const FrameInfo inPixels = frame.inPixels();
+    glViewport(0, 0, inPixels.width(), inPixels.height());
     const Pane pane = viewIn(frame);
     gpu.drawing.begin(frame);
     gpu.drawing.in(pane);
-    TextColumn text(pane.width + 14, 6, 15);
+    TextColumn text(numbersBeside(frame) ? pane.width + 14 : 14, 6, 15);
     writeProducts(text, s, pane.aspect());
     writePixel(gpu.drawing, text, s, frame);
-    drawText(frame, text.lines);
+    drawText(frame, scaled(text.lines, numbersScale(frame)));
     gpu.drawing.draw(frame);
 }
 

@@ -94,9 +94,23 @@ Clip clipOf(const Settings& s, double aspect) {
     return {vec4(value), exact};
 }
 
+// The numbers stand beside the view, or above it where that leaves the view more room.
+bool numbersBeside(const FrameInfo& units) {
+    const int left = units.width() - numbersWidth;
+    return left >= 280 || left >= units.height() - numbersHeight;
+}
+double numbersScale(const FrameInfo& units) {
+    return numbersBeside(units) ? 1 : std::min(1.0, double(units.width()) / numbersWidth);
+}
 Pane viewIn(const FrameInfo& frame) {
-    constexpr int textColumn = 600;  // pixels on the right
-    return {0, 0, std::max(std::max(1, frame.width() * 2 / 5), frame.width() - textColumn), frame.height()};
+    const FrameInfo units = frame.inUnits();
+    if (numbersBeside(units)) {
+        const int width = std::max({1, units.width() * 2 / 5, units.width() - numbersWidth});
+        return frame.fromUnits(
+            {0, 0, width, std::min(units.height(), width)});  // in a higher one the cube would be cut
+    }
+    const int below = units.height() - int(numbersHeight * numbersScale(units));
+    return frame.fromUnits({0, 0, units.width(), std::max({1, units.height() / 4, below})});
 }
 
 vec3 corner(int i) { return half * (2.0 * vec3(i & 1, i >> 1 & 1, i >> 2 & 1) - 1.0); }

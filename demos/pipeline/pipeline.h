@@ -51,6 +51,9 @@ std::vector<Step> steps(const Settings& s, double aspect);
 mat4 worldFromModel(const Settings& s);
 mat4 cameraFromWorld(const Settings& s);
 mat4 clipFromCamera(const Settings& s, double aspect);
+constexpr int numbersWidth = 600, numbersHeight = 500;  // units
+bool numbersBeside(const FrameInfo& units);
+double numbersScale(const FrameInfo& units);  // less than 1 where they would be cut off
 Pane viewIn(const FrameInfo& frame);
 
 // OpenGL's steps after the vertex shader: it clips, divides by w, and maps to the pixels of the view.

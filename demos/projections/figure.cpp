@@ -54,7 +54,8 @@ static void markVanishingPoints(Drawing& drawing, const View& view, const Pane& 
 
 void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
     glDisable(GL_SCISSOR_TEST);
-    glViewport(0, 0, frame.width(), frame.height());
+    const FrameInfo inPixels = frame.inPixels();
+    glViewport(0, 0, inPixels.width(), inPixels.height());
     gpu.drawing.begin(frame);
     const FourViews four = views(s);
     for (std::size_t i = 0; i < 4; ++i) {

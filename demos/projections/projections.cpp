@@ -1,6 +1,7 @@
 // projections: one house in four panes: as in CAD, in the axonometric and the oblique views, and with vanishing points.
 #include "projections.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 
@@ -132,7 +133,8 @@ mat4 clipFromWorld(const View& view, const Pane& pane) {
 }
 
 mat4 clipFromView(const View& view, double aspect) {
-    const double half = view.half, near = view.distance - reach;
+    // All of the house is seen in a narrow pane, too
+    const double half = view.half * std::max(1.0, 1.1 / aspect), near = view.distance - reach;
     if (view.isParallel()) return ortho(-half * aspect, half * aspect, -half, half, -2 * reach, 2 * reach);
     if (view.shift == 0) return infinitePerspective(2 * degrees(std::atan(half / view.distance)), aspect, near);
     const double top = near * half / view.distance;

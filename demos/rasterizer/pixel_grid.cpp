@@ -13,13 +13,17 @@ Plot gridPlot(const Pane& pane, int columns, int rows, int margin) {
             {0, double(rows)}};
 }
 
-void magnify(const Picture& small, const Plot& plot, const Pane& pane, Picture& sheet) {
-    const int side = static_cast<int>(std::lround(plot.box.size().x / small.width));
-    const int left = pane.x + static_cast<int>(plot.box.low.x);
-    const int top = sheet.height - pane.y - static_cast<int>(plot.box.high.y);
-    for (int y = std::max(0, top); y < std::min(sheet.height, top + side * small.height); ++y) {
-        for (int x = std::max(0, left); x < std::min(sheet.width, left + side * small.width); ++x)
-            sheet.set(x, y, small.at((x - left) / side, (y - top) / side));
+void magnify(const Picture& small, const Plot& plot, const Pane& pane, const vec2& scale, Picture& sheet) {
+    const vec2 low = scale * (vec2(pane.x, pane.y) + plot.box.low),
+               each = scale * plot.box.size() / vec2(small.width, small.height);
+    const double top = sheet.height - low.y - each.y * small.height;
+    for (int y = 0; y < sheet.height; ++y) {
+        const int row = static_cast<int>(std::floor((y + 0.5 - top) / each.y));
+        if (row < 0 || row >= small.height) continue;
+        for (int x = 0; x < sheet.width; ++x) {
+            const int column = static_cast<int>(std::floor((x + 0.5 - low.x) / each.x));
+            if (column >= 0 && column < small.width) sheet.set(x, y, small.at(column, row));
+        }
     }
 }
 

@@ -11,8 +11,8 @@ namespace mv {
 Plot gridPlot(const Pane& pane, int columns, int rows, int margin = 8);
 
 // Copies the small picture into that place of the sheet, which is as large as the whole picture; what lies beyond it is left
-// out. `pane` as in gridPlot().
-void magnify(const Picture& small, const Plot& plot, const Pane& pane, Picture& sheet);
+// out. `pane` as in gridPlot(); `scale`: pixels of the sheet for each of what these two count.
+void magnify(const Picture& small, const Plot& plot, const Pane& pane, const vec2& scale, Picture& sheet);
 
 // Draws the lines between the pixels where they are 6 screen pixels apart or more, and the frame.
 void drawGrid(Drawing& drawing, const Plot& plot);

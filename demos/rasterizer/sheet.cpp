@@ -8,6 +8,7 @@
 #include "mv/formatted.h"
 #include "mv/gl/functions.h"
 #include "mv/gl/text.h"
+#include "mv/gl/word_size.h"
 
 namespace mv::rasterizer {
 
@@ -86,22 +87,23 @@ void showPictures(Gpu& gpu, const Frame& frame, const Grid& grid, const Picture&
                   Shape shape) {
     Picture sheet(frame.width(), frame.height());
     std::fill(sheet.rgba.begin(), sheet.rgba.end(), std::uint8_t(255));
-    const Plot plot = plotOf(frame, grid);
-    magnify(left, plot, leftPane(frame), sheet);
-    magnify(right, plot, rightPane(frame), sheet);
+    const FrameInfo units = frame.inUnits();
+    const Plot plot = plotOf(units, grid);
+    magnify(left, plot, leftPane(units), units.scale(), sheet);
+    magnify(right, plot, rightPane(units), units.scale(), sheet);
     showImage(frame, 0, 0, sheet);
 
     gpu.drawing.begin(frame);
     for (std::vector<vec2>& line : shape.lines) {
         for (vec2& point : line) point = plot.pixel(grid.scale * point);
     }
-    for (const Pane& pane : {leftPane(frame), rightPane(frame)}) {
+    for (const Pane& pane : {leftPane(units), rightPane(units)}) {
         gpu.drawing.in(pane);
         drawGrid(gpu.drawing, plot);
         for (const std::vector<vec2>& line : shape.lines) gpu.drawing.line(line, {ink, 1});
         if (shape.dot) gpu.drawing.point(plot.pixel(grid.scale * *shape.dot), 8, red);
     }
-    gpu.drawing.in(leftPane(frame));
+    gpu.drawing.in(leftPane(units));
 }
 
 std::string countOf(const Grid& grid, std::size_t all) {
@@ -110,7 +112,7 @@ std::string countOf(const Grid& grid, std::size_t all) {
 }
 
 void showErrors(Gpu& gpu, const std::vector<PixelStep>& pixels, const Grid& grid, const Frame& frame) {
-    const Plot plot = plotOf(frame, grid);
+    const Plot plot = plotOf(frame.inUnits(), grid);
     if (plot.box.size().x / grid.columns < 15) return;
     for (std::size_t i = 0; i < grid.made(pixels.size()); ++i) {
         const PixelStep& pixel = pixels[i];
@@ -170,11 +172,12 @@ void showBar(Gpu& gpu, double length, const Grid& grid, const Frame& frame, cons
 
 void showWords(Gpu& gpu, const Frame& frame, const Grid& grid, const std::string& left, const std::string& right,
                const std::optional<std::pair<std::string, vec4>>& more) {
-    const int height = std::clamp(frame.height() / 30, 8, 18);
-    const double below = plotOf(frame, grid).box.low.y - 6;
+    const FrameInfo units = frame.inUnits();
+    const int height = std::clamp(units.height() / 30, leastWords, 18);
+    const double below = plotOf(units, grid).box.low.y - 6;
     gpu.drawing.text({8, below}, left, {height, ink, vec4(0)});
     if (more) gpu.drawing.text({8, below - 1.5 * height}, more->first, {height, more->second, vec4(0)});
-    gpu.drawing.in(rightPane(frame));
+    gpu.drawing.in(rightPane(units));
     gpu.drawing.text({8, below}, right, {height, ink, vec4(0)});
     gpu.drawing.draw(frame);
 }

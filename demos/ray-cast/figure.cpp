@@ -5,6 +5,7 @@
 #include "mv/formatted.h"
 #include "mv/geometry/plot.h"
 #include "mv/gl/text.h"
+#include "mv/gl/word_size.h"
 #include "ray-cast.h"
 
 namespace mv::ray_cast {
@@ -47,7 +48,7 @@ static void drawPixels(Drawing& drawing, const Settings& s, const Pane& pane) {
 void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
     Drawing& drawing = gpu.drawing;
     drawing.begin(frame);
-    const int height = std::clamp(frame.height() / 34, 8, 24);
+    const int height = std::clamp(frame.height() / 34, leastWords, 24);
     const TextStyle words{height, castInk, vec4(0)};
     drawing.text({6, frame.height() - 2}, title(s), words);
     drawing.text({6, frame.height() - 2 - 1.2 * height},

@@ -7,6 +7,7 @@
 
 #include "mv/formatted.h"
 #include "mv/gl/text.h"
+#include "mv/gl/word_size.h"
 #include "mv/math/transform.h"
 #include "ray-trace.h"
 #include "spectrum.h"
@@ -71,7 +72,7 @@ void drawFigure(Gpu&, const Settings& s, const Made& made, const Frame& frame) {
     const std::string what = s.show == Show::rays
                                  ? formatted("white: %.3g rays a sample", largest(s, made))
                                  : formatted("white: %.3g %% of the light is cut off", 100 * largest(s, made));
-    const TextStyle style{std::clamp(frame.height() / 20, 8, 24)};
+    const TextStyle style{std::clamp(frame.height() / 20, leastWords, 24)};
     drawText(frame, 6, frame.height() - textHeight(style) - 6, what, style);
 }
 

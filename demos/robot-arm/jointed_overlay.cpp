@@ -8,6 +8,7 @@
 
 #include "mv/formatted.h"
 #include "mv/gl/text_column.h"
+#include "mv/gl/word_size.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
 
@@ -25,8 +26,9 @@ std::string withSmallLetter(std::string name) {
 
 std::string shortNumber(double value) { return tableNumber(std::round(value * 1000) / 1000); }
 
-void JointedOverlay::begin(const Frame& frame) {
-    size_ = std::max(8, static_cast<int>(16 * std::min(frame.width() / 960.0, frame.height() / 560.0)));
+void JointedOverlay::begin(const Frame& any) {
+    const Frame frame = any.inUnits();
+    size_ = std::max(leastWords, static_cast<int>(16 * std::min(frame.width() / 960.0, frame.height() / 560.0)));
     below.begin(frame);
     above.begin(frame);
     look({0, 0, frame.width(), frame.height()}, mat4(1));

@@ -30,8 +30,8 @@ void drawLinks(Gpu& gpu, const Settings& s, const Frame& frame) {
 
     // Draw the parts, which hide the ghosts, and are under the words
     const Pane pane = paneOf(s, frame);
-    gpu.overlay.look(pane, clipFromWorldOf(s, pane));
-    showLinks(gpu.overlay, s, thing, found, worldFromPart, frame);
+    gpu.overlay.look(paneOf(s, frame.inUnits()), clipFromWorldOf(s, pane));
+    showLinks(gpu.overlay, s, thing, found, worldFromPart, frame.inUnits());
     beginParts(gpu, frame);
     drawParts(gpu, pane, thing, worldFromPart);
     if (isArm(s)) drawTable(gpu);

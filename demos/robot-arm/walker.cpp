@@ -56,8 +56,9 @@ void drawWalkers(Gpu& gpu, const Settings& s, const Frame& frame) {
     const std::vector<Method> methods =
         isForward(s) ? std::vector{Method::forward} : std::vector{Method::forward, s.method};
     const auto pane = [&](std::size_t row) { return rowOf(s, frame, int(row), int(methods.size())); };
+    const auto inUnits = [&](std::size_t row) { return rowOf(s, frame.inUnits(), int(row), int(methods.size())); };
     for (std::size_t row = 0; row < methods.size(); ++row) {
-        gpu.overlay.look(pane(row), clipFromGround(s, pane(row), walkOf(s).hip(now).x));
+        gpu.overlay.look(inUnits(row), clipFromGround(s, pane(row), walkOf(s).hip(now).x));
         const std::vector<Step> track = trackOf(s, now, methods[row]);
         showTrack(gpu.overlay, track);
         sayTrack(gpu.overlay, s, track, methods[row]);
@@ -71,7 +72,7 @@ void drawWalkers(Gpu& gpu, const Settings& s, const Frame& frame) {
         const std::vector<mat4> worldFromPart = worldFromParts(thing.tree, angles);
         drawParts(gpu, pane(row), thing, worldFromPart);
         if (s.matrices && row + 1 == methods.size())
-            gpu.overlay.product(frame, thing, worldFromPart, angles, pane(row).width, true);
+            gpu.overlay.product(frame.inUnits(), thing, worldFromPart, angles, inUnits(row).width, true);
     }
     glViewport(0, 0, frame.width(), frame.height());
 }

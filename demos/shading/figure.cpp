@@ -4,6 +4,7 @@
 #include <string>
 
 #include "mv/geometry/plot.h"
+#include "mv/gl/word_size.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
 #include "shading.h"
@@ -15,8 +16,10 @@ Scene sceneOf(const Settings& s, const FrameInfo& frame) {
     Scene scene;
     scene.lights = {{.position = vec4(lampOf(s), 1)}};
     scene.viewFromWorld = lookAt(eye, vec3(0, 0, 0), vec3(0, 1, 0));
-    // The body stands in the left part of the picture; the figures are beside it
-    scene.clipFromView = translate(-0.4, 0, 0) * perspective(35, frame.aspect(), 1, 20);
+    // The body stands in the left part of the picture, or in the upper one; the figures are beside or below it
+    scene.clipFromView = frame.isUpright()
+                             ? translate(0, 0.5, 0) * scale(1, 0.5, 1) * perspective(35, 2 * frame.aspect(), 1, 20)
+                             : translate(-0.4, 0, 0) * perspective(35, frame.aspect(), 1, 20);
     return scene;
 }
 
@@ -28,6 +31,8 @@ struct FigurePlace {
     double radius;
 };
 static FigurePlace placeOf(const FrameInfo& frame) {
+    if (frame.isUpright())
+        return {{0.27 * frame.width(), 0.2 * frame.height()}, std::min(0.2 * frame.width(), 0.2 * frame.height())};
     return {{0.8 * frame.width(), 0.6 * frame.height()}, std::min(0.16 * frame.width(), 0.3 * frame.height())};
 }
 vec2 inFigure(const FrameInfo& frame, double angle, double part) {
@@ -40,7 +45,7 @@ double matchingAt(Gpu& gpu, const Settings& s) {
     return gpu.matching;
 }
 
-static int wordHeight(const FrameInfo& frame) { return std::clamp(frame.height() / 40, 8, 15); }
+static int wordHeight(const FrameInfo& frame) { return std::clamp(frame.height() / 40, leastWords, 15); }
 static void label(Drawing& drawing, const FrameInfo& frame, const vec2& at, const std::string& text,
                   const vec4& color) {
     drawing.textAround(at, text, {wordHeight(frame), color, vec4(0)});
@@ -89,9 +94,13 @@ static void drawMatching(Gpu& gpu, const Settings& s, const FrameInfo& frame, do
         gpu.ratios.clear();
         for (int a = 0; a <= 80; a += 5) gpu.ratios.emplace_back(a, matchingExponent(s.exponent, a) / s.exponent);
     }
-    const Plot plot{{{0.64 * frame.width(), 0.13 * frame.height()}, {0.97 * frame.width(), 0.44 * frame.height()}},
-                    {0, 80, "angle of the light from the normal, degrees"},
-                    {0, 5, "Blinn's exponent / Phong's"}};
+    const vec2 size(frame.width(), frame.height());
+    const Box box = frame.isUpright() ? Box{size * vec2(0.62, 0.12), size * vec2(0.96, 0.42)}
+                                      : Box{size * vec2(0.64, 0.13), size * vec2(0.97, 0.44)};
+    const Plot plot{
+        box,
+        {0, 80, frame.isUpright() ? "angle of the light, deg" : "angle of the light from the normal, degrees"},
+        {0, 5, "Blinn's exponent / Phong's"}};
     std::vector<vec2> rule;
     for (int a = 0; a <= 80; a += 2) rule.emplace_back(a, 4 * std::cos(radians(a)));
     drawing.axes(plot);

@@ -1,4 +1,5 @@
 #include "shared/strip.h"
+#include "mv/gl/word_size.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +10,7 @@ namespace mv {
 
 namespace {
 
-int textSize(const FrameInfo& frame) { return std::max(8, std::min(frame.width() / 60, frame.height() / 35)); }
+int textSize(const FrameInfo& frame) { return std::max(leastWords, std::min(frame.width() / 60, frame.height() / 35)); }
 
 // As small as it takes to end before `right`, down to 6 px; words that do not then either are left out.
 void drawAt(Drawing& drawing, const FrameInfo& frame, vec2 at, double right, const ColoredWords& words) {

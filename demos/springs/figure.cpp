@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "mv/formatted.h"
+#include "mv/gl/word_size.h"
 #include "mv/motion/ode_stability.h"
 
 namespace mv {
@@ -152,7 +153,7 @@ MeshData stabilityGrid(OdeMethod method, const Plot& plot) {
 }
 
 void paneWords(Drawing& drawing, const Pane& pane, const vec2& at, const std::string& text, const vec4& color) {
-    drawing.text(at, text, {std::clamp(pane.width / 32, 8, 15), color});
+    drawing.text(at, text, {std::clamp(pane.width / 32, leastWords, 15), color});
 }
 
 std::vector<std::string> wrapped(const std::string& text, std::size_t width) {

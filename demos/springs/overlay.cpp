@@ -7,9 +7,19 @@
 
 namespace mv::springs {
 
-// The left half; the right one's upper and lower half.
-Pane leftOf(const FrameInfo& frame) { return {0, 0, std::max(frame.width() / 2, 1), frame.height()}; }
+// The left half; the right one's upper and lower half. In an upright picture all three are below each other.
+Pane leftOf(const FrameInfo& frame) {
+    if (frame.isUpright()) {
+        const int below = frame.height() * 3 / 5;
+        return {0, below, frame.width(), frame.height() - below};
+    }
+    return {0, 0, std::max(frame.width() / 2, 1), frame.height()};
+}
 Pane rightOf(const FrameInfo& frame, bool isUpper) {
+    if (frame.isUpright()) {
+        const int high = std::max(frame.height() * 3 / 10, 1);
+        return {0, isUpper ? high : 0, frame.width(), high};
+    }
     const int width = std::max(frame.width() / 2, 1), height = std::max(frame.height() / 2, 1);
     return {frame.width() / 2, isUpper ? frame.height() / 2 : 0, width, height};
 }

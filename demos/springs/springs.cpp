@@ -12,13 +12,14 @@
 namespace mv::springs {
 
 void draw(Gpu& gpu, const Settings& s, const Memory& game, const Frame& frame) {
+    const Frame units = frame.inUnits();
     gpu.drawing.begin(frame);
     if (isPlayed(s)) {
         drawRegion(gpu, s, dots(gpu, s), frame);
-        drawMasses(gpu, s, game, frame);
-        drawEnergy(gpu.drawing, rightOf(frame, true), game);
+        drawMasses(gpu, s, game, units);
+        drawEnergy(gpu.drawing, rightOf(units, true), game);
     } else {
-        drawCurves(gpu, s, frame);
+        drawCurves(gpu, s, units);
     }
     gpu.drawing.draw(frame);
 }
@@ -55,15 +56,17 @@ std::vector<Dot> dots(Gpu& gpu, const Settings& s) {
 
 // Draw the region of numbers z for which a step of the method does not grow, and the dots on it.
 void drawRegion(Gpu& gpu, const Settings& s, const std::vector<Dot>& all, const Frame& frame) {
-    const Pane pane = rightOf(frame, false);
+    const Pane pane = rightOf(frame.inUnits(), false);
     std::vector<std::complex<double>> numbers;
     for (const Dot& dot : all) numbers.push_back(dot.z);
     const Plot plot = stabilityPlot(pane, numbers);
     if (gpu.regionFor.changed(asOde(s), plot.x.low, plot.y.low))
         gpu.region = Mesh(stabilityGrid(asOde(s), plot), "region");
 
-    glViewport(pane.x + int(plot.box.low.x), pane.y + int(plot.box.low.y), std::max(1, int(plot.box.size().x)),
-               std::max(1, int(plot.box.size().y)));
+    const auto [x, y, width, height] =
+        frame.inUnits().pixels({pane.x + int(plot.box.low.x), pane.y + int(plot.box.low.y),
+                                std::max(1, int(plot.box.size().x)), std::max(1, int(plot.box.size().y))});
+    glViewport(x, y, width, height);
     gpu.program->use();
     gpu.program->set("clipFromPlane", ortho(plot.x.low, plot.x.high, plot.y.low, plot.y.high, -1, 1));
     gpu.region.draw();

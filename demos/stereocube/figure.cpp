@@ -7,6 +7,7 @@
 
 #include "mv/formatted.h"
 #include "mv/gl/functions.h"
+#include "mv/gl/word_size.h"
 #include "stereocube.h"
 
 namespace mv::stereocube {
@@ -51,7 +52,7 @@ void drawRuler(Gpu& gpu, const Settings& s, const FrameInfo& frame, const OnScre
     const bool isTooFar = here.most > betweenPupils;
     const vec4 ink = inkOf(s), red(0.8, 0.15, 0.1, 1);
     const double pixelsPerMm = frame.width() / s.screenWidth;
-    const int size = std::clamp(frame.height() / 36, 7, 16);
+    const int size = std::clamp(frame.height() / 36, leastWords, 16);
     const auto bar = [&](double row, double mm, const std::string& words, const vec4& color) {
         const double y = row * 1.9 * size, end = 10 + std::min(mm * pixelsPerMm, 2.0 * frame.width());
         gpu.drawing.line({10, y}, {end, y}, {color, 3});

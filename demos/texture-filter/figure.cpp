@@ -9,6 +9,7 @@
 
 #include "mv/formatted.h"
 #include "mv/gl/gl.h"
+#include "mv/gl/word_size.h"
 #include "texture-filter.h"
 
 namespace mv::texture_filter {
@@ -34,10 +35,11 @@ Box partShown(const Lookup& lookup, const std::vector<vec2>& corners, int texels
     return {lookup.footprint.middle - reach, lookup.footprint.middle + reach};
 }
 
-void drawTexels(Gpu& gpu, const Pane& pane, const Box& part, int texelsAlong, const Lookup& lookup,
-                const std::vector<vec2>& corners) {
+void drawTexels(Gpu& gpu, const FrameInfo& frame, const Pane& pane, const Box& part, int texelsAlong,
+                const Lookup& lookup, const std::vector<vec2>& corners) {
     Drawing& drawing = gpu.drawing;
-    glViewport(pane.x, pane.y, pane.width, pane.height);
+    const auto [x, y, width, height] = frame.pixels(pane);
+    glViewport(x, y, width, height);
     gpu.cover.draw();
     drawing.in(pane);
     const auto plotOf = [&](double times) {
@@ -58,7 +60,7 @@ void drawTexels(Gpu& gpu, const Pane& pane, const Box& part, int texelsAlong, co
 }
 
 void drawWords(Drawing& drawing, const std::string& title, const std::string& foot, int paneHeight) {
-    const int height = std::clamp(paneHeight / 16, 8, 20);
+    const int height = std::clamp(paneHeight / 16, leastWords, 20);
     drawing.text({6, paneHeight - 6}, title, {.height = height});
     drawing.text({6, 1.8 * height}, foot, {.height = height});
 }
@@ -66,7 +68,7 @@ void drawWords(Drawing& drawing, const std::string& title, const std::string& fo
 }  // namespace
 
 void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
-    const Lookup lookup = lookupAt(s, frame);
+    const Lookup lookup = lookupAt(s, frame.inPixels());  // of a pixel
     const double clamped = std::clamp(lookup.level, 0.0, gpu.image.levels() - 1.0);
     const bool between = s.filter >= Filter::trilinear && clamped != std::floor(clamped);
     const int read = isMipmapped(s) ? static_cast<int>(s.filter >= Filter::trilinear ? std::floor(clamped)
@@ -85,13 +87,13 @@ void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
     program.set("encoded", s.average == Average::encoded);
     program.set("low", part.low - glm::floor(part.low));  // near 0, where floats are fine
     program.set("high", part.high - glm::floor(part.low));
-    program.set("pixel", part.size() / vec2(width, half));
+    program.set("pixel", part.size() / (frame.scale() * vec2(width, half)));
     program.set("level", 0);
-    drawTexels(gpu, {x, frame.height() - half, width, half}, part, s.size, lookup, corners);
+    drawTexels(gpu, frame, {x, frame.height() - half, width, half}, part, s.size, lookup, corners);
     drawWords(drawing, "level 0: what the pixel covers",
               formatted("%.3g", lookup.longer) + formatted(" x %.3g texels", lookup.shorter), half);
     if (read > 0) program.set("level", read);
-    drawTexels(gpu, {x, 0, width, half}, part, std::max(1, s.size >> read), lookup, corners);
+    drawTexels(gpu, frame, {x, 0, width, half}, part, std::max(1, s.size >> read), lookup, corners);
     drawWords(drawing, "level " + std::to_string(read) + ": what is read",
               between          ? formatted("and %.0f %% of the next", 100 * (clamped - read))
               : isMipmapped(s) ? formatted("the footprint's is %.2f", lookup.level)
@@ -100,13 +102,14 @@ void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
 
     // Mark the pixel, and name the filter
     drawing.in(left);
-    const vec2 at = lookup.pixel + 0.5;
+    const vec2 at = (lookup.pixel + 0.5) / frame.scale();
     drawing.line(
         std::vector<vec2>{at + vec2(-6, -6), at + vec2(6, -6), at + vec2(6, 6), at + vec2(-6, 6), at + vec2(-6, -6)},
         {red, 2});
     drawing.text({8, left.height - 8}, nameOf(s.filter) + (looks(s) > 1 ? " " + std::to_string(looks(s)) : ""),
-                 {.height = std::clamp(frame.height() / 32, 8, 22) * 5 / 4});
-    glViewport(0, 0, frame.width(), frame.height());
+                 {.height = std::clamp(frame.height() / 32, leastWords, 22) * 5 / 4});
+    const FrameInfo inPixels = frame.inPixels();
+    glViewport(0, 0, inPixels.width(), inPixels.height());
     drawing.draw(frame);
 }
 

@@ -8,6 +8,7 @@
 
 #include "mv/formatted.h"
 #include "mv/gl/gl.h"
+#include "mv/gl/word_size.h"
 #include "perspective_quad.h"
 #include "texture-map.h"
 
@@ -114,7 +115,7 @@ void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
     drawing.begin(frame);
     const Pane left = leftPane(frame);
     drawing.in(left);
-    const TextStyle words{.height = std::clamp(frame.height() / 30, 8, 18)};
+    const TextStyle words{.height = std::clamp(frame.height() / 30, leastWords, 18)};
     const bool isQuad = s.shape == Shape::quad;
     if (isQuad) drawQuad(drawing, s, frame, words);
     if (!isQuad && !isTriangle(s)) drawBody(drawing, s, left, words);
@@ -125,7 +126,8 @@ void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
                  words);
     drawing.in({0, 0, frame.width(), frame.height()});
     if (!isQuad || isForward(s)) drawFormula(drawing, s, frame, words);
-    glViewport(0, 0, frame.width(), frame.height());
+    const FrameInfo inPixels = frame.inPixels();
+    glViewport(0, 0, inPixels.width(), inPixels.height());
     drawing.draw(frame);
 }
 

@@ -81,7 +81,8 @@ void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
     const mat4 outside = outsideFromWorld(s, panes[0]);
     const std::size_t drawn = keptOf(gpu, s).things.size();
     glDisable(GL_SCISSOR_TEST);
-    glViewport(0, 0, frame.width(), frame.height());
+    const FrameInfo inPixels = frame.inPixels();
+    glViewport(0, 0, inPixels.width(), inPixels.height());
     Drawing& drawing = gpu.drawing;
     drawing.begin(frame);
     drawing.in(panes[0]);

@@ -126,8 +126,9 @@ void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
     const mat4 outsideFromWorld = isAll ? lookAt(vec3(50, -380, 460), vec3(50, 45, 0), vec3(0, 0, 1))
                                         : lookAt(vec3(420, -560, 400), vec3(70, 10, 40), vec3(0, 0, 1));
     const Car car = carAt(frame.index());
-    glViewport(pane.x, pane.y, pane.width, pane.height);
-    glScissor(pane.x, pane.y, pane.width, pane.height);
+    const auto [x, y, width, height] = frame.pixels(pane);
+    glViewport(x, y, width, height);
+    glScissor(x, y, width, height);
     glEnable(GL_SCISSOR_TEST);
     glClearColor(0.82F, 0.95F, 0.82F, 1);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -139,7 +140,8 @@ void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
 
     // Draw all cameras, or the axes of one and the product that its lookAt is
     glDisable(GL_SCISSOR_TEST);
-    glViewport(0, 0, frame.width(), frame.height());
+    const FrameInfo inPixels = frame.inPixels();
+    glViewport(0, 0, inPixels.width(), inPixels.height());
     gpu.drawing.begin(frame);
     gpu.drawing.in(pane);
     const mat4 clipFromWorld = clipFromOutside * outsideFromWorld;

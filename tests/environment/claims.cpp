@@ -54,13 +54,13 @@ std::vector<double> byRays(DemoRun& run, const std::string& material, int innerR
     return sphere.picture(demo.scene(FrameInfo(1, side, side)), side, side);
 }
 
-struct Difference {
+struct Apart {
     double rms = 0;
     double typical = 0;  // that 95 of 100 pixels do not reach
     long pixels = 0;
 };
-Difference difference(const std::vector<float>& shown, const std::vector<double>& exact) {
-    Difference result;
+Apart difference(const std::vector<float>& shown, const std::vector<double>& exact) {
+    Apart result;
     std::vector<double> all;
     for (std::size_t i = 0; i < exact.size(); ++i) {
         // The two must agree on what is the sphere's middle, but for the pixels on its rim.
@@ -137,10 +137,10 @@ TEST(Environment, walls_corrected) {
     for (const double room : {2.0, 4.0, 16.0}) {
         run.set("room", room);
         const auto exact = byRays(run, "mirror");
-        const Difference plain = difference(drawn(run.set("lookup", "direction")), exact);
+        const Apart plain = difference(drawn(run.set("lookup", "direction")), exact);
         // Off by what bilinear filtering of 256 texels a side makes of tiles, which change by 0.2 within 0.04 of a wall: from
         // one texel to the next, 90/256 degrees, by 0.03, of which it rounds off less than a fifth; and by 8 bits.
-        const Difference walls = difference(drawn(run.set("lookup", "walls")), exact);
+        const Apart walls = difference(drawn(run.set("lookup", "walls")), exact);
         EXPECT_LT(walls.typical, 0.01) << room;
         EXPECT_GT(plain.typical, 10 * walls.typical) << room;
     }

@@ -8,6 +8,9 @@
 #include <set>
 #include <sstream>
 
+#include "mv/image/file.h"
+#include "mv/image/png.h"
+#include "support/demo_run.h"
 #include "support/hostile_lines.h"
 
 using namespace mv;
@@ -137,6 +140,12 @@ TEST(CommandLine, every_pair_of_flags_means_something_or_is_refused) {
                                              {"--at", {"--at", "1", "z-dist=-3"}},
                                              {"--frames", {"--frames", "3..5"}},
                                              {"--size", {"--size", "64x48"}},
+                                             {"--density", {"--density", "2"}},
+                                             {"--multisample", {"--multisample", "4"}},
+                                             {"--strip", {"--strip", "depth=on,off"}},
+                                             {"--movie", {"--movie", "a.gif"}},
+                                             {"--versus", {"--versus", "depth=on,off"}},
+                                             {"--plot", {"--plot", "a.svg"}},
                                              {"--headless", {"--headless=egl"}},
                                              {"--compare", {"--compare", "depth=on,off"}},
                                              {"--report", {"--report=json"}},
@@ -166,7 +175,16 @@ TEST(CommandLine, every_pair_of_flags_means_something_or_is_refused) {
           "--copyable"}},
         {"--frame", {"--size", "--headless", "--compare", "--report", "--window", "--study", "--audit", "--copyable"}},
         {"--size", {"--headless", "--compare", "--report", "--window", "--study", "--copyable"}},
-        {"--headless", {"--report", "--study", "--audit"}},
+        {"--headless", {"--report", "--study", "--audit", "--versus"}},
+        {"--density",
+         {"--cull", "--preset", "--at", "--shot", "--frame", "--size", "--headless", "--compare", "--report",
+          "--window", "--copyable", "--until"}},
+        {"--multisample",
+         {"--cull", "--preset", "--at", "--shot", "--frame", "--size", "--density", "--headless", "--compare",
+          "--report", "--window", "--copyable"}},
+        {"--strip", {"--shot", "--copyable"}},
+        {"--movie", {"--frames", "--vary"}},
+        {"--versus", {"--cull", "--preset", "--frame", "--size"}},
         {"--compare", {"--window", "--copyable"}},
         {"--report", {"--window"}},
         {"--until",
@@ -179,14 +197,15 @@ TEST(CommandLine, every_pair_of_flags_means_something_or_is_refused) {
         return found != together.end() && std::count(found->second.begin(), found->second.end(), b) > 0;
     };
     // Alone it does nothing; and what is of no demo.
-    const std::set<std::string> idle{"--vary", "--frames", "--all"}, ofNoDemo{"--gallery", "--docs", "--all"};
+    const std::set<std::string> idle{"--vary", "--frames", "--all", "--strip", "--movie"},
+        ofNoDemo{"--gallery", "--docs", "--all"};
     // All flags of the program are here.
     const auto demo = findDemo("cube-cull").make();
     std::istringstream help(parseCommandLine({"--help"}).text + parseCommandLine({"cube-cull", "--help"}).text);
     for (std::string word; help >> word;) {
         if (!word.starts_with("--")) continue;
         const std::string flag = word.substr(0, word.find_first_not_of("-abcdefghijklmnopqrstuvwxyz"));
-        bool known = flags.count(flag) > 0 || flag == "--help" || flag == "--";
+        bool known = flags.count(flag) > 0 || flag == "--help" || flag == "--" || flag == "--from";
         for (const Knob* knob : demo->knobs()) known = known || flag == "--" + knob->name();
         EXPECT_TRUE(known) << flag;
     }
@@ -204,7 +223,10 @@ TEST(CommandLine, every_pair_of_flags_means_something_or_is_refused) {
         EXPECT_EQ(alone == "accepted", idle.count(a) == 0) << a << ": " << alone;
         for (const auto& [b, wordsOfB] : flags) {
             if (a == b) {
-                EXPECT_EQ(refusal(line({a, a})), a == "--at" ? "accepted" : a + ": must be given once");
+                EXPECT_EQ(refusal(line({a, a})),
+                          a == "--at"      ? "accepted"
+                          : a == "--strip" ? "--strip: needs --shot or --copyable, and does nothing in a window"
+                                           : a + ": must be given once");
                 continue;
             }
             const std::string said = refusal(line({a, b}));
@@ -222,9 +244,78 @@ TEST(CommandLine, every_pair_of_flags_means_something_or_is_refused) {
             EXPECT_TRUE(bothNamed || demoMissing || oneIdle) << a << " " << b << ": " << said;
         }
     }
-    EXPECT_EQ(understood + refused, 22 * 21);
+    EXPECT_EQ(understood + refused, 28 * 27);
     EXPECT_NE(refusal({"cube-cull", "--gallery", "g"}), "accepted") << "it would be of all demos";
     EXPECT_NE(refusal({"cube-cull", "--audit", "--all"}), "accepted");
+}
+
+TEST(CommandLine, what_a_lecture_asks) {
+    const Command strip = parseCommandLine(
+        {"cube-cull", "--strip", "cull=none,back,front", "--strip", "depth=on,off", "--shot", "a.png"});
+    ASSERT_EQ(strip.strip.size(), 2U);
+    EXPECT_EQ(strip.strip[0].values, (std::vector<std::string>{"none", "back", "front"}));
+    EXPECT_EQ(strip.strip[1].knob, "depth");
+    const auto refusedStrip = [](const std::string& text) {
+        return refusal({"cube-cull", "--shot", "a.png", "--strip", text});
+    };
+    EXPECT_EQ(refusedStrip("cull"), "--strip: must be one knob and one value or more, as bias=0,0.01,0.1, 'cull'");
+    EXPECT_TRUE(has(refusedStrip("cull=back,,front"), "one value or more"));
+    EXPECT_TRUE(has(refusedStrip("cull=back,sideways"), "--cull: must be none"));
+    EXPECT_TRUE(has(refusedStrip("culls=back"), "did you mean 'cull'?"));
+    EXPECT_TRUE(has(refusal({"cube-cull", "--shot", "a.png", "--strip", "cull=none,back", "--strip", "cull=front"}),
+                    "must be of two knobs"));
+
+    EXPECT_EQ(parseCommandLine({"cube-cull", "--vary", "z-dist=-4..-2:9", "--movie", "a.webm"}).movie, "a.webm");
+    EXPECT_EQ(refusal({"cube-cull", "--movie", "a.avi", "--frames", "1..9"}),
+              "--movie: must be a file FILE.mp4, FILE.webm or FILE.gif, 'a.avi'");
+    EXPECT_EQ(refusal({"cube-cull", "--movie", ".gif", "--frames", "1..9"}),
+              "--movie: must be a file FILE.mp4, FILE.webm or FILE.gif, '.gif'");
+    EXPECT_TRUE(has(refusal({"cube-cull", "--movie", "a.gif"}), "needs --frames A..B, or --vary"));
+
+    const Command versus = parseCommandLine({"shadow-methods", "--versus", "method=map,volume"});
+    EXPECT_EQ(versus.versusKnob, "method");
+    EXPECT_EQ(versus.versusValues, (std::vector<std::string>{"map", "volume"}));
+    EXPECT_TRUE(has(refusal({"shadow-methods", "--versus", "method=map"}), "one knob and two values"));
+
+    const Command plot = parseCommandLine({"shadow-methods", "--plot", "still life=a.svg"});
+    EXPECT_EQ(plot.plot, "a.svg");
+    EXPECT_EQ(plot.plotScene, "still life");
+    EXPECT_TRUE(has(refusal({"shadow-methods", "--plot", "a.png"}), "must be [SCENE=]FILE.svg"));
+
+    for (const char* odd : {"0", "0.5", "9", "nan", "2x", "-2"})
+        EXPECT_EQ(refusal({"cube-cull", "--density", odd}),
+                  "--density: must be a number 1 .. 8, as 2 for 192 dpi, '" + std::string(odd) + "'");
+    EXPECT_EQ(parseCommandLine({"cube-cull", "--density", "1.5"}).density, 1.5);
+}
+
+// A picture's file tells the line that made it; flags that are given replace those of the line.
+TEST(CommandLine, begins_with_a_pictures_line) {
+    const ScratchFolder folder("from");
+    const std::string file = (folder.path() / "a b.png").string();
+    const auto tell = [&](const std::string& line) { writePng(file, Picture(1, 1), line); };
+    tell("cube-cull --cull front --spin-x -30 --at 3 'spin-y=5' --frame 7 --size 64x48");
+    const Command same = parseCommandLine({"--from", file});
+    EXPECT_EQ(same.demo->name, "cube-cull");
+    ASSERT_EQ(same.knobs.size(), 2U);
+    EXPECT_EQ(same.knobs[1].text, "-30");
+    EXPECT_EQ(same.changes, (std::vector<TimedChange>{{3, "spin-y", "5"}}));
+    EXPECT_EQ(same.firstFrame, 7);
+    EXPECT_EQ(same.width, 64);
+    const Command other =
+        parseCommandLine({"cube-cull", "--size=32x32", "--from=" + file, "--cull", "back", "--shot", "b.png"});
+    EXPECT_EQ(other.width, 32);
+    EXPECT_EQ(other.shot, "b.png");
+    ASSERT_EQ(other.knobs.size(), 2U);
+    for (const KnobSetting& knob : other.knobs) EXPECT_EQ(knob.text, knob.name == "cull" ? "back" : "-30") << knob.name;
+    EXPECT_EQ(refusal({"shadow-map", "--from", file}), "--from: must be a picture of shadow-map, one of cube-cull");
+    EXPECT_EQ(refusal({"--from", file, "--from", file}), "--from: must be given once");
+    EXPECT_EQ(refusal({"cube-cull", "--from"}), "--from: must have a value (--help says which)");
+    tell("texture-map --picture 'my photo'\\''s.jpg'");
+    EXPECT_EQ(parseCommandLine({"--from", file, "--copyable"}).knobs.front().text, "my photo's.jpg");
+    tell("");
+    EXPECT_THROW((void)parseCommandLine({"--from", file}), Error) << "no line";
+    EXPECT_THROW((void)parseCommandLine({"--from", file + "x"}), Error) << "no file";
+    EXPECT_THROW((void)parseCommandLine({"--from", tree() + "/LICENSE"}), Error) << "no picture";
 }
 
 TEST(CommandLine, empty_values_and_flags_as_values_are_refused) {

@@ -61,6 +61,68 @@ TEST_F(DrawingTest, a_pane_has_its_own_pixels_and_cuts_what_is_beyond_it) {
     EXPECT_EQ(countPixels(picture, white), 80 * 60 - 40 * 30);
 }
 
+TEST_F(DrawingTest, a_unit_has_as_many_pixels_as_the_picture_is_larger) {
+    const auto inkOf = [&](int times) {
+        target = Target(80 * times, 60 * times, {.depth = true}, "picture");
+        glClearColor(1, 1, 1, 1);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        const Frame larger({1, 80 * times, 60 * times, figureUnit(80 * times, 60 * times, 80, 60)}, notes, {});
+        EXPECT_EQ(larger.inUnits().width(), 80);
+        EXPECT_EQ(larger.inUnits().inUnits().height(), 60);
+        EXPECT_EQ(larger.inUnits().inPixels().width(), 80 * times);
+        drawing.begin(larger);
+        drawing.in({30, 20, 40, 30});
+        drawing.fill({{5, 2}, {10, 8}}, red);
+        drawing.text({2, 28}, "words", {.height = 12, .color = vec4(0, 0, 1, 1), .background = vec4(0)});
+        drawing.line({0, 1}, {40, 1}, {.color = vec4(0, 1, 0, 1), .width = 2});
+        drawing.draw(larger);
+        return target.read();
+    };
+    const Picture once = inkOf(1), thrice = inkOf(3);
+    EXPECT_EQ(countPixels(thrice, redPixel), 9 * countPixels(once, redPixel));
+    EXPECT_EQ(thrice.at(3 * 35 + 1, 180 - 1 - 3 * 22), redPixel);
+    EXPECT_EQ(countPixels(thrice, {0, 255, 0, 255}), 9 * countPixels(once, {0, 255, 0, 255})) << "a sharp line";
+    // Words have the same place; and as sharp edges, of which a larger picture has fewer
+    const auto words = [](const Picture& picture) {
+        Box box{vec2(1e9), vec2(-1)};
+        for (int y = 0; y < picture.height; ++y) {
+            for (int x = 0; x < picture.width; ++x) {
+                const Pixel pixel = picture.at(x, y);
+                if (pixel.blue < 250 || pixel.red > 128) continue;
+                box.low = glm::min(box.low, vec2(x, y));
+                box.high = glm::max(box.high, vec2(x + 1, y + 1));
+            }
+        }
+        return box;
+    };
+    const Box small = words(once), large = words(thrice);
+    for (int axis = 0; axis < 2; ++axis) {
+        EXPECT_NEAR(large.low[axis] / 3, small.low[axis], 1.5) << "whole pixels of the smaller one";
+        EXPECT_NEAR(large.size()[axis] / 3, small.size()[axis], 3);
+    }
+}
+
+TEST(FigureUnits, follow_the_picture_and_stay_readable) {
+    EXPECT_EQ(figureUnit(960, 560, 960, 560), 1);
+    EXPECT_EQ(figureUnit(1920, 1120, 960, 560), 2);
+    EXPECT_EQ(figureUnit(9600, 560, 960, 560), 1) << "the side with less room decides";
+    EXPECT_EQ(figureUnit(20, 20, 960, 560), figureUnit(300, 200, 960, 560)) << "words have a least size";
+    EXPECT_GE(figureUnit(20, 20, 960, 560), 0.75) << "12 pixels of words of ordinary height, 16";
+    EXPECT_EQ(figureUnit(20, 20, 960, 560, 2), 2 * figureUnit(20, 20, 960, 560));
+    EXPECT_EQ(figureUnit(1920, 1120, 960, 560, 2), 2) << "a picture that has grown with the screen's density";
+    // A pane of units covers the same part of the picture, and panes that meet still do
+    const FrameInfo frame(1, 1000, 333, figureUnit(1000, 333, 960, 560));
+    const FrameInfo units = frame.inUnits();
+    EXPECT_DOUBLE_EQ(units.aspect(), frame.aspect());
+    const Pane left = units.pixels({0, 0, 100, units.height()}),
+               right = units.pixels({100, 0, units.width() - 100, units.height()});
+    EXPECT_EQ(left.x + left.width, right.x);
+    EXPECT_EQ(right.x + right.width, 1000);
+    EXPECT_EQ(left.height, 333);
+    EXPECT_EQ(frame.fromUnits({0, 0, 100, 9}).width, left.width);
+    EXPECT_EQ(units.fromUnits({0, 0, 100, 9}).width, 100);
+}
+
 TEST_F(DrawingTest, edges_in_space_are_hidden_by_what_is_nearer_and_shapes_are_not) {
     glEnable(GL_DEPTH_TEST);
     const Program plain =
@@ -192,10 +254,10 @@ TEST_F(DrawingTest, words_that_do_not_fit_are_smaller_or_left_out) {
     drawing.textAround({40, 0}, "cd", plain);
     drawing.text({2, 70}, "cd", plain);
     EXPECT_EQ(inkOf(), alone);
-    // Smaller, where the pane is too narrow; not at all where 6 px are too many
+    // Smaller, where the pane is too narrow; not at all where the least are too many
     drawing.begin(frame);
     drawing.in({0, 0, 40, 60});
-    drawing.text({2, 58}, "abcdefgh", {.height = 16, .color = vec4(0, 0, 0, 1), .background = vec4(1, 0, 0, 1)});
+    drawing.text({2, 58}, "abcde", {.height = 16, .color = vec4(0, 0, 0, 1), .background = vec4(1, 0, 0, 1)});
     glClear(GL_COLOR_BUFFER_BIT);
     const Picture picture = drawn();
     int right = 0;

@@ -168,6 +168,9 @@ TEST(Lessons, controls_and_handles_move_the_settings) {
     EXPECT_EQ(demo.settings().spout.y, 6);
     EXPECT_TRUE(demo.handles()[1].drag(frame, 1, {8, 9}));
     EXPECT_EQ(demo.settings().leaves[1], vec2(8, 9));
+    // A place in a figure is in its units
+    const FrameInfo large(1, 200, 200, 2);
+    EXPECT_EQ(*demo.handles()[0].where(large, 0), 2.0 * *demo.handles()[0].where(frame, 0));
     auto misspelt = kettle();
     misspelt.controls = {wheel("heats", 1)};
     EXPECT_EQ(refusalOf([&] { Kettle(std::make_shared<const Lesson<Settings, Gpu>>(misspelt)); }),

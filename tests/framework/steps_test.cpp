@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <map>
 
 #include "mv/paper/report.h"
 #include "mv/run/command_line.h"
@@ -64,6 +66,24 @@ TEST(StepRules, a_map_that_is_kept_is_drawn_all_the_same) {
     EXPECT_EQ(steps.shown.buffers[0].name, "depth");
     EXPECT_EQ(steps.shown.width, steps.shown.buffers[0].picture.width);
     EXPECT_GT(countColors(steps.shown.buffers[0].picture), 1);
+    // A pixel's depth is a number, of which the picture shows a shade
+    const BufferPicture& depth = steps.shown.buffers[0];
+    std::map<int, double> depthOfShade;
+    for (int x = 0; x < depth.picture.width; ++x) {
+        const std::string value = valueAt(depth, x, depth.picture.height / 3);
+        ASSERT_FALSE(value.empty());
+        const double number = std::strtod(value.c_str(), nullptr);
+        EXPECT_TRUE(number >= 0 && number <= 1) << value;
+        const int shade = depth.picture.at(x, depth.picture.height / 3).red;
+        for (const auto& [other, known] : depthOfShade) {
+            EXPECT_TRUE(shade >= other || number < known + 1e-6) << "a darker pixel is not farther";
+        }
+        depthOfShade[shade] = number;
+    }
+    EXPECT_GT(depthOfShade.size(), 1U) << "more than one depth in that row";
+    EXPECT_EQ(valueAt(depth, -1, 0), "");
+    EXPECT_EQ(valueAt(depth, 0, depth.picture.height), "");
+    EXPECT_EQ(valueAt({"color", "as it is", Picture(1, 1)}, 0, 0), "0 0 0");
     EXPECT_EQ(countColors(stage().picture()), 1);
 }
 

@@ -45,6 +45,26 @@ TEST(EncodePng, GivesThePictureBack) {
     }
 }
 
+TEST(EncodePng, TellsItsCommandLine) {
+    const TemporaryFolder folder;
+    const Picture picture = randomPicture(9, 7, 5);
+    for (const std::string line : {"cube-cull", "texture-map --picture 'Würfel.png'"}) {
+        const auto bytes = encodePng(picture, line);
+        EXPECT_EQ(decodePicture(bytes, "test"), picture);
+        EXPECT_EQ(readByLibpng(bytes), picture) << "another reader takes no offence";
+        writePng(folder / "a.png", picture, line);
+        EXPECT_EQ(commandInPng(folder / "a.png"), line);
+    }
+    EXPECT_NE(encodePng(picture, "cube-cull"), encodePng(picture));
+    writePng(folder / "none.png", picture);
+    EXPECT_EQ(commandInPng(folder / "none.png"), "");
+    std::vector<std::byte> damaged = encodePng(picture, "cube-cull");
+    damaged.at(50) ^= std::byte{1};
+    writeFileAtomically(folder / "damaged.png", damaged);
+    EXPECT_THROW((void)commandInPng(folder / "damaged.png"), Error);
+    EXPECT_THROW((void)commandInPng(folder / "missing.png"), Error);
+}
+
 TEST(EncodePng, StandsTheLargestSides) {
     for (const auto& [width, height] : {std::pair{16384, 1}, {1, 16384}, {16384, 16}}) {
         const Picture picture = randomPicture(width, height, 2);

@@ -52,9 +52,9 @@ TEST(StageTable, CountsInWords) {
 
 // A heading takes 32 pixels of a pane that keeps as many.
 TEST(StageTable, LeavesRoomForAHeading) {
-    EXPECT_EQ(belowHeading({3, 5, 100, 64}).height, 32);
-    EXPECT_EQ(belowHeading({3, 5, 100, 63}).height, 63);
-    EXPECT_EQ(belowHeading({3, 5, 100, 64}).y, 5);
+    EXPECT_EQ(belowHeading(FrameInfo(1, 200, 64), 0).height, 32);
+    EXPECT_EQ(belowHeading(FrameInfo(1, 200, 63), 0).height, 63);
+    EXPECT_EQ(belowHeading(FrameInfo(1, 200, 64), 1).y, 0);
 }
 
 }  // namespace

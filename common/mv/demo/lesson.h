@@ -57,8 +57,9 @@ inline Control wheel(Literal knob, double perNotch) {
     return {.gesture = Gesture::wheel, .knob = knob, .amount = perNotch};
 }
 
-// Handles, which are dragged in the picture: numbers by their names, or the points of one setting. `where` is the place
-// of it in the picture, in pixels from the lower left corner; nothing where these settings have no such place.
+// Handles, which are dragged in the picture: numbers by their names, or the points of one setting. `where` is the place of
+// it in the picture, in what the frame counts (a figure's units) from the lower left corner; nothing where these settings
+// have no such place.
 template <class Settings>
 struct LessonHandle {
     Literal name;
@@ -101,7 +102,8 @@ struct Lesson {
     std::vector<Probe::Number> readouts = {};  // names, what they say, units
 
     typename Functions::Draw draw = {};
-    typename Functions::Draw figure = {};      // over the picture, what only people need: Demo::annotate
+    // Over the picture, what only people need: Demo::annotate. Its frame counts units, see FrameInfo::inUnits().
+    typename Functions::Draw figure = {};
     typename Functions::ReadOut readOut = {};  // right after draw, where somebody reads the readouts
     void (*check)(const Settings&) = {};
     // These settings as the context can draw them, where it may lack one of needs.beyondEs: draw, figure and readOut
@@ -146,7 +148,7 @@ class LessonDemo final : public Demo {
             lesson_->readOut(*gpu_, drawable(), frame, numbers);
     }
     void annotate(const Frame& frame) override {
-        if (lesson_->figure) paint(lesson_->figure, frame);
+        if (lesson_->figure) paint(lesson_->figure, frame.inUnits());
     }
     void check() const override {
         checkFiles();
@@ -195,12 +197,19 @@ class LessonDemo final : public Demo {
     void addHandle(const LessonHandle<Settings>& handle) {
         if (handle.where) {
             addPlace(handle.name, handle.knobs,
-                     [this, &handle](const FrameInfo& frame) { return handle.where(settings_, frame); });
+                     [this, &handle](const FrameInfo& frame) { return inPixels(handle.where, frame); });
         } else {
             addPlaces(handle.name, handle.knobs.front(), [this, &handle](const FrameInfo& frame, const vec2& value) {
-                return handle.wherePoint(settings_, frame, value);
+                return inPixels(handle.wherePoint, frame, value);
             });
         }
+    }
+    template <class Where, class... Value>
+    std::optional<vec2> inPixels(Where where, const FrameInfo& frame, const Value&... value) const {
+        const FrameInfo units = frame.inUnits();
+        std::optional<vec2> place = where(settings_, units, value...);
+        if (place) *place *= units.scale();
+        return place;
     }
 
     std::shared_ptr<const Of> lesson_;

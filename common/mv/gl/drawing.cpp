@@ -8,6 +8,7 @@
 #include "mv/demo/handle.h"
 #include "mv/gl/state.h"
 #include "mv/gl/word_sheet.h"
+#include "mv/gl/word_size.h"
 #include "mv/math/clip.h"
 #include "mv/math/projection.h"
 
@@ -32,11 +33,10 @@ void main() { fragColor = paint; }
 )";
 
 constexpr int tickTextHeight = 13;
-constexpr int smallestText = 6;  // px, which is what drawText takes
 const TextStyle tickStyle{.height = tickTextHeight, .background = vec4(0)};
 
 // Without those that the picture's edge would cut off and those that would lie over earlier ones.
-std::vector<TextLine> readable(const Frame& frame, const std::vector<TextLine>& lines) {
+std::vector<TextLine> readable(const FrameInfo& frame, const std::vector<TextLine>& lines) {
     std::vector<TextLine> kept;
     std::vector<Box> taken;  // y downwards
     for (const TextLine& line : lines) {
@@ -57,8 +57,11 @@ std::vector<TextLine> readable(const Frame& frame, const std::vector<TextLine>& 
 
 }  // namespace
 
-void Drawing::begin(const Frame& frame) {
+void Drawing::begin(const Frame& any) {
+    const FrameInfo frame = any.FrameInfo::inUnits();
     height_ = frame.height();
+    scale_ = frame.scale();
+    sizeScale_ = frame.sizeScale();
     pane_ = {0, 0, frame.width(), frame.height()};
     painted_.clear();
     words_.clear();
@@ -71,14 +74,25 @@ std::optional<vec2> Drawing::pixelOf(const mat4& clipFromModel, const vec3& at) 
 
 void Drawing::in(const Pane& pane) { pane_ = pane; }
 
+std::vector<vec2> Drawing::pixels(std::span<const vec2> places) const {
+    std::vector<vec2> result;
+    result.reserve(places.size());
+    for (const vec2& place : places) result.push_back(pixel(place));
+    return result;
+}
+
 void Drawing::place(std::size_t first, const Box& box) {
-    cutTo(painted_, first, {glm::max(box.low, vec2(0)), glm::min(box.high, whole().high)});
-    for (std::size_t i = first; i < painted_.size(); ++i) painted_[i].position += vec3(pane_.x, pane_.y, 0);
+    cutTo(painted_, first, {pixel(glm::max(box.low, vec2(0))), pixel(glm::min(box.high, whole().high))});
+    const vec3 corner(pixel(vec2(pane_.x, pane_.y)), 0);
+    for (std::size_t i = first; i < painted_.size(); ++i) painted_[i].position += corner;
 }
 
 void Drawing::stroke(std::span<const vec3> points, const Stroke& stroke, const Box& box) {
     const std::size_t first = painted_.size();
-    strokeLine(painted_, points, stroke.width, stroke.color);
+    std::vector<vec3> places;
+    places.reserve(points.size());
+    for (const vec3& point : points) places.emplace_back(pixel(vec2(point)), point.z);
+    strokeLine(painted_, places, stroke.width * sizeScale_, stroke.color);
     place(first, box);
 }
 
@@ -98,21 +112,23 @@ void Drawing::arrow(const vec2& from, const vec2& to, const Stroke& stroke) {
     const double head = std::min(length, 5 + 2 * stroke.width);
     line(from, to - 0.8 * head * along, stroke);
     const std::size_t first = painted_.size();
-    fillConvex(painted_, std::array{to, to - head * along + 0.4 * head * left, to - head * along - 0.4 * head * left},
+    fillConvex(painted_,
+               pixels(std::array{to, to - head * along + 0.4 * head * left, to - head * along - 0.4 * head * left}),
                onTop, stroke.color);
     place(first, whole());
 }
 
 void Drawing::fill(const Box& box, const vec4& color) {
     const std::size_t first = painted_.size();
-    fillConvex(painted_, std::array{box.low, vec2(box.high.x, box.low.y), box.high, vec2(box.low.x, box.high.y)}, onTop,
+    fillConvex(painted_,
+               pixels(std::array{box.low, vec2(box.high.x, box.low.y), box.high, vec2(box.low.x, box.high.y)}), onTop,
                color);
     place(first, whole());
 }
 
 void Drawing::point(const vec2& at, double size, const vec4& color) {
     const std::size_t first = painted_.size();
-    fillConvex(painted_, circle(at, size / 2), onTop, color);
+    fillConvex(painted_, circle(pixel(at), sizeScale_ * size / 2), onTop, color);
     place(first, whole());
 }
 
@@ -122,7 +138,7 @@ void Drawing::point(const mat4& clipFromModel, const vec3& at, double size, cons
 
 void Drawing::text(const vec2& upperLeft, const std::string& words, const TextStyle& style) {
     TextStyle fitted = style;
-    while (fitted.height > smallestText && upperLeft.x + textWidth(words, fitted) - wordPadding > pane_.width) {
+    while (fitted.height > leastWords && upperLeft.x + textWidth(words, fitted) - wordPadding > pane_.width) {
         --fitted.height;
     }
     write(upperLeft, words, fitted);
@@ -200,11 +216,13 @@ void Drawing::pixelGrid(const Plot& plot, const Stroke& stroke) {
     }
 }
 
-void Drawing::draw(const Frame& frame) {
+void Drawing::draw(const Frame& any) {
+    const FrameInfo frame = any.FrameInfo::inUnits();
     if (!painted_.empty()) {
         MeshData data;
+        const vec2 size = frame.scale() * vec2(frame.width(), frame.height());
         for (const PaintedVertex& vertex : painted_) {
-            const vec2 part = vec2(vertex.position) / vec2(frame.width(), frame.height());
+            const vec2 part = vec2(vertex.position) / size;
             data.positions.emplace_back(2 * part.x - 1, 2 * part.y - 1, vertex.position.z);
             data.colors.emplace_back(vertex.color);
         }
@@ -218,7 +236,8 @@ void Drawing::draw(const Frame& frame) {
         program_.use();
         mesh_.draw();
     }
-    drawText(frame, readable(frame, words_));
+    const FrameInfo inPixels = frame.inPixels();
+    drawText(inPixels, readable(inPixels, linesInPixels(frame, words_)));
 }
 
 }  // namespace mv

@@ -1,4 +1,6 @@
-// Lines, shapes and words over a picture, in pixels of its panes: what a textbook's figure has beside the scene itself.
+// Lines, shapes and words over a picture, in its panes: what a textbook's figure has beside the scene itself. Places and
+// sizes are in a figure's units, whatever frame it is given: pixels in the size that the demo declares (FrameInfo::inUnits()).
+// Edges are smooth over one pixel of the picture.
 #pragma once
 #include <optional>
 #include <span>
@@ -29,8 +31,8 @@ class Drawing {
   public:
     // Nothing is collected yet; the pane is the whole picture.
     void begin(const Frame& frame);
-    // The shapes that follow are in this pane, x and y in pixels from its lower left corner; what is beyond its edges
-    // is cut off, but for words.
+    // The shapes that follow are in this pane of frame.inUnits(), x and y in units from its lower left corner; what is
+    // beyond its edges is cut off, but for words.
     void in(const Pane& pane);
 
     void line(std::span<const vec2> points, const Stroke& stroke = {});
@@ -42,7 +44,7 @@ class Drawing {
     void point(const vec2& at, double size, const vec4& color);
     // The same where the pane's projection draws a point in space, whatever is before it; nothing at or behind the eye.
     void point(const mat4& clipFromModel, const vec3& at, double size, const vec4& color);
-    // Words whose box has its upper left corner there, smaller, down to 6 px, where they would end beyond the pane's right
+    // Words whose box has its upper left corner there, smaller, down to 8 px, where they would end beyond the pane's right
     // edge. Or words at a point in space, moved so far in pixels from where it is drawn, or whose middle is there: these
     // keep their size. draw() leaves out words that the picture's edge would cut off, and those that would lie over
     // words of an earlier call: a small picture has its shapes, and the words that fit.
@@ -75,9 +77,15 @@ class Drawing {
     void write(const vec2& upperLeft, const std::string& words, const TextStyle& style);
     void stroke(std::span<const vec3> points, const Stroke& stroke, const Box& box);
 
-    int height_ = 0;  // of the picture
+    // Places and sizes in pixels of the picture
+    vec2 pixel(const vec2& at) const { return at * scale_; }
+    std::vector<vec2> pixels(std::span<const vec2> places) const;
+
+    int height_ = 0;  // of the picture, in units
+    vec2 scale_{1};   // pixels a unit
+    double sizeScale_ = 1;
     Pane pane_{};
-    Painted painted_;
+    Painted painted_;  // in pixels
     std::vector<TextLine> words_;
     bool tested_ = false;  // whether any shape is hidden by what is nearer
 

@@ -9,6 +9,7 @@
 #include <map>
 #include <utility>
 
+#include "mv/error.h"
 #include "mv/gl/buffers_by_shader.h"
 #include "mv/gl/layer.h"
 #include "mv/gl/state.h"
@@ -55,10 +56,27 @@ BufferPicture shaded(const std::string& name, const std::vector<float>& values, 
         result.picture.rgba[4 * pixel + 3] = 255;
     }
     flipRows(result.picture);
+    result.values = values;
+    result.channels = channels;
     return result;
 }
 
 }  // namespace
+
+std::string valueAt(const BufferPicture& buffer, int x, int y) {
+    const Picture& picture = buffer.picture;
+    if (picture.rgba.empty() || x < 0 || y < 0 || x >= picture.width || y >= picture.height) return "";
+    if (buffer.values.empty()) {
+        const Pixel pixel = picture.at(x, y);
+        return std::to_string(pixel.red) + " " + std::to_string(pixel.green) + " " + std::to_string(pixel.blue);
+    }
+    const auto each = static_cast<std::size_t>(buffer.channels);
+    const std::size_t first = each * pixelIndex(x, picture.height - 1 - y, picture.width);
+    std::string text;
+    for (std::size_t i = 0; i < std::min<std::size_t>(each, 3); ++i)
+        text += (i == 0 ? "" : " ") + numberText(double(buffer.values[first + i]));
+    return text;
+}
 
 class StepWatch::Listener {
   public:

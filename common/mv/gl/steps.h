@@ -36,7 +36,13 @@ struct BufferPicture {
     std::string name;   // "color", "depth" or "stencil"
     std::string range;  // what its shades stand for: "0.25 is black, 1 white"; or why there is no picture
     Picture picture;    // none where it cannot be read
+    // Where the shades are not the values: these, the lowest row first, and so many for a pixel; of four the last is alpha.
+    std::vector<float> values = {};
+    int channels = 0;
 };
+
+// What such a buffer has in that pixel, from its upper left corner: "255 0 128", "0.9731". "" beyond it, or of no picture.
+std::string valueAt(const BufferPicture& buffer, int x, int y);
 
 // The framebuffer of the last draw that was made (of none: the picture's), as it was just then.
 struct TargetPictures {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -174,8 +175,20 @@ void drawText(const FrameInfo& frame, int x, int y, std::string_view text, const
     drawText(frame, std::array{TextLine{x, y, std::string(text), style}});
 }
 
+std::vector<TextLine> linesInPixels(const FrameInfo& frame, std::span<const TextLine> lines) {
+    std::vector<TextLine> all(lines.begin(), lines.end());
+    const vec2 scale = frame.scale();
+    for (TextLine& line : all) {
+        line.x = int(std::lround((line.x + wordPadding) * scale.x)) - wordPadding;
+        line.y = int(std::lround((line.y + wordPadding) * scale.y)) - wordPadding;
+        line.style.height = std::max(6, int(std::lround(line.style.height * frame.sizeScale())));
+    }
+    return all;
+}
+
 void drawText(const FrameInfo& frame, std::span<const TextLine> lines) {
     if (lines.empty()) return;
+    if (frame.scale() != vec2(1)) return drawText(frame.inPixels(), linesInPixels(frame, lines));
     for (const TextLine& line : lines) {
         const int height = line.style.height;
         if (height < 6 || height > 512) throw Error("drawText", "height must be 6 .. 512 px", std::to_string(height));
@@ -197,6 +210,8 @@ int textWidth(std::string_view text, const TextStyle& style) { return widthOf(te
 int textHeight(const TextStyle& style) { return style.height + 2 * wordPadding; }
 
 void showImage(const FrameInfo& frame, int x, int y, const Picture& picture) {
+    if (const vec2 scale = frame.scale(); scale != vec2(1))
+        return showImage(frame.inPixels(), int(std::lround(x * scale.x)), int(std::lround(y * scale.y)), picture);
     const StateScope scope;
     begin();
     Program& program = kept()->image;

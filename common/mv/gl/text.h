@@ -3,6 +3,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "mv/demo/frame.h"
 #include "mv/gl/texture.h"
@@ -17,7 +18,7 @@ struct TextStyle {
 };
 
 // Draws a line of UTF-8 text in DejaVu Sans with its upper left corner at (x, y), in pixels from the upper left corner
-// of the picture. Changes the current program, and switches depth test, culling and blending off.
+// of the picture, or in units where the frame counts these (FrameInfo::inUnits()), and so its height. Changes the current program, and switches depth test, culling and blending off.
 void drawText(const FrameInfo& frame, int x, int y, std::string_view text, const TextStyle& style = {});
 
 // A line of text for drawText: its upper left corner, in pixels from the upper left corner of the picture.
@@ -33,12 +34,17 @@ struct TextLine {
 // their places.
 void drawText(const FrameInfo& frame, std::span<const TextLine> lines);
 
+// Lines that are placed in what the frame counts, in pixels. The words, not their boxes, are where they were: a box ends
+// wordPadding pixels beyond.
+std::vector<TextLine> linesInPixels(const FrameInfo& frame, std::span<const TextLine> lines);
+
 // The width in pixels that drawText needs for the text, its box included.
 int textWidth(std::string_view text, const TextStyle& style = {});
 // The height in pixels of a line with its box.
 int textHeight(const TextStyle& style = {});
 
-// Draws a picture with its upper left corner at (x, y), one pixel to a pixel, in pixels from the upper left corner.
+// Draws a picture with its upper left corner at (x, y), one pixel to a pixel, in what the frame counts from the upper left
+// corner.
 // Changes the same state as drawText. The last picture is kept: shown again, it is not uploaded again.
 void showImage(const FrameInfo& frame, int x, int y, const Picture& picture);
 

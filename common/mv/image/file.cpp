@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -338,6 +339,15 @@ std::vector<std::byte> readFile(const fs::path& path, std::size_t maximumBytes) 
 std::string readTextFile(const fs::path& path, std::size_t maximumBytes) {
     const std::vector<std::byte> bytes = readFile(path, maximumBytes);
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+bool isInPath(const std::string& program) {
+    const char* path = std::getenv("PATH");
+    std::istringstream folders(path ? path : "");
+    for (std::string folder; std::getline(folders, folder, ':');) {
+        if (::access((folder + "/" + program).c_str(), X_OK) == 0) return true;
+    }
+    return false;
 }
 
 ScratchFolder::ScratchFolder(std::string_view name) {

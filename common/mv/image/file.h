@@ -46,6 +46,9 @@ void requireWritable(const std::filesystem::path& path);
 // The same as text, byte by byte.
 [[nodiscard]] std::string readTextFile(const std::filesystem::path& path, std::size_t maximumBytes);
 
+// Whether a program of that name is in one of the folders of PATH.
+[[nodiscard]] bool isInPath(const std::string& program);
+
 // An empty folder of its own in the system's temporary one, which goes with all that is in it when its owner goes, or a
 // signal of mv/image/removal.h ends the process.
 class ScratchFolder {

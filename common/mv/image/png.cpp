@@ -2,23 +2,30 @@
 
 #include <png.h>
 
+#include <algorithm>
 #include <array>
 #include <csetjmp>
 #include <cstring>
 #include <new>
+#include <span>
+#include <string_view>
 #include <utility>
 
 #include "mv/error.h"
 #include "mv/image/file.h"
+#include "mv/image/png_check.h"
 
 namespace mv {
 namespace {
+
+constexpr const char* commandKeyword = "mvgl";
 
 // The objects that one encoding needs. They live outside the function that libpng may leave by longjmp, which runs no
 // destructors.
 struct Encoding {
     const Picture& picture;
     bool opaque;
+    const std::string& command;
     std::vector<std::byte> bytes{};
     std::array<char, 160> message{};
 };
@@ -60,6 +67,16 @@ bool writeImage(png_structp png, png_infop info, const Encoding& encoding) {
     // zlib's run-length strategy makes rendered pictures smaller still, but repeated textures ten times larger.
     png_set_compression_level(png, 1);
     png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
+    if (!encoding.command.empty()) {
+        const bool ascii =
+            std::all_of(encoding.command.begin(), encoding.command.end(), [](unsigned char c) { return c < 0x80; });
+        png_text text{};
+        text.compression = ascii ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE;
+        text.key = const_cast<char*>(commandKeyword);  // libpng reads them only
+        text.text = const_cast<char*>(encoding.command.c_str());
+        text.text_length = encoding.command.size();
+        png_set_text(png, info, &text, 1);
+    }
     png_write_info(png, info);
     if (encoding.opaque) png_set_filler(png, 0, PNG_FILLER_AFTER);  // four bytes in, three out
 
@@ -79,9 +96,9 @@ bool isOpaque(const Picture& picture) {
 
 }  // namespace
 
-std::vector<std::byte> encodePng(const Picture& picture) {
+std::vector<std::byte> encodePng(const Picture& picture, const std::string& command) {
     checkPicture(picture, "encodePng");
-    Encoding encoding{picture, isOpaque(picture)};
+    Encoding encoding{picture, isOpaque(picture), command};
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &encoding, leave, ignoreWarning);
     png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
     if (info == nullptr) {
@@ -95,8 +112,22 @@ std::vector<std::byte> encodePng(const Picture& picture) {
     return std::move(encoding.bytes);
 }
 
-void writePng(const std::filesystem::path& path, const Picture& picture) {
-    writeFileAtomically(path, encodePng(picture));
+void writePng(const std::filesystem::path& path, const Picture& picture, const std::string& command) {
+    writeFileAtomically(path, encodePng(picture, command));
+}
+
+std::string commandInPng(const std::filesystem::path& path) {
+    const std::vector<std::byte> bytes = readFile(path, std::size_t{1} << 30U);
+    const std::string keyword = commandKeyword + std::string(1, '\0');
+    for (const std::span<const std::byte> chunk : checkPng(bytes, path.string()).texts) {
+        std::string_view text(reinterpret_cast<const char*>(chunk.data()), chunk.size());
+        if (!text.starts_with(keyword)) continue;
+        text.remove_prefix(keyword.size());
+        // Of an iTXt two bytes for its compression, none here, and two empty words, its language and its keyword there
+        if (text.starts_with(std::string_view("\0\0\0\0", 4))) text.remove_prefix(4);
+        return std::string(text);
+    }
+    return "";
 }
 
 }  // namespace mv

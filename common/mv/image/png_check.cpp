@@ -189,6 +189,8 @@ PngParts checkPng(std::span<const std::byte> bytes, std::string_view name) {
             if (header.hasPalette && chunk.data.size() > colours) refuse(name, "more transparencies than colours");
         } else if (chunk.type == "eXIf") {
             parts.exif = chunk.data;
+        } else if (chunk.type == "tEXt" || chunk.type == "iTXt") {
+            parts.texts.push_back(chunk.data);
         } else if ((std::to_integer<unsigned>(std::byte(chunk.type[0])) & 0x20U) == 0) {
             refuse(name, "a chunk that must be understood, and is not");  // by 5.4, of a capital first letter
         }

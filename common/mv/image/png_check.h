@@ -14,6 +14,7 @@ namespace mv {
 struct PngParts {
     std::span<const std::byte> palette;  // the whole chunk, of a picture whose pixels are indices into it
     std::span<const std::byte> exif;
+    std::vector<std::span<const std::byte>> texts;  // of the chunks tEXt and iTXt
 };
 
 // Throws Error, with `name` as subject, unless the bytes are a whole and undamaged PNG file:

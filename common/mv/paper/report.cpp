@@ -26,15 +26,9 @@ std::string readoutLines(const Demo& demo) {
 
 }  // namespace
 
-double largestOf(const mat4& matrix) {
-    double largest = 0;
-    for (int i = 0; i < 16; ++i) largest = std::max(largest, std::abs(matrix[i / 4][i % 4]));
-    return largest;
-}
-
 std::string matrixText(const mat4& matrix) {
     std::string text;
-    const double largest = largestOf(matrix);
+    const double largest = largestEntry(matrix);
     for (int row = 0; row < 4; ++row) {
         text += "   ";
         for (int column = 0; column < 4; ++column)
@@ -94,8 +88,7 @@ std::string reportText(Stage& stage, int index, const FrameTimes& times) {
     for (const auto& [name, amount] : stage.notes().counts) text += ", " + formatted("%.10g", amount) + " " + name;
     text += "\n";
     text += "buffers   color" + std::string(stage.info().needs.depth ? ", depth" : "") +
-            (stage.info().needs.stencil ? ", stencil" : "") + ", " + std::to_string(stage.info().needs.samples) +
-            " samples\n";
+            (stage.info().needs.stencil ? ", stencil" : "") + ", " + std::to_string(stage.samples()) + " samples\n";
     text += "time      first " + formatted("%.3f", times.firstMs) + " ms, then median " +
             formatted("%.3f", times.medianMs) + " ms, MAD " + formatted("%.3f", times.madMs) + " ms of " +
             std::to_string(times.runs) + " runs\n";
@@ -137,7 +130,7 @@ std::string reportJson(Stage& stage, int index, const FrameTimes& times) {
     json.end().object("buffers");
     json.add("depth", stage.info().needs.depth);
     json.add("stencil", stage.info().needs.stencil);
-    json.add("samples", stage.info().needs.samples);
+    json.add("samples", stage.samples());
     json.end().object("milliseconds");
     json.add("first", times.firstMs).add("median", times.medianMs).add("mad", times.madMs).add("runs", times.runs);
     json.end().object("matrices");

@@ -8,6 +8,9 @@
 
 namespace mv {
 
+// The largest size of any entry.
+double largestEntry(const mat4& matrix);
+
 // 0 for what is left of roundings beside the largest number that it stands with; never -0.
 inline double withoutRounding(double value, double largest) {
     return (value < 0 ? -value : value) < 1e-12 * largest ? 0 : value + 0.0;

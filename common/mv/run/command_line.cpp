@@ -1,11 +1,13 @@
 #include "mv/run/command_line.h"
 
+#include "mv/image/png.h"
 #include "mv/run/flag_table.h"
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <charconv>
 #include <filesystem>
@@ -54,21 +56,83 @@ void readSize(const std::string& text, Command& command) {
     command.height = *h;
 }
 
+double readDensity(const std::string& text) {
+    double density = 0;
+    const auto result = std::from_chars(text.data(), text.data() + text.size(), density);
+    if (result.ec != std::errc() || result.ptr != text.data() + text.size() || !(density >= 1 && density <= 8)) {
+        throw UsageError("--density", "must be a number 1 .. 8, as 2 for 192 dpi", "'" + text + "'");
+    }
+    return density;
+}
+
+int readSamples(const std::string& text) {
+    if (text != "0" && text != "4") throw UsageError("--multisample", "must be 0 or 4", "'" + text + "'");
+    return text == "4" ? 4 : 0;
+}
+
 HostKind readHost(const std::string& text) {
     if (text == "automatic") return HostKind::automatic;
     if (const std::optional<HostKind> kind = hostNamed(text)) return *kind;
     throw UsageError("--headless", "must be osmesa | egl | egl-device, or alone", "'" + text + "'");
 }
 
-void readCompare(const std::string& text, const Demo& demo, Command& command) {
+// A knob and values that it takes; it then has the first.
+KnobValues readValues(const std::string& flag, const std::string& text, const Demo& demo, const std::string& example,
+                      std::size_t least, std::size_t most) {
     const auto [knob, values] = splitAt(text, "=");
-    const auto [a, b] = splitAt(values, ",");
-    if (knob.empty() || a.empty() || b.empty() || b.find(',') != std::string::npos) {
-        throw UsageError("--compare", "must be one knob and two values, as cull=back,front", "'" + text + "'");
+    KnobValues result{knob, {}};
+    for (std::size_t from = 0; from <= values.size();) {
+        const std::size_t comma = std::min(values.find(',', from), values.size());
+        result.values.push_back(values.substr(from, comma - from));
+        from = comma + 1;
     }
-    for (const std::string& value : {b, a}) demo.knob(knob).parse(value);
-    command.compareKnob = knob;
-    command.compareValues = {a, b};
+    const bool isEmpty = knob.empty() || std::ranges::any_of(result.values, &std::string::empty);
+    if (isEmpty || result.values.size() < least || result.values.size() > most) {
+        const std::string number = most == 2 ? "two values" : "one value or more";
+        throw UsageError(flag, "must be one knob and " + number + ", as " + example, "'" + text + "'");
+    }
+    for (std::size_t i = result.values.size(); i-- > 0;) demo.knob(knob).parse(result.values[i]);
+    return result;
+}
+
+void readCompare(const std::string& text, const Demo& demo, Command& command) {
+    KnobValues read = readValues("--compare", text, demo, "cull=back,front", 2, 2);
+    command.compareKnob = std::move(read.knob);
+    command.compareValues = std::move(read.values);
+}
+
+void readVersus(const std::string& text, const Demo& demo, Command& command) {
+    KnobValues read = readValues("--versus", text, demo, "method=map,volume", 2, 2);
+    command.versusKnob = std::move(read.knob);
+    command.versusValues = std::move(read.values);
+}
+
+void readStrip(const std::vector<std::string>& texts, const Demo& demo, Command& command) {
+    if (texts.size() > 2)
+        throw UsageError("--strip", "must be given once or twice: a row of pictures, or rows of them");
+    for (const std::string& text : texts)
+        command.strip.push_back(readValues("--strip", text, demo, "bias=0,0.01,0.1", 1, 100));
+    if (texts.size() == 2 && command.strip[0].knob == command.strip[1].knob)
+        throw UsageError("--strip", "must be of two knobs where it is given twice", "'" + texts[1] + "'");
+}
+
+void readPlot(const std::string& text, Command& command) {
+    const std::size_t equals = text.rfind('=');
+    command.plot = equals == std::string::npos ? text : text.substr(equals + 1);
+    if (equals != std::string::npos) command.plotScene = text.substr(0, equals);
+    if (!command.plot.ends_with(".svg") || command.plot == ".svg")
+        throw UsageError("--plot", "must be [SCENE=]FILE.svg; rsvg-convert and Inkscape make a PNG of it",
+                         "'" + text + "'");
+}
+
+void checkMovie(const Command& command) {
+    const bool known = std::ranges::any_of(std::array{".mp4", ".webm", ".gif"}, [&](const char* end) {
+        return command.movie.ends_with(end) && command.movie.size() > std::string_view(end).size();
+    });
+    if (!known)
+        throw UsageError("--movie", "must be a file FILE.mp4, FILE.webm or FILE.gif", "'" + command.movie + "'");
+    if (command.vary.empty() && command.lastFrame == command.firstFrame)
+        throw UsageError("--movie", "needs --frames A..B, or --vary KNOB=A..B:N for one picture a value");
 }
 
 // A change that the demo takes, which then has it; the knobs before are `command`'s.
@@ -95,6 +159,10 @@ void checkChanges(const Command& command) {
         if (change.knob == command.compareKnob) {
             throw UsageError("--at", "must not set the knob that --compare does", change.knob);
         }
+        for (const KnobValues& strip : command.strip) {
+            if (change.knob == strip.knob)
+                throw UsageError("--at", "must not set the knob that --strip does", change.knob);
+        }
     }
 }
 
@@ -107,12 +175,15 @@ std::string knobHelp(const Knob& knob) {
 }
 
 constexpr const char* knobGroup = "Knobs";  // their heading in the help
-constexpr std::string_view severalTimes = "--at";
+bool isForSeveral(const std::string& flag) { return flag == "--at" || flag == "--strip"; }
 
 // The flags of the command line; each has one line here, and its value is read below. Which go together: flag_table.cpp.
 struct Flags {
-    std::string preset, shot, frame, frames, headless, size, compare, report, knobs, gallery, docs, study, vary;
+    std::string preset, shot, frame, frames, headless, size, density, samples, compare, report, knobs, gallery, docs,
+        study, vary;
     std::string until;
+    std::string movie, versus, plot, from;
+    std::vector<std::string> strip;
     std::vector<std::pair<std::string, std::string>> at;
     bool list = false, version = false, copyable = false, audit = false, all = false, window = false;
 };
@@ -133,13 +204,36 @@ void declareFlags(CLI::App& app, Flags& flags, bool launcher) {
         ->type_name("K");
     app.add_option("--size", flags.size, "of the picture in pixels; the original's canvas if not given")
         ->type_name("WxH");
+    app.add_option(
+           "--density", flags.density,
+           "of the screen that the picture is for, 1 is 96 dpi: words and lines in it are no smaller than can\nbe "
+           "read there")
+        ->type_name("D");
+    app.add_option("--multisample", flags.samples,
+                   "samples of each pixel, 0 or 4: with 4 edges are smooth; 0 if not given")
+        ->type_name("N");
     app.add_flag("--headless{automatic}", flags.headless,
                  "open no window; =osmesa, =egl or =egl-device chooses the host");
     app.add_option("--compare", flags.compare, "two settings of a knob in one window, or side by side with --shot")
         ->type_name("KNOB=A,B");
+    app.add_option(
+           "--strip", flags.strip,
+           "a row of pictures, each under its label; a second one has a row for each of its values\n(with --shot)")
+        ->type_name("KNOB=A,B,C")
+        ->allow_extra_args(false);
+    app.add_option("--movie", flags.movie,
+                   "the frames of --frames, or the values of --vary, as a film: .mp4, .webm or .gif, by ffmpeg")
+        ->type_name("FILE");
+    app.add_option("--versus", flags.versus, "print what one setting costs and how wrong it is, beside another")
+        ->type_name("KNOB=A,B");
+    app.add_option("--plot", flags.plot, "write one scene of the committed study as a plot")
+        ->type_name("[SCENE=]FILE.svg");
+    app.add_option("--from", flags.from,
+                   "begin with the line that made this picture, which its file tells; other flags replace\nthose of it")
+        ->type_name("FILE.png");
     app.add_option("--study", flags.study, "error against run time: study.csv, study.svg and a table")
         ->type_name("DIR");
-    app.add_option("--vary", flags.vary, "a study by hand: N values of a knob, or KNOB=a,b,c (with --study)")
+    app.add_option("--vary", flags.vary, "a study by hand: N values of a knob, or KNOB=a,b,c (with --study or --movie)")
         ->type_name("KNOB=A..B:N");
     app.add_flag("--report{text}", flags.report,
                  "print readouts, counters, matrices and times; =json as JSON; opens no window");
@@ -196,7 +290,7 @@ GivenFlags givenFlags(const CLI::App& app, bool demo) {
     for (const CLI::Option* option : app.get_options()) {
         if (option->count() == 0) continue;
         const std::string name = option->get_name();
-        if (option->count() > 1 && name != severalTimes) throw UsageError(name, "must be given once");
+        if (option->count() > 1 && !isForSeveral(name)) throw UsageError(name, "must be given once");
         const std::string& value = option->results().front();
         if (value.empty()) throw UsageError(name, "must have a value", "''");
         if (value.starts_with("--")) {
@@ -244,6 +338,7 @@ void checkShot(const Command& command) {
     if (command.shot == "-" && (command.report != ReportForm::none || command.until)) {
         throw UsageError("--shot", "must be a file where a report is printed, which goes to standard output", "'-'");
     }
+    if (command.action == Action::movie) return;
     if (command.lastFrame > command.firstFrame && file == command.shot) {
         throw UsageError("--shot", "must have %d or %04d in its name for several frames", "'" + command.shot + "'");
     }
@@ -254,6 +349,8 @@ Command readFlags(const Flags& flags, Command command, Demo* demo) {
     if (!flags.frames.empty()) readFrames(flags.frames, command);
     command.frameGiven = !flags.frame.empty() || !flags.frames.empty();
     if (!flags.size.empty()) readSize(flags.size, command);
+    if (!flags.samples.empty()) command.samples = readSamples(flags.samples);
+    if (!flags.density.empty()) command.density = readDensity(flags.density);
     if (!flags.until.empty()) {
         command.until =
             wholeNumber(flags.until);  // one that is out of range is refused when the frame's draws are known
@@ -278,18 +375,24 @@ Command readFlags(const Flags& flags, Command command, Demo* demo) {
     command.shot = flags.shot;
     command.folder = flags.gallery + flags.docs + flags.study;  // of which one at most is given
     command.vary = flags.vary;
+    command.movie = flags.movie;
     command.all = flags.all;
     const bool wantsDemo = command.action == Action::knobs || command.action == Action::copyable ||
                            command.action == Action::render || command.action == Action::study ||
-                           (command.action == Action::audit && !command.all) || !flags.compare.empty() ||
-                           !flags.preset.empty() || !flags.size.empty() || command.frameGiven || !flags.at.empty() ||
-                           command.until;
+                           (command.action == Action::audit && !command.all) || command.action == Action::movie ||
+                           command.action == Action::versus || command.action == Action::plot ||
+                           !flags.compare.empty() || !flags.preset.empty() || !flags.size.empty() ||
+                           command.frameGiven || !flags.at.empty() || command.until;
     if (!demo && wantsDemo) {
         throw UsageError("demo", "must be named first, as in: mvgl cube-cull --shot a.png (--list shows them)");
     }
     if (flags.all && demo)
         throw UsageError("--all", "must not stand beside a demo's name", "'" + command.demo->name + "'");
     if (demo && !flags.compare.empty()) readCompare(flags.compare, *demo, command);
+    if (demo && !flags.versus.empty()) readVersus(flags.versus, *demo, command);
+    if (demo) readStrip(flags.strip, *demo, command);
+    if (!flags.plot.empty()) readPlot(flags.plot, command);
+    if (command.action == Action::movie) checkMovie(command);
     if (demo) {
         for (const auto& [frame, setting] : flags.at) readChange(frame, setting, *demo, command);
     }
@@ -300,6 +403,66 @@ Command readFlags(const Flags& flags, Command command, Demo* demo) {
         command.report = ReportForm::text;
     }
     return command;
+}
+
+// The words of a line for a shell, as quotedForShell() quotes them.
+std::vector<std::string> wordsOf(const std::string& line) {
+    std::vector<std::string> words;
+    bool begun = false, quoted = false;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        const char c = line[i];
+        if (c == ' ' && !quoted) {
+            begun = false;
+            continue;
+        }
+        if (!begun) words.emplace_back();
+        begun = true;
+        if (c == '\'')
+            quoted = !quoted;
+        else
+            words.back() += c == '\\' && !quoted && i + 1 < line.size() ? line[++i] : c;
+    }
+    return words;
+}
+
+std::string flagOf(const std::string& word) { return word.substr(0, word.find('=')); }
+
+// With --from FILE the line that the picture's file tells, before what else is given, which replaces its flags.
+std::vector<std::string> withPicturesLine(const std::vector<std::string>& arguments) {
+    std::vector<std::string> rest;
+    std::string file;
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        if (flagOf(arguments[i]) != "--from") {
+            rest.push_back(arguments[i]);
+            continue;
+        }
+        if (!file.empty()) throw UsageError("--from", "must be given once");
+        const bool isOne = arguments[i] != "--from";
+        file = isOne ? arguments[i].substr(7) : i + 1 < arguments.size() ? arguments[++i] : "";
+        if (file.empty() || file.starts_with("--")) throw UsageError("--from", "must have a value (--help says which)");
+    }
+    if (file.empty()) return rest;
+    const std::vector<std::string> told = wordsOf(commandInPng(file));
+    if (told.empty())
+        throw Error("--from", "must be a picture that --shot or a window of mvgl has written: it tells no command line",
+                    file);
+    const bool isNamed = !rest.empty() && !rest.front().starts_with('-');
+    const std::string named = isNamed                   ? rest.front()
+                              : catalogue().size() == 1 ? catalogue().front().name
+                                                        : told.front();
+    if (named != told.front()) throw UsageError("--from", "must be a picture of " + named, "one of " + told.front());
+    if (isNamed) rest.erase(rest.begin());
+    std::vector<std::string> all{named};
+    for (std::size_t i = 1; i < told.size();) {
+        std::size_t next = i + 1;
+        while (next < told.size() && !told[next].starts_with("--")) ++next;
+        const bool isReplaced =
+            std::ranges::any_of(rest, [&](const std::string& word) { return flagOf(word) == told[i]; });
+        if (!isReplaced) all.insert(all.end(), told.begin() + long(i), told.begin() + long(next));
+        i = next;
+    }
+    all.insert(all.end(), rest.begin(), rest.end());
+    return all;
 }
 
 }  // namespace
@@ -320,7 +483,7 @@ std::string frameFile(const std::string& pattern, int frame) {
 Command parseCommandLine(const std::vector<std::string>& arguments) {
     Command command;
     const bool launcher = catalogue().size() != 1;
-    std::vector<std::string> rest = arguments;
+    std::vector<std::string> rest = withPicturesLine(arguments);
     if (!launcher) {
         command.demo = &catalogue().front();
         // Its own name may stand first all the same, as in the line that --copyable prints.
@@ -357,7 +520,7 @@ Command parseCommandLine(const std::vector<std::string>& arguments) {
         }
     }
     for (CLI::Option* option : app.get_options()) {  // two are refused below, in our words
-        if (option->get_name() != severalTimes) option->take_last();
+        if (!isForSeveral(option->get_name())) option->take_last();
     }
     for (const std::string& word : rest) refuseOddValue(app, word);
     try {

@@ -7,6 +7,7 @@
 
 #include "mv/demo/demo.h"
 #include "mv/host/context.h"
+#include "mv/show/compare.h"
 #include "mv/show/stage.h"
 
 namespace mv {
@@ -18,7 +19,22 @@ class UsageError : public Error {
     explicit UsageError(const Error& error) : Error(error) {}
 };
 
-enum class Action { window, render, help, list, version, knobs, copyable, gallery, docs, study, audit };
+enum class Action {
+    window,
+    render,
+    movie,
+    versus,
+    plot,
+    help,
+    list,
+    version,
+    knobs,
+    copyable,
+    gallery,
+    docs,
+    study,
+    audit
+};
 enum class ReportForm { none, text, json };
 
 struct Command {
@@ -31,16 +47,23 @@ struct Command {
     bool frameGiven = false;
     std::vector<TimedChange> changes;  // --at
     int width = 0, height = 0;         // 0: the original's canvas
+    double density = 1;                // --density
+    int samples = 0;                   // --multisample
     HostKind host = HostKind::automatic;
     std::string
         shot;  // the picture's file; "" for none, "-" standard output. With several frames it contains %d or %04d
     std::string compareKnob;  // "" for no comparison
     std::vector<std::string> compareValues;
+    std::vector<KnobValues> strip;  // --strip, of one knob or two
+    std::string movie;              // --movie: the film's file
+    std::string versusKnob;         // --versus
+    std::vector<std::string> versusValues;
+    std::string plot, plotScene;  // --plot: the file, and the scene of the study or ""
     ReportForm report = ReportForm::none;
     bool json = false;         // --knobs=json
     bool all = false;          // --audit --all
     std::string folder;        // of --gallery, --docs and --study
-    std::string vary;          // of --study: KNOB=A..B:N or KNOB=a,b,c; "" for the demo's own study
+    std::string vary;          // of --study and --movie: KNOB=A..B:N or KNOB=a,b,c; "" for the demo's own study
     std::optional<int> until;  // --until: the frame is stopped after so many draws
     std::string text;          // what --help prints
     std::string program;       // how the program was started: what to type to start it once more; "" where nobody knows

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <string_view>
 
+#include "mv/portable_number.h"
+
 namespace mv {
 
 std::string quotedForShell(const std::string& text) {
@@ -27,7 +29,7 @@ std::string startOf(const std::string& program, const DemoInfo& info) {
 
 std::string copyableCommand(const std::string& start, const DemoInfo& info, const Demo& demo, int frame, int width,
                             int height, const ComparedKnob& compared, const Timeline* timeline,
-                            std::optional<int> until) {
+                            std::optional<int> until, double density, int samples) {
     std::string text = start;
     const auto set = [&](const std::string& knob, const std::string& value) {
         if (knob != compared.name) text += " --" + knob + " " + quotedForShell(value);
@@ -53,7 +55,34 @@ std::string copyableCommand(const std::string& start, const DemoInfo& info, cons
     if (width != info.width || height != info.height) {
         text += " --size " + std::to_string(width) + "x" + std::to_string(height);
     }
+    if (figureUnit(width, height, info.width, info.height, density) !=
+        figureUnit(width, height, info.width, info.height)) {
+        text += " --density " + portable::shortestText(density);
+    }
+    if (samples > 0) text += " --multisample " + std::to_string(samples);
     if (until) text += " --until " + std::to_string(*until);
+    return text;
+}
+
+std::string lineOf(const Command& command, const std::string& start, int frame) {
+    const DemoInfo& info = *command.demo;
+    const auto demo = info.make();
+    applyKnobs(*demo, command.knobs);
+    ComparedKnob compared;
+    if (!command.compareKnob.empty()) {
+        demo->knob(command.compareKnob).parse(command.compareValues[0]);
+        compared = {command.compareKnob, command.compareValues[1]};
+    }
+    Timeline timeline(*demo);
+    timeline.setChanges(command.changes);
+    std::string text = copyableCommand(start, info, *demo, frame, command.width ? command.width : info.width,
+                                       command.height ? command.height : info.height, compared, &timeline,
+                                       command.until, command.density, command.samples);
+    for (const KnobValues& strip : command.strip) {
+        std::string values;
+        for (const std::string& value : strip.values) values += (values.empty() ? "" : ",") + value;
+        text += " --strip " + quotedForShell(strip.knob + "=" + values);
+    }
     return text;
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "mv/demo/demo.h"
+#include "mv/run/command_line.h"
 #include "mv/show/timeline.h"
 
 namespace mv {
@@ -14,11 +15,14 @@ struct ComparedKnob {
 };
 
 // The command line that reproduces the picture: `start`, the knobs that are not at their initial value, what was changed and
-// when, what is compared, frame, size and after how many draws it is stopped. A shell reads each word as it is meant. Without a timeline, the demo's knobs are
+// when, what is compared, frame, size, density, samples and after how many draws it is stopped. A shell reads each word as it is meant. Without a timeline, the demo's knobs are
 // those that it begins with.
 std::string copyableCommand(const std::string& start, const DemoInfo& info, const Demo& demo, int frame, int width,
                             int height, const ComparedKnob& compared = {}, const Timeline* timeline = nullptr,
-                            std::optional<int> until = {});
+                            std::optional<int> until = {}, double density = 1, int samples = 0);
+
+// The same of what was typed, for that frame. A picture's file tells it with the demo's name for `start` (--from).
+std::string lineOf(const Command& command, const std::string& start, int frame);
 
 // The words to type, where the program was started so, to start that demo: "./run shadow-map", and
 // "build/bin/shadow-map" where the program is that demo's and has its name.

@@ -31,24 +31,38 @@ const std::vector<Use>& uses() {
         {"--gallery", Action::gallery, {}},
         {"--docs", Action::docs, {}},
         {"--study", Action::study, {demoName, anyKnob, "--preset", "--vary", "--frame", "--size", "--headless"}},
+        {"--movie", Action::movie,
+         settingsAnd({"--at", "--frame", "--frames", "--vary", "--size", "--density", "--multisample", "--headless"})},
+        {"--versus", Action::versus, settingsAnd({"--frame", "--size", "--headless"})},
+        {"--plot", Action::plot, {demoName}},
         {"--audit", Action::audit, settingsAnd({"--frame", "--headless", "--all"})},
         {"--knobs", Action::knobs, {demoName, anyKnob, "--preset"}},
-        {"--copyable", Action::copyable, settingsAnd({"--at", "--frame", "--size", "--compare", "--until"})},
-        {"--window", Action::window, settingsAnd({"--at", "--frame", "--size", "--compare", "--report", "--until"})},
+        {"--copyable", Action::copyable,
+         settingsAnd({"--at", "--frame", "--size", "--density", "--multisample", "--compare", "--strip", "--until"})},
+        {"--window", Action::window,
+         settingsAnd({"--at", "--frame", "--size", "--density", "--multisample", "--compare", "--report", "--until"})},
         {"--shot", Action::render,
-         settingsAnd({"--at", "--frame", "--frames", "--size", "--compare", "--report", "--headless", "--until"})},
-        {"--report", Action::render, settingsAnd({"--at", "--frame", "--size", "--headless", "--until"})},
-        {"--headless", Action::render, settingsAnd({"--at", "--frame", "--size", "--until"})},
+         settingsAnd({"--at", "--frame", "--frames", "--size", "--density", "--multisample", "--compare", "--strip",
+                      "--report", "--headless", "--until"})},
+        {"--report", Action::render,
+         settingsAnd({"--at", "--frame", "--size", "--density", "--multisample", "--headless", "--until"})},
+        {"--headless", Action::render,
+         settingsAnd({"--at", "--frame", "--size", "--density", "--multisample", "--until"})},
     };
     return all;
 }
 
 // Flags of one action that leave each other nothing to do.
-constexpr std::array<std::array<std::string_view, 2>, 4> apart{{
-    {"--frame", "--frames"},    // two ways to say which
-    {"--until", "--frames"},    // a list is of one frame
-    {"--until", "--compare"},   // and of one setting
-    {"--report", "--compare"},  // a report is of one setting (a window with both reports what is shown)
+constexpr std::array<std::array<std::string_view, 2>, 9> apart{{
+    {"--frame", "--frames"},   // two ways to say which
+    {"--vary", "--frames"},    // a movie is over values or over time
+    {"--strip", "--compare"},  // each says which pictures there are
+    {"--strip", "--report"},   // as of --compare
+    {"--strip", "--until"},
+    {"--multisample", "--until"},  // a stopped frame shows its buffers, pixel by pixel
+    {"--until", "--frames"},       // a list is of one frame
+    {"--until", "--compare"},      // and of one setting
+    {"--report", "--compare"},     // a report is of one setting (a window with both reports what is shown)
 }};
 
 const Use& windowUse() {

@@ -70,7 +70,9 @@ void render(const Command& command) {
     const int height = command.height ? command.height : info.height;
     if (!command.compareKnob.empty()) requireRoomToCompare(width, height);
     listenToDriver(command.report != ReportForm::none || command.until.has_value());
+    stage.setSamples(command.samples);
     stage.open(info, width, height);
+    stage.setDensity(command.density);
     stage.begin(command.knobs, command.changes);
     stage.timeline().progress = [](int reached, int wanted) {
         std::fprintf(stderr, "step %d of %d\n", reached, wanted);
@@ -82,10 +84,13 @@ void render(const Command& command) {
     for (int index = command.firstFrame; index <= command.lastFrame; ++index) {
         const auto before = std::chrono::steady_clock::now();
         Picture sheet;
-        if (command.compareKnob.empty()) {
+        const bool isSheet = !command.compareKnob.empty() || !command.strip.empty();
+        if (!isSheet) {
             stage.draw(index, command.report != ReportForm::none);
-        } else {
+        } else if (command.strip.empty()) {
             sheet = compareSettings(stage, index, command.compareKnob, command.compareValues);
+        } else {
+            sheet = stripOf(stage, index, command.strip);
         }
         if (command.report != ReportForm::none) glFinish();
         const auto now = std::chrono::steady_clock::now();
@@ -96,7 +101,7 @@ void render(const Command& command) {
         stopAfterDraws(stage, index, command);
         if (!command.shot.empty()) {
             writePng(command.shot == "-" ? "/dev/stdout" : frameFile(command.shot, index),
-                     command.compareKnob.empty() ? stage.picture() : sheet);
+                     isSheet ? sheet : stage.picture(), lineOf(command, info.name, index));
         }
         if (now - shown > std::chrono::seconds(2) && index < command.lastFrame) {
             shown = now;

@@ -22,6 +22,7 @@
 #include "mv/paper/tables.h"
 #include "mv/run/command_line.h"
 #include "mv/run/copyable.h"
+#include "mv/run/lecture.h"
 #include "mv/run/render.h"
 #include "mv/run/window_module.h"
 #include "mv/show/caught.h"
@@ -61,13 +62,13 @@ std::unique_ptr<Demo> demoWithKnobs(const Command& command) {
 
 // A knob that was given and changes nothing in the settings that are drawn is named, with its reason.
 void noteIdleKnobs(const Command& command) {
-    const bool draws =
-        command.action == Action::render || command.action == Action::window || command.action == Action::audit;
+    const bool draws = command.action == Action::render || command.action == Action::window ||
+                       command.action == Action::audit || command.action == Action::movie;
     if (!draws || !command.demo) return;
     const auto demo = demoWithKnobs(command);
     for (std::size_t i = command.presetKnobs; i < command.knobs.size(); ++i) {
         const Knob& knob = demo->knob(command.knobs[i].name);
-        if (knob.name() == command.compareKnob) continue;
+        if (knob.name() == command.compareKnob || !command.strip.empty() || !command.vary.empty()) continue;
         std::string reason;
         // Beside each other two settings are drawn: it is idle in both, or it does something.
         for (const std::string& value :
@@ -97,20 +98,9 @@ void act(const Command& command) {
             return print(command.json ? knobsJson(info, *demo) : knobsText(*demo) + presetsText(info));
         }
         case Action::copyable: {
-            const auto demo = demoWithKnobs(command);
-            const DemoInfo& info = *command.demo;
-            ComparedKnob compared;
-            if (!command.compareKnob.empty()) {
-                demo->knob(command.compareKnob).parse(command.compareValues[0]);
-                compared = {command.compareKnob, command.compareValues[1]};
-            }
-            Timeline timeline(*demo);
-            timeline.setChanges(command.changes);
-            return print(copyableCommand(startOf(command.program, info), info, *demo, command.firstFrame,
-                                         command.width ? command.width : info.width,
-                                         command.height ? command.height : info.height, compared, &timeline,
-                                         command.until) +
-                         "\n");
+            if (!command.demo)
+                throw UsageError("demo", "must be named first");  // as the command line's reading has seen to
+            return print(lineOf(command, startOf(command.program, *command.demo), command.firstFrame) + "\n");
         }
         case Action::gallery:
             return writeGallery(command.folder);
@@ -122,6 +112,12 @@ void act(const Command& command) {
             return study(command);
         case Action::render:
             return render(command);
+        case Action::movie:
+            return writeMovie(command);
+        case Action::versus:
+            return printVersus(command);
+        case Action::plot:
+            return writePlot(command);
         case Action::window:
             return openWindow(command);
     }

@@ -1,6 +1,7 @@
 #include "mv/show/compare.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "mv/error.h"
@@ -24,32 +25,73 @@ void requireRoomToCompare(int width, int height) {
                 std::to_string(width) + "x" + std::to_string(height));
 }
 
-Picture compareSettings(Stage& stage, int index, const std::string& knob, const std::vector<std::string>& values) {
-    std::vector<Picture> pictures;
-    std::vector<std::string> labels;
-    for (const std::string& value : values) {
-        stage.demo().knob(knob).parse(value);
-        stage.draw(index);
-        pictures.push_back(stage.picture());
-        labels.push_back(std::string(knob).append(" = ").append(value));
-    }
-    const Difference difference = compare(pictures[0], pictures[1]);
-    pictures.push_back(differencePicture(pictures[0], pictures[1]));
-    labels.push_back(differenceText(difference));
+namespace {
 
-    const int width = pictures[0].width, height = pictures[0].height;
-    const TextStyle style = fittedStyle(labels, width, {.background = {1, 1, 1, 1}});
-    const int strip = style.height + labelSpace;
-    const Target sheet(3 * width + 2 * gap, strip + height, {}, "comparison");
+struct Labelled {
+    Picture picture;
+    std::string label;
+};
+
+// So many beside each other, and the others below.
+Picture sheetOf(const Stage& stage, int index, const std::vector<Labelled>& all, int across) {
+    const int width = all.front().picture.width, height = all.front().picture.height;
+    std::vector<std::string> labels;
+    labels.reserve(all.size());
+    for (const Labelled& each : all) labels.push_back(each.label);
+    const TextStyle style = fittedStyle(labels, width, labelStyle(stage, index, {.background = {1, 1, 1, 1}}));
+    const int strip = style.height + labelSpace, down = static_cast<int>(all.size()) / across;
+    const Target sheet(across * width + (across - 1) * gap, down * (strip + height) + (down - 1) * gap, {},
+                       "comparison");
     const FrameInfo frame(index, sheet.width(), sheet.height());
     glClearColor(1, 1, 1, 1);
     glClear(GL_COLOR_BUFFER_BIT);
-    for (int i = 0; i < 3; ++i) {
-        const int x = i * (width + gap);
-        showImage(frame, x, strip, pictures[static_cast<std::size_t>(i)]);
-        drawText(frame, x, 0, labels[static_cast<std::size_t>(i)], style);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const int x = static_cast<int>(i) % across * (width + gap);
+        const int y = static_cast<int>(i) / across * (strip + height + gap);
+        showImage(frame, x, y + strip, all[i].picture);
+        drawText(frame, x, y, all[i].label, style);
     }
     return sheet.read();
+}
+
+}  // namespace
+
+Picture compareSettings(Stage& stage, int index, const std::string& knob, const std::vector<std::string>& values) {
+    std::vector<Labelled> all;
+    for (const std::string& value : values) {
+        stage.demo().knob(knob).parse(value);
+        stage.draw(index);
+        all.push_back({stage.picture(), std::string(knob).append(" = ").append(value)});
+    }
+    const Difference difference = compare(all[0].picture, all[1].picture);
+    all.push_back({differencePicture(all[0].picture, all[1].picture), differenceText(difference)});
+    return sheetOf(stage, index, all, 3);
+}
+
+Picture stripOf(Stage& stage, int index, const std::vector<KnobValues>& strip) {
+    const std::size_t across = strip[0].values.size(), down = strip.size() > 1 ? strip[1].values.size() : 1;
+    const int largest = largestTargetSide(), label = labelStyle(stage, index).height + labelSpace;
+    const auto least = [&](std::size_t count, int side) { return static_cast<long>(count) * (side + gap); };
+    if (least(across, stage.front().width()) > largest || least(down, stage.front().height() + label) > largest) {
+        throw Error("--strip", "must fit into " + std::to_string(largest) + " pixels a side; --size makes each smaller",
+                    std::to_string(across) + " x " + std::to_string(down) + " pictures");
+    }
+    std::vector<Labelled> all;
+    for (std::size_t row = 0; row < down; ++row) {
+        for (const std::string& value : strip[0].values) {
+            std::string label = strip[0].knob + " = " + value;
+            if (strip.size() > 1) label += ", " + strip[1].knob + " = " + strip[1].values[row];
+            try {
+                if (strip.size() > 1) stage.demo().knob(strip[1].knob).parse(strip[1].values[row]);
+                stage.demo().knob(strip[0].knob).parse(value);
+                stage.draw(index);
+            } catch (const Error& error) {
+                throw Error("with " + label, error.what());
+            }
+            all.push_back({stage.picture(), label});
+        }
+    }
+    return sheetOf(stage, index, all, static_cast<int>(across));
 }
 
 std::string differenceText(const Difference& difference) {
@@ -57,6 +99,11 @@ std::string differenceText(const Difference& difference) {
     std::snprintf(text, sizeof text, "difference: %.2f %% of pixels, at most %.0f of 255", 100 * difference.fraction,
                   difference.maximum);
     return text;
+}
+
+TextStyle labelStyle(const Stage& stage, int index, TextStyle style) {
+    style.height = int(std::lround(style.height * stage.frame(index).inUnits().sizeScale()));
+    return style;
 }
 
 TextStyle fittedStyle(const std::vector<std::string>& lines, int width, TextStyle style) {

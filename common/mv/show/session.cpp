@@ -73,7 +73,8 @@ void Session::draw(int width, int height, bool readouts, OtherPicture* instead) 
     try {
         // before the last picture's buffers go for ones of another size
         instead ? instead->check(demo()) : demo().check();
-        if (stage_.front().width() != width || stage_.front().height() != height) {
+        const Target& last = stage_.front();
+        if (last.width() != width || last.height() != height || last.buffers().samples != stage_.samples()) {
             hasPicture_ = false;
             stage_.resize(width, height);
         }

@@ -84,6 +84,16 @@ class Session {
     // Lets so many seconds pass, as the playback has it.
     void advance(double seconds) { stale_ |= playback_.advance(seconds); }
 
+    // See Stage::setSamples().
+    void setSamples(int samples) {
+        stale_ |= samples != stage_.samples();
+        stage_.setSamples(samples);
+    }
+    // Of the screen that the picture is shown on, see Stage::setDensity().
+    void setDensity(double density) {
+        stale_ |= density != stage_.density();
+        stage_.setDensity(density);
+    }
     // Whether the picture is not that of the present settings and frame; and whether draw() would draw.
     bool stale() const { return stale_; }
     bool due(int width, int height) const { return stale_ || width != triedWidth_ || height != triedHeight_; }

@@ -55,7 +55,7 @@ std::string sentenceWithout(const std::string& feature, const DemoInfo& info) {
 class StageProbing final : public Probing {
   public:
     StageProbing(Stage& stage, const Target& drawn, int index)
-        : Probing(stage.demo(), {index, drawn.width(), drawn.height()}), stage_(stage), drawn_(drawn) {}
+        : Probing(stage.demo(), stage.frame(index, drawn.width(), drawn.height())), stage_(stage), drawn_(drawn) {}
 
     std::vector<float> measured(int width, int height, const std::optional<Camera>& camera) override {
         if (!floatTargets()) return {};
@@ -70,7 +70,7 @@ class StageProbing final : public Probing {
   private:
     template <class Value>
     std::vector<Value> read(GLenum format, GLenum type) const {
-        if (isEs()) return {};
+        if (isEs() || drawn_.buffers().samples > 0) return {};
         std::vector<Value> values(static_cast<std::size_t>(drawn_.width()) * static_cast<std::size_t>(drawn_.height()));
         drawn_.bind();
         glPixelStorei(GL_PACK_ALIGNMENT, 1);
@@ -95,7 +95,7 @@ Stage::~Stage() {
 }
 
 void Stage::makeTargets(int width, int height) {
-    const Target::Buffers buffers{info_->needs.depth, info_->needs.stencil, info_->needs.samples, GL_RGBA8};
+    const Target::Buffers buffers{info_->needs.depth, info_->needs.stencil, samples(), GL_RGBA8};
     Target first(width, height, buffers, info_->name);
     Target second = keepLast_ ? Target(width, height, buffers, info_->name + " last") : Target();
     targets_[0] = std::move(first);
@@ -147,8 +147,12 @@ void Stage::close() {
 }
 
 void Stage::resize(int width, int height) {
-    if (width != front().width() || height != front().height()) makeTargets(width, height);
+    const bool isSame =
+        width == front().width() && height == front().height() && front().buffers().samples == samples();
+    if (!isSame) makeTargets(width, height);
 }
+
+void Stage::setSamples(int samples) { samples_ = samples; }
 
 // Makes the passes of that picture: all of them, or only the next of the one that was begun.
 void Stage::refine(const FrameInfo& frame, bool onlyNext) {
@@ -178,7 +182,7 @@ Stage::Drawn Stage::drawInto(const Target& target, int index, FrameMode mode, bo
     takeMissing();
     timeline_->bring(index);
     demo_->check();
-    refine({index, target.width(), target.height()}, onlyNextPass);
+    refine(frame(index, target.width(), target.height()), onlyNextPass);
     return paint(*demo_, target, index, std::move(mode), {});
 }
 
@@ -199,7 +203,9 @@ Stage::Drawn Stage::paint(Demo& demo, const Target& target, int index, FrameMode
     resetCounters();
     const bool before = setMeasuring(mode.measuring);
     try {
-        const Frame frame({index, target.width(), target.height()}, drawn.notes, mode);
+        const FrameInfo info = mode.measuring ? FrameInfo(index, target.width(), target.height())
+                                              : this->frame(index, target.width(), target.height());
+        const Frame frame(info, drawn.notes, mode);
         if (begins) begins();
         demo.draw(frame);
         if (!mode.measuring) demo.annotate(frame);
@@ -277,7 +283,7 @@ FrameSteps Stage::stepsOf(const Target& target, int index, std::optional<int> st
         demo->reset();
         demo->memory()->restore(demo_->memory()->copy());
     }
-    const FrameInfo frame(index, target.width(), target.height());
+    const FrameInfo frame = this->frame(index, target.width(), target.height());
     for (int pass = 0; pass < demo->passes(frame); ++pass) demo->refine(frame, pass);
     target.bind();
     clearTarget(vec4(0), info_->needs);  // OpenGL says nothing of what a demo without a background would find
@@ -290,6 +296,7 @@ FrameSteps Stage::stepsOf(const Target& target, int index, std::optional<int> st
 }
 
 void Stage::stopAfter(int index, int draws) {
+    if (samples() > 0) throw Error("draws", "are shown one by one without smooth edges, with --multisample 0");
     timeline_->bring(index);
     demo_->check();
     FrameSteps whole = stepsOf(front(), index, {});

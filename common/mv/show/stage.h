@@ -45,6 +45,19 @@ class Stage {
     void close();
     bool isOpen() const { return demo_ != nullptr; }
     void resize(int width, int height);
+    // So many samples a pixel in the picture, for smooth edges, where the demo asks for none; 0 at first. What is measured or
+    // stopped after a draw has none. Error, from the next resize() or open(): the driver has another number.
+    void setSamples(int samples);
+    int samples() const { return info_ && info_->needs.samples > 0 ? info_->needs.samples : samples_; }
+    // Pixels of the picture for each of an ordinary screen's: a page's devicePixelRatio. Words and lines of figures are no
+    // smaller than can be read there. 1 until it is said.
+    void setDensity(double density) { density_ = density; }
+    double density() const { return density_; }
+    // Frame `index` of a picture of that size, as the open demo is told of it.
+    FrameInfo frame(int index, int width, int height) const {
+        return {index, width, height, figureUnit(width, height, info_->width, info_->height, density_)};
+    }
+    FrameInfo frame(int index) const { return frame(index, front().width(), front().height()); }
 
     // Draws frame `index`; with `readouts`, also measures what the demo reads out. Error: the settings make no picture
     // (check()), or GL reports an error.
@@ -112,6 +125,8 @@ class Stage {
     void fitForMeasuring(Target& target, int width, int height) const;
     void askProbes(const Target& drawn, int index);
     bool keepLast_;
+    double density_ = 1;
+    int samples_ = 0;
     DriverInfo driver_;
     const DemoInfo* info_ = nullptr;
     std::unique_ptr<Demo> demo_;

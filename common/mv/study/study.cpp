@@ -448,6 +448,14 @@ Study studyOf(const DemoInfo& info, const std::vector<KnobSetting>& knobs, const
     }
     Study study = *info.study;
     if (vary.empty()) return study;
+    const Varied varied = variedBy(info, knobs, vary);
+    study.scenes = {{"as set", {}}};
+    study.lines = {{.method = varied.knob, .settings = {}, .knob = varied.knob, .values = varied.values}};
+    study.says.clear();
+    return study;
+}
+
+Varied variedBy(const DemoInfo& info, const std::vector<KnobSetting>& knobs, const std::string& vary) {
     const auto equals = vary.find('=');
     if (equals == std::string::npos || equals == 0 || equals + 1 == vary.size()) {
         throw UsageError("--vary", "must be KNOB=A..B:N or KNOB=a,b,c", "'" + vary + "'");
@@ -457,13 +465,9 @@ Study studyOf(const DemoInfo& info, const std::vector<KnobSetting>& knobs, const
     applyKnobs(*demo, knobs);
     Knob& knob = demo->knob(name);
     const bool range = text.find("..") != std::string::npos && text.rfind(':') != std::string::npos;
-    StudyLine line{.method = name, .settings = {}, .knob = name};
-    line.values = range ? valuesBetween(text, knob.kind() == Knob::Kind::whole) : listed(text);
-    for (const std::string& value : line.values) knob.parse(value);  // refused before anything is measured
-    study.scenes = {{"as set", {}}};
-    study.lines = {line};
-    study.says.clear();
-    return study;
+    Varied varied{name, range ? valuesBetween(text, knob.kind() == Knob::Kind::whole) : listed(text)};
+    for (const std::string& value : varied.values) knob.parse(value);  // refused before anything is drawn
+    return varied;
 }
 
 void study(const Command& command) {

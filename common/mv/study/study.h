@@ -20,6 +20,13 @@ struct StudyOptions {
 
 inline constexpr const char* notMeasured = "not measured";
 
+// What --vary says: a knob and the values that it is to have. Error: no such knob, or a value that it refuses.
+struct Varied {
+    std::string knob;
+    std::vector<std::string> values;
+};
+Varied variedBy(const DemoInfo& info, const std::vector<KnobSetting>& knobs, const std::string& vary);
+
 // The study that the demo declares, or with --vary one made by hand: the knob's values in the demo's own scene.
 // Error: the demo declares none; --vary of a demo without a reference; a range the knob does not have.
 Study studyOf(const DemoInfo& info, const std::vector<KnobSetting>& knobs, const std::string& vary);

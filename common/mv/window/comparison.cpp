@@ -97,6 +97,7 @@ OtherPicture::Cost Comparison::draw(Stage& stage, int index, bool readouts) {
     stage.timeline().vary({});
     a_ = drawSide(stage, index, readouts);
     b_ = std::move(b);
+    words_ = labelStyle(stage, index);
     drawnA_ = labelA();
     drawnB_ = labelB();
     difference_.clear();
@@ -163,11 +164,11 @@ const Target& Comparison::sheet() {
     const FrameInfo frame(0, width, height);
     showImage(frame, 0, 0, composed());
     if (view_ == View::difference) {
-        drawText(frame, margin, margin, difference(), fittedStyle({difference()}, width - 2 * margin));
+        drawText(frame, margin, margin, difference(), fittedStyle({difference()}, width - 2 * margin, words_));
     } else {
         const bool showA = view_ == View::a || (view_ == View::divider && divider_ > 0);
         const bool showB = view_ == View::b || (view_ == View::divider && divider_ < 1);
-        const TextStyle style = fittedStyle({drawnA_, drawnB_}, width - 2 * margin);
+        const TextStyle style = fittedStyle({drawnA_, drawnB_}, width - 2 * margin, words_);
         const int widthA = textWidth(drawnA_, style), widthB = textWidth(drawnB_, style);
         // Beside each other, or where there is no room one below the other.
         const bool beside = !showA || widthA + widthB + 3 * margin <= width;

@@ -64,6 +64,7 @@ class Comparison final : public OtherPicture {
     Side drawSide(Stage& stage, int index, bool readouts) const;
     Picture composed() const;
 
+    TextStyle words_;
     Knob* knob_ = nullptr;
     std::string other_;
     Side a_, b_;

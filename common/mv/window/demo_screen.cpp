@@ -9,9 +9,11 @@
 #include <iostream>
 
 #include "mv/gl/program.h"
+#include "mv/gl/shader_folder.h"
 #include "mv/image/png.h"
 #include "mv/run/copyable.h"
 #include "mv/show/caught.h"
+#include "mv/window/desktop.h"
 #include "mv/window/keys.h"
 #include "mv/window/save.h"
 
@@ -48,12 +50,14 @@ DemoScreen::DemoScreen(Window& window, Gui& gui, Stage& stage, const Command& co
       info_(*command.demo),
       session_(stage, *command.demo, startOf(command)),
       report_(command.report),
+      density_(command.density),
       program_(command.program),
       menu_(menu),
       fromMenu_(fromMenu),
       knobs_(gui, session_),
       study_(*command.demo, gui, stage.driver().renderer),
       steps_(window, session_) {
+    session_.setSamples(command.samples);
     const bool sizeGiven = command.width > 0;
     const int width = stage_.front().width(), height = stage_.front().height();
     if (!command.compareKnob.empty()) {
@@ -92,12 +96,17 @@ bool DemoScreen::overDivider(double x) const {
     return divider && overPicture(x) && std::abs(x - *divider) <= dividerReach * double(gui_.scale());
 }
 
-FrameInfo DemoScreen::shownFrame() const {
-    return {session_.playback().frame(), stage_.front().width(), stage_.front().height()};
-}
+FrameInfo DemoScreen::shownFrame() const { return stage_.frame(session_.playback().frame()); }
 
 PictureInWindow DemoScreen::pictureInWindow() const {
     return {stage_.front().height(), window_.size().pixelsPerUnit()};
+}
+
+std::optional<glm::ivec2> DemoScreen::pixelUnderMouse() const {
+    const ImVec2 mouse = ImGui::GetMousePos();
+    if (!ImGui::IsMousePosValid() || !overPicture(double(mouse.x))) return {};
+    const vec2 place = pictureInWindow().pixel(double(mouse.x), double(mouse.y));
+    return glm::ivec2(int(place.x), stage_.front().height() - 1 - int(place.y));
 }
 
 void DemoScreen::moveDivider(double x) {
@@ -315,6 +324,7 @@ void DemoScreen::showPicture() {
 }
 
 void DemoScreen::draw() {
+    session_.setDensity(std::max({1.0, window_.contentScale(), density_}));
     if (pictureWidth() > 0 && session_.due(pictureWidth(), window_.size().pixelHeight())) redraw();
     showPicture();
     gui_.begin();
@@ -414,6 +424,7 @@ void DemoScreen::showPanelContent() {
     wrapped(info_.sentence);
     if (!info_.lookFor.empty()) wrapped(color::dim, "Look for: " + info_.lookFor);
 
+    showFiles();
     if (session_.passes() > 0 && !comparison_.on()) showPasses(session_.passesDone(), session_.passes());
 
     Demo& demo = session_.demo();
@@ -428,7 +439,7 @@ void DemoScreen::showPanelContent() {
     if (section("Draw by draw")) {
         if (comparison_.on()) {
             wrapped(color::dim, "Two settings are compared: each is drawn whole.");
-        } else if (steps_.show()) {
+        } else if (steps_.show(pixelUnderMouse())) {
             session_.touch();
         }
     }
@@ -438,25 +449,59 @@ void DemoScreen::showPanelContent() {
     if (moved) session_.touch();
     if (!session_.notes().matrices.empty() && section("Matrices")) {
         if (comparison_.on()) wrapped(color::dim, "of A: " + comparison_.labelA());
-        showMatrices(session_.notes());
+        const std::string copied = showMatrices(session_.notes());
+        if (!copied.empty()) window_.copyToClipboard(copied);
     }
     if (section("Picture")) showFile();
     if (section("Keys and mouse"))
         showControls(demo, session_.playback().animated(), menu_, fromMenu_, comparison_.on());
 }
 
+// Doors to the lesson's page and its shader, where the program stands beside its sources.
+void DemoScreen::showFiles() {
+    const std::filesystem::path shaders = shaderFolder("demo-" + info_.name);
+    if (shaders.empty()) return;
+    const auto open = [&](const char* label, const std::filesystem::path& file, const char* tip) {
+        std::error_code missing;
+        if (!std::filesystem::is_regular_file(file, missing)) return;
+        if (button(label)) {
+            try {
+                openByDesktop(file);
+            } catch (const Error& error) {
+                dropError_ = error.what();
+            }
+        }
+        tooltip(tip);
+        ImGui::SameLine();
+    };
+    open("Lesson", shaders.parent_path() / info_.page, "opens the page that goes with it");
+    const std::string name = info_.name;
+    open("Edit shader", shaders / name / (name + ".frag"),
+         "opens the fragment shader in your editor: a change that is saved is seen at once");
+    ImGui::NewLine();
+}
+
 std::string DemoScreen::defaultName() const {
     return info_.name + "-" + std::to_string(session_.drawnFrame()) + ".png";
 }
 
-std::string DemoScreen::commandLine() const {
+std::string DemoScreen::commandLine(const std::string& start) const {
     const Target& target = stage_.front();
-    return copyableCommand(startOf(program_, info_), info_, session_.demo(), session_.drawnFrame(), target.width(),
-                           target.height(), comparison_.on() ? comparison_.compared() : ComparedKnob{},
-                           &stage_.timeline(), comparison_.on() ? std::optional<int>() : session_.until());
+    return copyableCommand(start, info_, session_.demo(), session_.drawnFrame(), target.width(), target.height(),
+                           comparison_.on() ? comparison_.compared() : ComparedKnob{}, &stage_.timeline(),
+                           comparison_.on() ? std::optional<int>() : session_.until(), stage_.density(),
+                           stage_.samples() - info_.needs.samples);
 }
 
 void DemoScreen::showFile() {
+    if (info_.needs.samples == 0) {
+        bool smooth = stage_.samples() > 0;
+        ImGui::BeginDisabled(session_.until().has_value());
+        if (ImGui::Checkbox("smooth edges", &smooth)) session_.setSamples(smooth ? 4 : 0);
+        notePlace("smooth edges");
+        ImGui::EndDisabled();
+        tooltip("four samples for each pixel (--multisample 4); a frame that is stopped after a draw has one");
+    }
     char text[96];
     const int width = stage_.front().width(), height = stage_.front().height();
     if (comparison_.on()) {
@@ -480,7 +525,7 @@ void DemoScreen::showFile() {
 
     if (button("Copy command line", {ImGui::GetContentRegionAvail().x, 0})) copyCommand();
     tooltip("the command that makes this very picture, to the clipboard");
-    wrapped(color::dim, commandLine());
+    wrapped(color::dim, commandLine(startOf(program_, info_)));
 }
 
 void DemoScreen::save() {
@@ -490,7 +535,7 @@ void DemoScreen::save() {
         if (!session_.error().empty() || !shown)
             throw Error("picture", "must be one of the present settings", session_.error());
         const auto path = freePicturePath(fileName_[0] != '\0' ? fileName_.data() : defaultName());
-        writePng(path, shown->read());
+        writePng(path, shown->read(), comparison_.on() ? "" : commandLine(info_.name));
         saved_ = "Saved " + path.string();
         saveFailed_ = false;
     } catch (const std::exception&) {
@@ -500,6 +545,6 @@ void DemoScreen::save() {
     }
 }
 
-void DemoScreen::copyCommand() { window_.copyToClipboard(commandLine()); }
+void DemoScreen::copyCommand() { window_.copyToClipboard(commandLine(startOf(program_, info_))); }
 
 }  // namespace mv

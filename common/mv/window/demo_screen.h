@@ -62,7 +62,9 @@ class DemoScreen final : public Screen {
     void showFile();
     void save();
     void copyCommand();
-    std::string commandLine() const;
+    void showFiles();
+    std::optional<glm::ivec2> pixelUnderMouse() const;
+    std::string commandLine(const std::string& start) const;
     std::string defaultName() const;
     // `plain`: in words about knobs, else as the command line says it.
     std::vector<Message> messages(bool plain = false) const;
@@ -73,6 +75,7 @@ class DemoScreen final : public Screen {
     const DemoInfo& info_;
     Session session_;
     ReportForm report_;
+    double density_;       // asked for
     std::string program_;  // how it was started
     bool menu_, fromMenu_;
     KnobPanel knobs_;

@@ -16,13 +16,14 @@ void DemoScreen::report(const WindowState& state) {
         if (message.error) problem += (problem.empty() ? "" : "\n") + message.text;
     }
     if (report_ == ReportForm::text) {
-        std::string text = reportText(stage_, session_.drawnFrame(), times) + "command   " + commandLine() + "\n";
+        std::string text = reportText(stage_, session_.drawnFrame(), times) + "command   " +
+                           commandLine(startOf(program_, info_)) + "\n";
         if (!problem.empty()) text += "error     " + problem + "\n";
         return printReport(text + windowText(state) + "demo      " + std::to_string(session_.picturesDrawn()) +
                            " frames drawn" + (session_.playback().playing() ? ", playing\n" : "\n"));
     }
     auto json = nlohmann::ordered_json::parse(reportJson(stage_, session_.drawnFrame(), times));
-    json["command"] = commandLine();
+    json["command"] = commandLine(startOf(program_, info_));
     if (!problem.empty()) json["error"] = problem;
     auto& window = json["window"] = windowJson(state);
     window["demo_frames"] = session_.picturesDrawn();

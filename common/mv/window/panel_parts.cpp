@@ -1,5 +1,6 @@
 #include "mv/window/panel_parts.h"
 #include "mv/demo/controls.h"
+#include "mv/paper/matrix_text.h"
 #include "mv/paper/report.h"
 #include "mv/paper/tables.h"
 
@@ -50,15 +51,14 @@ std::string matrixTip(const std::string& name) {
     return "Takes a point from " + source + " to " + name.substr(0, from) + " coordinates. " + tip;
 }
 
-void showMatrix(const mat4& matrix) {
+void showMatrix(const FrameNotes& notes, const std::string& name, const mat4& matrix) {
     const ImGuiStyle& style = ImGui::GetStyle();
     const float margin = style.FramePadding.x;
     const float left = ImGui::GetCursorPosX() + margin;
     const float step = (ImGui::GetWindowContentRegionMax().x - left - 2 * margin) / 4;
     const float digit = ImGui::CalcTextSize("0").x, point = ImGui::CalcTextSize(".").x;
     const ImVec2 top = ImGui::GetCursorScreenPos();
-    double largest = 0;
-    for (int i = 0; i < 16; ++i) largest = std::max(largest, std::abs(matrix[i / 4][i % 4]));
+    const double largest = largestEntry(matrix);
     std::array<std::size_t, 4> after{};  // of each column, the longest part from the point on
     for (int column = 0; column < 4; ++column) {
         for (int row = 0; row < 4; ++row) {
@@ -76,7 +76,10 @@ void showMatrix(const mat4& matrix) {
             // One in the form 1e+06 is as long as the column is wide: it goes to its right end.
             const bool longForm = cell.text.find('e') != std::string::npos;
             rightAligned(cell.text, left + step * float(column + 1) - (longForm ? 0 : missing));
-            tooltip(numberText(matrix[column][row] + 0.0));  // exactly
+            notePlace(name + " " + std::to_string(row) + std::to_string(column));
+            if (!ImGui::IsItemHovered()) continue;
+            const std::string made = entryInWords(notes.matrices, name, row, column);
+            tooltip(numberText(matrix[column][row] + 0.0) + (made.empty() ? "" : "\n" + made));  // exactly
         }
     }
     ImGui::PopStyleVar();
@@ -239,16 +242,27 @@ bool showComparison(Demo& demo, Comparison& comparison, Gui& gui) {
     return comparison.on() ? showCompared(comparison) : chooseComparison(demo, comparison, gui);
 }
 
-void showMatrices(const FrameNotes& notes) {
+std::string showMatrices(const FrameNotes& notes) {
+    std::string copied;
     for (const auto& [name, matrix] : notes.matrices) {
         ImGui::PushID(name.c_str());
         const bool open =
             ImGui::TreeNodeEx(name.c_str(), ImGuiTreeNodeFlags_DefaultOpen | ImGuiTreeNodeFlags_NoTreePushOnOpen |
                                                 ImGuiTreeNodeFlags_SpanAvailWidth);
         tooltip(matrixTip(name));
-        if (open) showMatrix(matrix);
+        if (open) {
+            showMatrix(notes, name, matrix);
+            ImGui::TextColored(color::dim, "copy as");
+            for (const auto& [label, form] :
+                 {std::pair{"text", MatrixForm::text}, {"LaTeX", MatrixForm::latex}, {"C++", MatrixForm::cpp}}) {
+                ImGui::SameLine();
+                if (ImGui::SmallButton(label)) copied = matrixText(name, matrix, form);
+                notePlace(name + " as " + label);
+            }
+        }
         ImGui::PopID();
     }
+    return copied;
 }
 
 void showPasses(int done, int passes) {

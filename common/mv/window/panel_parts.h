@@ -21,8 +21,9 @@ void showReadouts(const Demo& demo, const Comparison& comparison);
 // The knob to compare, and how the two are shown. True when the picture is to be drawn anew.
 bool showComparison(Demo& demo, Comparison& comparison, Gui& gui);
 
-// Live tables of the matrices, laid out as on paper.
-void showMatrices(const FrameNotes& notes);
+// Live tables of the matrices, laid out as on paper; the mouse on an entry shows what it is made of. Returns what is to go to
+// the clipboard, "" for nothing.
+std::string showMatrices(const FrameNotes& notes);
 
 // Play, pause, step, speed, and which frame. True when another frame is to be shown.
 bool showTime(Session& session, float scale);

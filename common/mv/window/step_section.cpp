@@ -14,14 +14,17 @@ std::string sizeText(int width, int height) { return std::to_string(width) + " x
 
 }  // namespace
 
-bool StepSection::show() {
+bool StepSection::show(const std::optional<glm::ivec2>& pixel) {
     const float width = ImGui::GetContentRegionAvail().x;
     if (!session_.until()) {
         buffers_.clear();
         picture_ = -1;
         const bool pressed = button("Step through the draws", {width, 0});
         tooltip("stops the frame after one of its draws, and shows what that draw is made of; or --until K");
-        if (pressed) session_.stopAfter(1);
+        if (pressed) {
+            session_.setSamples(0);
+            session_.stopAfter(1);
+        }
         return pressed;
     }
     if (!session_.steps()) {  // no setting has made a picture yet
@@ -37,7 +40,7 @@ bool StepSection::show() {
     }
     if (session_.error().empty()) {
         showDraw(steps);
-        showBuffers(steps);
+        showBuffers(steps, pixel);
     }
     return moved;
 }
@@ -80,7 +83,7 @@ void StepSection::showDraw(const FrameSteps& steps) const {
     for (const std::string& call : draw.state) wrapped(color::dim, call);
 }
 
-void StepSection::showBuffers(const FrameSteps& steps) {
+void StepSection::showBuffers(const FrameSteps& steps, std::optional<glm::ivec2> pixel) {
     if (picture_ != session_.picturesDrawn()) {
         picture_ = session_.picturesDrawn();
         buffers_.clear();
@@ -97,6 +100,7 @@ void StepSection::showBuffers(const FrameSteps& steps) {
         color::heading,
         "Buffers of " + (shown.isPicture ? "the picture" : shown.target + ", " + sizeText(shown.width, shown.height)));
     const float width = ImGui::GetContentRegionAvail().x;
+    std::optional<glm::ivec2> inBuffer;
     for (std::size_t i = 0; i < buffers_.size(); ++i) {
         const BufferPicture& buffer = shown.buffers[i];
         wrapped(color::dim, buffer.name + ": " + buffer.range);
@@ -104,7 +108,26 @@ void StepSection::showBuffers(const FrameSteps& steps) {
         const float side = std::min(width, width * float(buffers_[i].width()) / float(buffers_[i].height()));
         ImGui::Image(buffers_[i].imguiId(), {side, side * float(buffers_[i].height()) / float(buffers_[i].width())});
         notePlace("buffer " + buffer.name);
+        if (!ImGui::IsItemHovered()) continue;
+        const ImVec2 low = ImGui::GetItemRectMin(), size = ImGui::GetItemRectSize(), at = ImGui::GetMousePos();
+        inBuffer = glm::ivec2(int((at.x - low.x) / size.x * float(buffer.picture.width)),
+                              int((at.y - low.y) / size.y * float(buffer.picture.height)));
     }
+
+    // What a pixel of them has: of a buffer below, or of the picture where it is theirs
+    if (inBuffer) pixel = inBuffer;
+    if (!shown.isPicture && !inBuffer) pixel.reset();
+    std::string values;
+    for (const BufferPicture& buffer : shown.buffers) {
+        const std::string value = pixel ? valueAt(buffer, pixel->x, pixel->y) : "";
+        if (!value.empty()) values += "\n" + buffer.name + " " + value;
+    }
+    if (values.empty())
+        wrapped(color::dim, "The mouse over one of them shows what a pixel has.");
+    else
+        wrapped("pixel " + std::to_string(pixel->x) + ", " + std::to_string(pixel->y) + " from the upper left" +
+                values);
+    notePlace("pixel values");
 }
 
 }  // namespace mv

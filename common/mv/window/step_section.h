@@ -1,9 +1,11 @@
 // The panel's part that stops the frame after one of its draws, and shows what that draw is made of.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "mv/host/context.h"
+#include "mv/math/types.h"
 #include "mv/show/session.h"
 #include "mv/window/thumbnail.h"
 
@@ -12,13 +14,13 @@ namespace mv {
 class StepSection {
   public:
     StepSection(const Context& context, Session& session) : context_(context), session_(session) {}
-    // True when the picture is to be drawn anew.
-    bool show();
+    // `pixel`: that of the picture under the mouse, from its upper left corner. True when the picture is to be drawn anew.
+    bool show(const std::optional<glm::ivec2>& pixel);
 
   private:
     bool showSlider(const FrameSteps& steps);
     void showDraw(const FrameSteps& steps) const;
-    void showBuffers(const FrameSteps& steps);
+    void showBuffers(const FrameSteps& steps, std::optional<glm::ivec2> pixel);
 
     const Context& context_;
     Session& session_;
