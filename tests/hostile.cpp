@@ -336,6 +336,14 @@ TEST(Hostile, studies) {
     expectRefusal(blocked, "out/study.csv: could not be written, Is a directory");
     EXPECT_EQ(blocked.err.find("study 1/"), std::string::npos) << "nothing was measured before: " << blocked.err;
     fs::remove_all(folder / "out");
+    // Ended while it measures, it leaves nothing, not even the folder.
+    const ProcessResult ended = runShell("ulimit -c 0; " + program("cube-shadows") +
+                                             " --study a/b --headless=osmesa 2>err & "
+                                             "while ! grep -q '^study' err && kill -0 $!; do sleep 0.01; done; "
+                                             "kill -USR1 $!; wait $!",
+                                         folder.path().string());
+    EXPECT_EQ(ended.status, 128 + SIGUSR1) << fileText(folder.file("err"));
+    EXPECT_FALSE(fs::exists(folder / "a"));
     const ProcessResult still = runShell("exec timeout 200 " + program("pipeline") + " --study out --vary offset=1",
                                          folder.path().string(), {"LD_PRELOAD=" MVGL_STILL_CLOCK});
     expectRefusal(still, "clock: must not stand still while something is timed");

@@ -13,4 +13,7 @@ inline bool clampsOffsetAtCorners() { return onSoftpipe(); }
 // It reads a footprint that is longer than the texture from the smallest levels, however narrow it is.
 inline bool blursLongFootprints() { return onSoftpipe(); }
 
+// It sets points up to an eighth of a pixel off, so that some are set in the pixel beside theirs.
+inline bool placesPointsCoarsely() { return onSoftpipe(); }
+
 }  // namespace mv::test

@@ -470,16 +470,28 @@ Varied variedBy(const DemoInfo& info, const std::vector<KnobSetting>& knobs, con
     return varied;
 }
 
+// Those that were not there, the innermost first.
+static std::vector<std::filesystem::path> makeFolder(const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> made;
+    std::error_code failure;
+    for (std::filesystem::path path = folder; !path.empty() && !std::filesystem::exists(path, failure);
+         path = path.parent_path())
+        made.push_back(path);
+    std::filesystem::create_directories(folder, failure);
+    if (failure) throw Error(folder.string(), "could not be made", failure.message());
+    return made;
+}
+
 void study(const Command& command) {
     const DemoInfo& info = *command.demo;
     Study wanted = studyOf(info, command.knobs, command.vary);
     if (command.width) wanted.width = command.width;
     if (command.height) wanted.height = command.height;
     if (command.frameGiven) wanted.frame = command.firstFrame;
-    std::error_code failure;
-    std::filesystem::create_directories(command.folder, failure);
-    if (failure) throw Error(command.folder, "could not be made", failure.message());
+    // Ask before what takes minutes whether there is a place for it. Who ends the study meanwhile finds nothing left.
+    const std::vector<std::filesystem::path> made = makeFolder(command.folder);
     for (const char* file : {"/study.csv", "/study.json", "/study.svg"}) requireWritable(command.folder + file);
+    for (const std::filesystem::path& folder : made) std::filesystem::remove(folder);
 
     HeadlessStage headless(command.host);
     headless.stage.open(info, wanted.width, wanted.height);
@@ -491,6 +503,7 @@ void study(const Command& command) {
 
     std::cout << studyTable(run) << std::flush;
     if (!std::cout) throw Error("standard output", "could not be written");
+    makeFolder(command.folder);
     writeFileAtomically(command.folder + "/study.csv", std::string_view(studyCsv(run)));
     const bool anyOk = std::any_of(run.rows.begin(), run.rows.end(), [](const StudyRow& row) { return row.ok(); });
     if (!anyOk) throw Error(info.name, "must have a setting that can be measured; the reasons are in the table above");
