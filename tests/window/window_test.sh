@@ -532,6 +532,21 @@ clipboard() { # a copied line works where the window was opened from, pasted as 
     copied="cube-cull " pasted cube-cull
 }
 
+matrices() { # go to the clipboard; and smooth edges are in the copied line and in the picture's file
+    start 'mvgl: cube-cull' "$cubeCull" --size 500x1000
+    at 700 500 && turn 5 5 # the panel is longer than the window is high
+    clickOn "viewFromModel as LaTeX"
+    equal "LaTeX" '\begin{bmatrix}' "$("$(dirname "$launcher")/clipboard" | head -1)"
+    clickOn "viewFromModel as C++"
+    equal "C++" 'const glm::dmat4 viewFromModel(  // column by column' "$("$(dirname "$launcher")/clipboard" | head -1)"
+    clickOn "smooth edges"
+    awaitReport command "$cubeCull --size 500x1000 --multisample 4"
+    press s
+    awaitReport samples 4
+    quit
+    sameAsHeadless cube-cull-1.png
+    equal "the line that the file tells" "$cubeCull --size 500x1000 --multisample 4" "$("$cubeCull" --from cube-cull-1.png --copyable)"
+}
 error() {
     start 'mvgl: cube-cull' "$cubeCull" --z-dist -0.2
     screenshot "$state/before.ppm"
@@ -1239,7 +1254,7 @@ case $case in
     storm) stormOfProbe ;;
     storm.*) stormOf "${case#storm.}" ;;
     motion.*) motion "${case#motion.}" ;;
-    opens | keys | keyboard | undo | sweep | whole | one_by_one | held | slider | preset | typed | choice | wheel | drag | hand | replay | save | clipboard | error | torn | twice | density | paused | memory | reload | idle | steps | study | bound | measure | drop | vanish)
+    opens | keys | keyboard | undo | sweep | whole | one_by_one | held | slider | preset | typed | choice | wheel | drag | hand | replay | save | clipboard | matrices | error | torn | twice | density | paused | memory | reload | idle | steps | study | bound | measure | drop | vanish)
         "$case"
         ;;
     *) fail "there is no case '$case'" ;;
