@@ -92,7 +92,7 @@ void drawTable(Drawing& drawing, const Settings& s, const Pane& pane, double uni
     double y = pane.height - 8 * unit;
     const auto say = [&](const std::string& words, const vec4& color) {
         drawing.text({12 * unit, y}, words, style(unit, color));
-        y -= 20 * unit;
+        y -= std::max(20 * unit, leastWords + 3.0);
     };
     say("Light at the red mark", red);
     for (std::size_t i = 0; i < lightCount; ++i) {

@@ -132,9 +132,11 @@ mat4 clipFromWorld(const View& view, const Pane& pane) {
     return clipFromView(view, pane.aspect()) * view.viewFromWorld;
 }
 
+// All of the house is seen in a narrow pane, too.
+double halfShown(const View& view, double aspect) { return view.half * std::max(1.0, 1.1 / aspect); }
+
 mat4 clipFromView(const View& view, double aspect) {
-    // All of the house is seen in a narrow pane, too
-    const double half = view.half * std::max(1.0, 1.1 / aspect), near = view.distance - reach;
+    const double half = halfShown(view, aspect), near = view.distance - reach;
     if (view.isParallel()) return ortho(-half * aspect, half * aspect, -half, half, -2 * reach, 2 * reach);
     if (view.shift == 0) return infinitePerspective(2 * degrees(std::atan(half / view.distance)), aspect, near);
     const double top = near * half / view.distance;

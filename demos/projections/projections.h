@@ -61,6 +61,7 @@ FourViews axonometricViews(const Settings& s);
 FourViews obliqueViews(const Settings& s);
 FourViews vanishingViews(const Settings& s);
 mat4 clipFromWorld(const View& view, const Pane& pane);
+double halfShown(const View& view, double aspect);  // half the height that a pane shows, metres
 mat4 clipFromView(const View& view, double aspect);
 
 // Measurements of a picture: study.cpp. `drawn` is the image of a metre along each axis, in pixels, and `length` the length of

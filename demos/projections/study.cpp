@@ -12,7 +12,7 @@ namespace mv::projections {
 // picture.
 Axes measuredAxes(const View& view, const Pane& pane) {
     const mat4 clip = clipFromWorld(view, pane);
-    const double metre = pane.height / (2 * view.half);  // px
+    const double metre = pane.height / (2 * halfShown(view, pane.aspect()));  // px
     Axes axes{};
     for (int axis = 0; axis < 3; ++axis) {
         const vec2 drawn = vec2(clip[axis]) * vec2(pane.width, pane.height) / 2.0;

@@ -85,7 +85,8 @@ void drawCandidates(Drawing& drawing, const Pane& pane, const std::vector<CastCa
                     const std::vector<CastKind>& shown, const TextStyle& words) {
     drawing.in(pane);
     const double line = std::max(1.0, (pane.height - 12.0) / 8.5);
-    TextStyle style{std::clamp(static_cast<int>(line * 0.85), 6, words.height), castInk, vec4(0)};
+    const int fitting = std::min(static_cast<int>(line * 0.85), pane.width / 17);  // a row is 17 heights long
+    TextStyle style{std::clamp(fitting, 6, words.height), castInk, vec4(0)};
     double top = pane.height - 4.0;
     const auto write = [&](const std::string& order, const std::string& name, const std::string& t, const vec4& color) {
         style.color = color;

@@ -233,13 +233,15 @@ whole() { # full screen, and larger words
 
 one_by_one() { # pixels of a line that has fewer than the knob allows
     start 'mvgl: rasterizer' "$(dirname "$cubeCull")/rasterizer" --size 800x1000
-    equal "step at the start" 999 "$(reported step)"
+    equal "step at the start" 10 "$(reported step)"
+    press Left Left Right
+    awaitReport step 9
+    press Right Right Right Right Right Right Right Right Right
+    awaitReport step 18
+    press Right
+    awaitReport step 999
     press Left
     awaitReport step 18
-    press Left Left Right
-    awaitReport step 17
-    press Right Right
-    awaitReport step 999
     local left top right bottom
     IFS=, read -r left top right bottom <<<"${values["at step"]}"
     at $(((${left%.*} + ${right%.*}) / 2)) $(((${top%.*} + ${bottom%.*}) / 2)) && click
@@ -532,6 +534,21 @@ clipboard() { # a copied line works where the window was opened from, pasted as 
     copied="cube-cull " pasted cube-cull
 }
 
+matrices() { # go to the clipboard; and smooth edges are in the copied line and in the picture's file
+    start 'mvgl: cube-cull' "$cubeCull" --size 500x1000
+    at 700 500 && turn 5 5 # the panel is longer than the window is high
+    clickOn "viewFromModel as LaTeX"
+    equal "LaTeX" '\begin{bmatrix}' "$("$(dirname "$launcher")/clipboard" | head -1)"
+    clickOn "viewFromModel as C++"
+    equal "C++" 'const glm::dmat4 viewFromModel(  // column by column' "$("$(dirname "$launcher")/clipboard" | head -1)"
+    clickOn "smooth edges"
+    awaitReport command "$cubeCull --size 500x1000 --multisample 4"
+    press s
+    awaitReport samples 4
+    quit
+    sameAsHeadless cube-cull-1.png
+    equal "the line that the file tells" "$cubeCull --size 500x1000 --multisample 4" "$("$cubeCull" --from cube-cull-1.png --copyable)"
+}
 error() {
     start 'mvgl: cube-cull' "$cubeCull" --z-dist -0.2
     screenshot "$state/before.ppm"
@@ -1239,7 +1256,7 @@ case $case in
     storm) stormOfProbe ;;
     storm.*) stormOf "${case#storm.}" ;;
     motion.*) motion "${case#motion.}" ;;
-    opens | keys | keyboard | undo | sweep | whole | one_by_one | held | slider | preset | typed | choice | wheel | drag | hand | replay | save | clipboard | error | torn | twice | density | paused | memory | reload | idle | steps | study | bound | measure | drop | vanish)
+    opens | keys | keyboard | undo | sweep | whole | one_by_one | held | slider | preset | typed | choice | wheel | drag | hand | replay | save | clipboard | matrices | error | torn | twice | density | paused | memory | reload | idle | steps | study | bound | measure | drop | vanish)
         "$case"
         ;;
     *) fail "there is no case '$case'" ;;
