@@ -370,8 +370,9 @@ TEST(Rasterizer, as_thick) {
     run.preset("thick").picture();
     EXPECT_GT(run.readout("differs"), 20);
     EXPECT_NEAR(run.readout("as-thick"), 5 * std::sqrt(0.5), 0.4);
+    // (Another driver has another grid: at most each fourth pixel of the outline, which is twice the line, 12 across and 12 up.)
     run.set("thicken", "across").picture();
-    EXPECT_LE(run.readout("differs"), 3);
+    EXPECT_LE(run.readout("differs"), onLlvmpipe() ? 3 : 0.25 * 2 * std::hypot(12, 12));
 }
 
 TEST(Rasterizer, circle_nearest) {
