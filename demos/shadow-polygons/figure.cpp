@@ -1,9 +1,12 @@
 // Beside the scene of shadow-polygons: the sphere round the light with what is on it, or the table of all pairs.
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <glm/geometric.hpp>
 #include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "mv/demo/handle.h"
 #include "mv/geometry/closest.h"

@@ -1,9 +1,11 @@
 // The polygons of shadow-polygons, and the camera.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <random>
 #include <string>
+#include <utility>
 
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"

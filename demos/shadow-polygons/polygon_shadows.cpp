@@ -72,7 +72,7 @@ std::vector<vec3> shadowOn(const Receiver& receiver, const FlatPolygon& caster) 
     std::vector<vec3> corners;
     for (const vec4& corner : shadow) corners.push_back(receiver.origin + vec3(corner) / corner.w);
     if (corners.size() < 3 || !(polygonArea(corners) > 1e-14 * receiver.area)) return {};
-    if (glm::dot(doubleAreaOf(corners), receiver.normal) < 0) std::ranges::reverse(corners);
+    if (glm::dot(doubleAreaOf(corners), receiver.normal) < 0) std::reverse(corners.begin(), corners.end());
     return corners;
 }
 

@@ -2,6 +2,7 @@
 // clipped there. Which pairs are projected is found on a sphere round the light.
 #pragma once
 #include <array>
+#include <compare>
 #include <cstddef>
 #include <optional>
 #include <vector>

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <optional>
 #include <utility>
 
 #include "mv/demo/seen.h"
@@ -93,7 +94,7 @@ static vec3 normalOf(const std::vector<vec3>& corners) {
 // Add a polygon as triangles with its front towards the light.
 void addPolygon(MeshData& mesh, const FlatPolygon& polygon, const vec3& light) {
     std::vector<vec3> corners = polygon.corners;
-    if (glm::dot(normalOf(corners), light - corners[0]) < 0) std::ranges::reverse(corners);
+    if (glm::dot(normalOf(corners), light - corners[0]) < 0) std::reverse(corners.begin(), corners.end());
     addFan(mesh, corners, normalOf(corners), polygon.color);
 }
 

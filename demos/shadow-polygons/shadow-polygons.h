@@ -1,5 +1,7 @@
 #pragma once
 #include <cstddef>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "mv/demo/frame.h"
