@@ -24,7 +24,8 @@ constexpr Declaration about{
     .background = vec4(0, 0, 0, 1),
     .needs = {.depth = true,
               .beyondEs = {{"float targets", "falsely-dark, falsely-lit and pixels-asked are not measured"}}},
-    .waste = {{"outside-view", "draw of 'light'", "the light's ball is drawn sooner than asked for"},
+    .waste = {{"outside-view", "draw of 'cube'", "what is behind a projector goes into its map sooner than asked for"},
+              {"outside-view", "draw of 'light'", "the light's ball is drawn sooner than asked for"},
               {"no-sample", "draw of 'floor'",
                "the map's pass draws the whole scene, and culling leaves the floor out"}},
 };
@@ -102,8 +103,7 @@ const Settings projector{.scene = Which::stillLife,
                          .fov = 30,
                          .windowWidth = 3,
                          .windowHeight = 2.4,
-                         .slide = Slide::thrown,
-                         .showMap = false};
+                         .slide = Slide::thrown};
 
 std::vector<SettingsPreset<Settings>> presets() {
     return {
@@ -149,7 +149,6 @@ std::vector<SettingsPreset<Settings>> presets() {
           .windowWidth = 3,
           .windowHeight = 2.4,
           .slide = Slide::alsoBehind,
-          .showMap = false,
           .orbit = {.distance = 4}}},
     };
 }
