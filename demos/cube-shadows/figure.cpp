@@ -17,6 +17,7 @@ namespace mv::cube_shadows {
 MeshData painted(MeshData mesh, const vec3& color) {
     mesh.colors.assign(mesh.positions.size(), fvec4(color, 1));
     mesh.normals.clear();
+    mesh.texCoords.clear();
     return mesh;
 }
 MeshData lampShape() { return painted(sphere(0.12, 32, 16), {1, 0.6, 0}); }

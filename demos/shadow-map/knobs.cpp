@@ -24,6 +24,7 @@ constexpr Declaration about{
     .background = vec4(0, 0, 0, 1),
     .needs = {.depth = true,
               .beyondEs = {{"float targets", "falsely-dark, falsely-lit and pixels-asked are not measured"}}},
+    .waste = {{"outside-view", "draw of 'cube'", "what is behind a projector goes into its map sooner than asked for"},
     .waste = {{"outside-view", "draw of 'light'", "the light's ball is drawn sooner than asked for"},
               {"no-sample", "draw of 'light's frustum'", "from below the casters none of its edges is in the picture"},
               {"outside-view", "draw of 'ball'", "it hangs above the picture, and only its shadow is seen"},
@@ -117,8 +118,7 @@ const Settings projector{.scene = Which::stillLife,
                          .fov = 30,
                          .windowWidth = 3,
                          .windowHeight = 2.4,
-                         .slide = Slide::thrown,
-                         .showMap = false};
+                         .slide = Slide::thrown};
 
 std::vector<SettingsPreset<Settings>> presets() {
     return {
@@ -164,7 +164,6 @@ std::vector<SettingsPreset<Settings>> presets() {
           .windowWidth = 3,
           .windowHeight = 2.4,
           .slide = Slide::alsoBehind,
-          .showMap = false,
           .orbit = {.distance = 4}}},
         {"overhead",
          "A ball of six sides throws a polygon; cords thinner than a texel throw rows of dashes.",

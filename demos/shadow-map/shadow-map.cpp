@@ -62,7 +62,7 @@ static vec2 spotCosines(const Settings& s) {
 
 // Pass 2: draw the scene as the eye sees it. The shader looks each point up in the map.
 void drawPicture(Gpu& gpu, const Settings& s, const Scene& scene, const LightView& light) {
-    const Program& program = gpu.program;
+    const Program& program = *gpu.program;
     program.use();
     gpu.map.bind(1, s.filter == Filter::none ? DepthLookup::compareNearest : DepthLookup::compareLinear);
     program.set("map", 1);

@@ -42,7 +42,8 @@ struct Settings {
 };
 
 struct Gpu {
-    Program program{"shadow-map"}, depthProgram{"shadow-map", "depth"};
+    Program depthProgram{"shadow-map", "depth"};
+    OnDemand<Program> program{"shadow-map"};
     SceneMeshes meshes{SceneMeshes::Surface::textured};  // the floor has squares
     OnDemand<Program> slideProgram{"shadow-map", "slide"};
     Texture slide;

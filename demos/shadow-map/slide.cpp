@@ -16,6 +16,7 @@ void drawSlide(Gpu& gpu, const Settings& s, const Scene& scene, const LightView&
     program.set("taps", looksAlong(s.filter));
     program.set("bias", s.bias);
     program.set("light", lightOf(s));
+    program.set("checkered", s.scene == Which::sphereAndCube);
     program.set("alsoBehind", s.slide == Slide::alsoBehind);
     for (const auto& [object, mesh] : gpu.meshes.of(scene)) {
         program.set("clipFromObject", scene.clipFromWorld() * object.worldFromObject);

@@ -33,6 +33,9 @@ constexpr Declaration about{
     .width = 600,
     .height = 600,
     .needs = {.depth = true},
+    .waste = {{"repeated-pass", "pass into 'left eye'", "what two pictures cost in every frame is the lesson"},
+              {"repeated-pass", "pass into 'right eye'", "what two pictures cost in every frame is the lesson"},
+              {"unused-buffer", "depth of 'stereocube'", "a still life has depths in each eye's own picture"}},
 };
 
 std::vector<Row<Hypercube>> hypercubeRows() {

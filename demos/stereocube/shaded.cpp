@@ -11,9 +11,11 @@ namespace mv::stereocube {
 // Draw a picture for each eye, then make one of both, since a channel may need the colours of both eyes.
 void drawAnaglyph(Gpu& gpu, const Settings& s, const Eye& left, const Eye& right, const Frame& frame) {
     const auto paper = float(s.background == Paper::white);
+    glEnable(GL_DEPTH_TEST);
+    glClearColor(paper, paper, paper, 1);
     for (const auto& [eye, target] : {std::pair(&left, &gpu.ofLeft), std::pair(&right, &gpu.ofRight)}) {
-        if (!target->fit(frame.width(), frame.height(), {.depth = true, .texture = true}, "eye")) target->bind();
-        glClearColor(paper, paper, paper, 1);
+        const char* const name = eye == &left ? "left eye" : "right eye";
+        if (!target->fit(frame.width(), frame.height(), {.depth = true, .texture = true}, name)) target->bind();
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         drawSurfaces(gpu, s, *eye);
     }

@@ -20,18 +20,18 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     frame.show("clipFromRight", right.clipFromEye);
     frame.show("worldFromModel", worldFromModelOf(s));
 
+    if (isShaded(s) && !isBeside(s)) return drawAnaglyph(gpu, s, left, right, frame);  // shaded.cpp
+
     // Clear the picture before a mask is set, since the mask holds for glClear, too
     const auto paper = float(s.background == Paper::white);
     glClearColor(paper, paper, paper, 1);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glEnable(GL_DEPTH_TEST);
 
-    if (isShaded(s) && !isBeside(s)) return drawAnaglyph(gpu, s, left, right, frame);
-
     // Draw both pictures. The left eye looks through the red filter and sees the red channel, so the left picture is the
     // one that changes red
     if (!isShaded(s) && gpu.wireFor.changed(s.shape, s.four)) gpu.wire = Mesh(wireOf(s), "cube");
-    if (!isShaded(s)) gpu.program.use();
+    if (!isShaded(s)) gpu.program->use();
     const auto drawColored = s.colors == Colors::lines ? drawLines : drawMasked;
     const auto drawPictures = isBeside(s) ? drawBeside : drawColored;
     drawPictures(gpu, s, left, right, frame);
@@ -73,12 +73,12 @@ void drawBeside(Gpu& gpu, const Settings& s, const Eye& left, const Eye& right, 
 void drawWire(Gpu& gpu, const Settings& s, const Eye& eye, const vec4& color, const FrameInfo& frame) {
     const bool isOneOpen = s.eyes == Eyes::left || s.eyes == Eyes::right;
     if (isOneOpen && s.eyes != eye.which) return;
-    gpu.program.set("color", color);
+    gpu.program->set("color", color);
     // OpenGL's lines are one pixel wide: draw a wider one as several, side by side
     const Pane pane = paneOf(s, frame, 0);
     for (const vec2& pixels : penOf(s.lineWidth)) {
         const mat4 moved = translate(2 * pixels.x / pane.width, 2 * pixels.y / pane.height, 0);
-        gpu.program.set("clipFromModel", moved * eye.clipFromEye * eye.eyeFromWorld * worldFromModelOf(s));
+        gpu.program->set("clipFromModel", moved * eye.clipFromEye * eye.eyeFromWorld * worldFromModelOf(s));
         gpu.wire.draw();
     }
 }

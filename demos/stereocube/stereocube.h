@@ -49,7 +49,7 @@ struct Settings {
 };
 
 struct Gpu {
-    Program program{"stereocube"};
+    OnDemand<Program> program{"stereocube"};
     Mesh wire;
     MadeFor<Shape, Hypercube> wireFor;
     // Of a still life: its surfaces, a picture for each eye, and what makes one of both

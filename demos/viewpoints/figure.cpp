@@ -86,6 +86,7 @@ static void drawCameras(Drawing& drawing, const Settings& s, const Car& car, con
                         const Pane& pane) {
     const vec4 chosenColor(0.80, 0.30, 0, 1), upColor(0, 0.35, 0.65, 1);
     const int size = std::clamp(pane.height / 24, 8, 22);
+    const bool hasWords = pane.height >= 100;  // else the numbers would lie over each other
     const auto pixel = [&](const vec3& place) {
         return pixelFromNdc(ndcFromClip(clipFromWorld * vec4(place, 1)), pane.width, pane.height);
     };
@@ -105,14 +106,15 @@ static void drawCameras(Drawing& drawing, const Settings& s, const Car& car, con
             const double reach = view < 3 || view == 8 ? 90 : 45;
             drawing.arrow(from, pixel(eye - reach * back), {color, 3});
             drawing.arrow(from, pixel(eye + 0.55 * reach * up), {upColor, 3});
-            drawing.textAround(pixel(eye + 0.75 * reach * up), "up", {size, upColor, vec4(0)});
+            if (hasWords) drawing.textAround(pixel(eye + 0.75 * reach * up), "up", {size, upColor, vec4(0)});
         } else if (!isOfCar) {
             drawing.arrow(from, pixel(eye - 45.0 * back), {color, 1.2});
         }
         drawing.point(label, 1.5 * size + 2, ink);
         drawing.point(label, 1.5 * size, isChosen ? chosenColor : vec4(1));
-        drawing.textAround(label, std::to_string(view + 1), {size, isChosen ? vec4(1) : ink, vec4(0)});
+        if (hasWords) drawing.textAround(label, std::to_string(view + 1), {size, isChosen ? vec4(1) : ink, vec4(0)});
     }
+    if (!hasWords) return;
     drawing.text({6, pane.height - 4.0},
                  "nine cameras; below, what number " + std::to_string(int(s.view) + 1) + " sees", {size, ink, vec4(0)});
 }

@@ -96,7 +96,7 @@ void drawSkyAndGround(Gpu& gpu, const mat4& viewFromWorld, const mat4& clipFromV
     gpu.program.set("isBox", false);
     gpu.program.set("clipFromView", clipFromView);
     gpu.program.set("viewFromModel", viewFromWorld * rotateX(90) * scale(1e5, 1, 1e5));
-    gpu.ground.draw();
+    gpu.ground->draw();
     glEnable(GL_DEPTH_TEST);
 }
 

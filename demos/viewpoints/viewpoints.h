@@ -4,6 +4,7 @@
 #include "mv/geometry/shapes.h"
 #include "mv/gl/drawing.h"
 #include "mv/gl/mesh.h"
+#include "mv/gl/on_demand.h"
 #include "mv/gl/program.h"
 
 namespace mv::viewpoints {
@@ -23,7 +24,8 @@ struct Settings {
 
 struct Gpu {
     Program program{"viewpoints"};
-    Mesh track{ringStrip(90, 110, 100), "track"}, ground{positionsOnly(square()), "ground"};
+    Mesh track{ringStrip(90, 110, 100), "track"};
+    OnDemand<Mesh> ground{positionsOnly(square()), "ground"};  // where there is a sky
     MeshData plainCube = colorCube();
     Mesh cube;
     Drawing drawing;

@@ -8,10 +8,12 @@ uniform int taps;  // looks along a side: 1, 3, 5 or 7
 uniform float bias;
 uniform vec4 light;  // world space, homogeneous
 uniform vec3 color;
+uniform bool checkered;
 uniform bool alsoBehind;
 
 in vec3 worldPoint;
 in vec3 worldNormal;
+in vec2 uv;
 in vec4 onMap;
 
 // What the slide lets through to this point. Behind the projector w is below 0, and the division alone would throw the picture there,
@@ -26,6 +28,8 @@ vec3 thrown() {
 void main() {
     float unshadowed = litPcf(map, onMap, bias, taps);
     vec3 normal = normalize(worldNormal);
-    vec3 dark = shade(color, worldPoint, normal, light, 0.0), lit = shade(color, worldPoint, normal, light, unshadowed);
+    vec3 surface = checkered && mod(floor(8.0 * uv.x) + floor(8.0 * uv.y), 2.0) == 1.0 ? 0.8 * color : color;
+    vec3 dark = shade(surface, worldPoint, normal, light, 0.0);
+    vec3 lit = shade(surface, worldPoint, normal, light, unshadowed);
     show(mix(dark, lit, thrown()), unshadowed, facesLight(worldPoint, light));
 }

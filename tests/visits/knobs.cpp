@@ -106,7 +106,6 @@ TEST_P(Visits, ends_without_what_a_context_may_lack) {
 
 // Knobs that change no picture on purpose.
 const std::set<std::string> unseen{
-    "cube-ortho distance",   // which is the lesson: a parallel view does not depend on it
     "shadow-map keep",       // what is kept is what would be drawn again
     "shadow-lights keep",    // the same
     "shadow-methods keep",   // the same
