@@ -1,5 +1,5 @@
-// Asks for the demo of a page once the picture in its place is on the screen, which all its files would make later; and then for all of
-// them at once, instead of each by the one before. Where it does not come, the page says so. (A script of the old kind: a page in a
+// Asks for the demo of a page once the picture in its place is there, which all its files would make later, and then for all of them at
+// once, instead of each by the one before; and begins it when the picture is on the screen. Where it does not come, the page says so. (A script of the old kind: a page in a
 // frame without an origin of its own gets no modules.)
 'use strict';
 
@@ -22,10 +22,12 @@
   say(word('coming'));
   setTimeout(() => coming.isConnected && coming.className === 'loading' && say(word('comingSlowly')), 10_000);
   box.addEventListener('mvgl-still', ({ detail }) => still(detail));
-  await box.querySelector('.shown').decode().catch(() => {});
-  await new Promise((shown) => requestAnimationFrame(() => setTimeout(shown)));
+  const shown = box.querySelector('.shown');
+  if (!shown.complete) await new Promise((come) => ['load', 'error'].forEach((event) => shown.addEventListener(event, come, { once: true })));
   const early = (given) => document.head.append(Object.assign(document.createElement('link'), given));
   for (const file of parts.split(' ')) early({ rel: 'modulepreload', href: up + file });
   early({ rel: 'preload', href: `${up}mvgl.wasm`, as: 'fetch', type: 'application/wasm', crossOrigin: '' });
+  await shown.decode().catch(() => {});
+  await new Promise((painted) => requestAnimationFrame(() => setTimeout(painted)));
   import(`${up}live.js`).catch((error) => still(error.message));
 })();

@@ -47,6 +47,35 @@ export const loadedBy = (site) =>
   });
 export const mostLoaded = 3.5 * 1.6e6 / 8;
 
+// The bytes of the largest function of a WebAssembly module: a browser compiles a function when it is first called, and the one that
+// is called first of all has what is made before anybody asks for it.
+export function largestFunction(bytes) {
+  let at = 8;
+  const number = () => {
+    for (let value = 0, factor = 1; ; factor *= 128) {
+      const byte = bytes[at++];
+      value += (byte & 127) * factor;
+      if (byte < 128) return value;
+    }
+  };
+  while (at < bytes.length) {
+    const section = bytes[at++], size = number(), end = at + size;
+    if (section !== 10) {
+      at = end;
+      continue;
+    }
+    let largest = 0;
+    for (let left = number(); left > 0; --left) {
+      const body = number();
+      largest = Math.max(largest, body);
+      at += body;
+    }
+    return largest;
+  }
+  throw new Error('a module without code');
+}
+export const largestAllowed = 64_000; // all lessons, made at once, were 257 KB
+
 // Chromium's name here, or undefined.
 export const chromium = ['chromium', 'chromium-browser', 'google-chrome'].find((name) => !spawnSync(name, ['--version']).error);
 

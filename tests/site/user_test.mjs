@@ -3,7 +3,7 @@
 import fs from 'node:fs';
 import path from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { browserOf, counted, equal, expect, loadedBy, made, mostLoaded, opened as openedIn, served, skipUnlessBuilt } from './support.mjs';
+import { browserOf, counted, equal, expect, largestAllowed, largestFunction, loadedBy, made, mostLoaded, opened as openedIn, served, skipUnlessBuilt } from './support.mjs';
 
 const [source, program, build] = process.argv.slice(2);
 skipUnlessBuilt(build);
@@ -528,6 +528,9 @@ await page.close();
 
 const loaded = loadedBy(site).reduce((sum, { brotli }) => sum + brotli, 0);
 expect(loaded <= mostLoaded, `what a page loads, in brotli: at most ${mostLoaded} bytes, ${loaded}`);
+
+const largest = largestFunction(fs.readFileSync(path.join(site, 'mvgl.wasm')));
+expect(largest <= largestAllowed, `the largest function of the module: at most ${largestAllowed} bytes, ${largest}: lessons are made when they are asked for`);
 
 // ---- without WebGL, and from a disk: pictures and a sentence
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "mv/demo/chapters.h"
+#include "mv/demo/lesson.h"
 #include "mv/demo/read_number.h"
 
 namespace mv {
@@ -212,16 +213,6 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-const std::vector<DemoInfo>& catalogue() {
-    for (const auto& measured : measures()) {
-        const std::string& name = measured.first;
-        const bool known =
-            std::any_of(demos().begin(), demos().end(), [&](const DemoInfo& info) { return info.name == name; });
-        if (!known) throw Error("study of " + name, "must measure a demo of this program");
-    }
-    return demos();
-}
-
 bool addStudy(const std::string& name, Study study) {
     if (measures()[name].study) throw Error("study of " + name, "must be added once");
     measures()[name].study = std::move(study);
@@ -244,15 +235,32 @@ void addProbedReadouts(Demo& demo, std::string_view name) {
     }
 }
 
-bool addDemo(const Declaration& declaration, std::vector<Preset> presets, std::string page,
-             std::function<std::unique_ptr<Demo>()> make) {
-    DemoInfo info{declaration, std::move(presets), std::move(page)};
+namespace {
+
+// Parts that nobody has asked for yet, by the names of the demos.
+std::map<std::string, std::function<DemoParts()>>& unmadeParts() {
+    static std::map<std::string, std::function<DemoParts()>> all;
+    return all;
+}
+
+void giveParts(DemoInfo& info, DemoParts parts) {
+    info.presets = std::move(parts.presets);
     checkPresets(info);
-    info.make = [make = std::move(make), name = info.name] {
+    info.make = [make = std::move(parts.make), name = info.name] {
         std::unique_ptr<Demo> demo = make();
         addProbedReadouts(*demo, name);
         return demo;
     };
+}
+
+void completeDemo(DemoInfo& info) {
+    const auto found = unmadeParts().find(info.name);
+    if (found == unmadeParts().end()) return;
+    giveParts(info, found->second());
+    unmadeParts().erase(found);
+}
+
+bool addInOrder(DemoInfo info) {
     auto& all = demos();
     for (const DemoInfo& other : all) {
         if (other.name == info.name) throw Error("demo " + info.name, "must be added once");
@@ -265,11 +273,39 @@ bool addDemo(const Declaration& declaration, std::vector<Preset> presets, std::s
     return true;
 }
 
+}  // namespace
+
+bool addDemo(const Declaration& declaration, std::vector<Preset> presets, std::string page,
+             std::function<std::unique_ptr<Demo>()> make) {
+    DemoInfo info{declaration, {}, std::move(page)};
+    giveParts(info, {std::move(presets), std::move(make)});
+    return addInOrder(std::move(info));
+}
+
+bool addDemoWhenAsked(const Declaration& about, std::string page, std::function<DemoParts()> parts) {
+    addInOrder({about, {}, std::move(page)});
+    unmadeParts()[about.name] = std::move(parts);
+    return true;
+}
+
+const std::vector<DemoInfo>& catalogue() {
+    for (DemoInfo& info : demos()) completeDemo(info);
+    for (const auto& measured : measures()) {
+        const std::string& name = measured.first;
+        const bool known =
+            std::any_of(demos().begin(), demos().end(), [&](const DemoInfo& info) { return info.name == name; });
+        if (!known) throw Error("study of " + name, "must measure a demo of this program");
+    }
+    return demos();
+}
+
 const DemoInfo& findDemo(std::string_view name) {
     std::vector<std::string> names;
-    for (const DemoInfo& info : catalogue()) {
-        if (info.name == name) return info;
+    for (DemoInfo& info : demos()) {
         names.push_back(info.name);
+        if (info.name != name) continue;
+        completeDemo(info);
+        return info;
     }
     throw Error("'" + std::string(name) + "'",
                 "is no demo of this program (--list shows them)" + suggestion(name, names));

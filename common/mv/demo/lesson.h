@@ -10,6 +10,7 @@
 // The comments on a Demo's functions of these names (mv/demo/demo.h) hold for a lesson's; addLesson() makes a Demo of
 // it.
 #pragma once
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -219,19 +220,32 @@ class LessonDemo final : public Demo {
     Kept made_{};
 };
 
-// Adds a lesson to the catalogue; called at file scope by its knobs.cpp. Its page is demos/NAME/NAME.md. Error: as
-// addDemo(), or a preset with a value outside of its row's range.
+// What a demo is made of, beside its declaration.
+struct DemoParts {
+    std::vector<Preset> presets;
+    std::function<std::unique_ptr<Demo>()> make;
+};
+// Adds a demo whose parts are made when somebody asks for it by findDemo() or for all by catalogue(), which tell then what addDemo()
+// would refuse in its presets.
+bool addDemoWhenAsked(const Declaration& about, std::string page, std::function<DemoParts()> parts);
+
 template <class Settings, class Gpu, class Kept>
-bool addLesson(const Declaration& about, Lesson<Settings, Gpu, Kept> lesson) {
+DemoParts partsOf(Lesson<Settings, Gpu, Kept> lesson) {
     using Made = LessonDemo<Settings, Gpu, Kept>;
     const auto shared = std::make_shared<const Lesson<Settings, Gpu, Kept>>(std::move(lesson));
     std::vector<Preset> presets;
     for (const auto& preset : shared->presets)
         presets.push_back(
             {preset.name, preset.lookFor, changedKnobs(Made(shared), Made(shared, preset.settings)), preset.expect});
-    return addDemo(about, std::move(presets), "demos/" + about.name + "/" + about.name + ".md",
-                   [shared] { return std::unique_ptr<Demo>(new Made(shared)); });
+    return {std::move(presets), [shared] { return std::unique_ptr<Demo>(new Made(shared)); }};
 }
+
+// Adds a lesson to the catalogue; called at file scope by its knobs.cpp. Its page is demos/NAME/NAME.md. Error: as
+// addDemo(), or a preset with a value outside of its row's range. (A macro, so that what stands in the call is made when the lesson is
+// asked for: a page has all of them and shows one.)
+#define addLesson(about, ...)                                                     \
+    addDemoWhenAsked(about, "demos/" + (about).name + "/" + (about).name + ".md", \
+                     [] { return mv::partsOf(__VA_ARGS__); })
 
 // The settings of a demo that is a lesson: what its study and its probes compute with. Error: it has settings of another
 // type.
