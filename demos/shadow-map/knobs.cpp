@@ -25,7 +25,7 @@ constexpr Declaration about{
     .needs = {.depth = true,
               .beyondEs = {{"float targets", "falsely-dark, falsely-lit and pixels-asked are not measured"}}},
     .waste = {{"outside-view", "draw of 'cube'", "what is behind a projector goes into its map sooner than asked for"},
-    .waste = {{"outside-view", "draw of 'light'", "the light's ball is drawn sooner than asked for"},
+              {"outside-view", "draw of 'light'", "the light's ball is drawn sooner than asked for"},
               {"no-sample", "draw of 'light's frustum'", "from below the casters none of its edges is in the picture"},
               {"outside-view", "draw of 'ball'", "it hangs above the picture, and only its shadow is seen"},
               {"outside-view", "draw of 'cord #'", "it hangs above the picture, and only its shadow is seen"},
