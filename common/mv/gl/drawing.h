@@ -31,8 +31,8 @@ class Drawing {
   public:
     // Nothing is collected yet; the pane is the whole picture.
     void begin(const Frame& frame);
-    // What follows is in this pane of frame.inUnits(), x and y in units from its lower left corner; what is beyond its edges is cut off,
-    // but for words.
+    // What follows is in this pane of frame.inUnits(), x and y in units from its lower left corner; what is beyond its edges
+    // is cut off, but for words.
     void in(const Pane& pane);
 
     void line(std::span<const vec2> points, const Stroke& stroke = {});
@@ -44,8 +44,8 @@ class Drawing {
     void point(const vec2& at, double size, const vec4& color);
     // The same where the pane's projection draws a point in space, whatever is before it; nothing at or behind the eye.
     void point(const mat4& clipFromModel, const vec3& at, double size, const vec4& color);
-    // Words whose box has its upper left corner there, smaller, down to 8 px, where they would end beyond the pane's right
-    // edge. Or words at a point in space, moved so far in pixels from where it is drawn, or whose middle is there: these
+    // Words whose box has its upper left corner there, smaller, down to leastWords (word_size.h), where they would end beyond
+    // the pane's right edge. Or words at a point in space, moved so far in units from where it is drawn, or whose middle is there: these
     // keep their size. Of all words draw() leaves out what the picture's edge would cut off, and what would lie over words
     // of an earlier call: a small picture has its shapes, and the words that fit.
     void text(const vec2& upperLeft, const std::string& words, const TextStyle& style = {});
