@@ -9,11 +9,12 @@
 #include <map>
 #include <utility>
 
-#include "mv/error.h"
+#include "mv/formatted.h"
 #include "mv/gl/buffers_by_shader.h"
 #include "mv/gl/layer.h"
 #include "mv/gl/state.h"
 #include "mv/gl/state_names.h"
+#include "mv/gl/text.h"
 
 namespace mv {
 namespace {
@@ -74,7 +75,7 @@ std::string valueAt(const BufferPicture& buffer, int x, int y) {
     const std::size_t first = each * pixelIndex(x, picture.height - 1 - y, picture.width);
     std::string text;
     for (std::size_t i = 0; i < std::min<std::size_t>(each, 3); ++i)
-        text += (i == 0 ? "" : " ") + numberText(double(buffer.values[first + i]));
+        text += (i == 0 ? "" : " ") + formatted("%.9g", double(buffer.values[first + i]));
     return text;
 }
 

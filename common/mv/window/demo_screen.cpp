@@ -105,8 +105,7 @@ PictureInWindow DemoScreen::pictureInWindow() const {
 std::optional<glm::ivec2> DemoScreen::pixelUnderMouse() const {
     const ImVec2 mouse = ImGui::GetMousePos();
     if (!ImGui::IsMousePosValid() || !overPicture(double(mouse.x))) return {};
-    const vec2 place = pictureInWindow().pixel(double(mouse.x), double(mouse.y));
-    return glm::ivec2(int(place.x), stage_.front().height() - 1 - int(place.y));
+    return glm::ivec2(vec2(mouse.x, mouse.y) * window_.size().pixelsPerUnit());
 }
 
 void DemoScreen::moveDivider(double x) {

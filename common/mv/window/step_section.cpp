@@ -99,24 +99,17 @@ void StepSection::showBuffers(const FrameSteps& steps, std::optional<glm::ivec2>
     wrapped(
         color::heading,
         "Buffers of " + (shown.isPicture ? "the picture" : shown.target + ", " + sizeText(shown.width, shown.height)));
-    const float width = ImGui::GetContentRegionAvail().x;
-    std::optional<glm::ivec2> inBuffer;
-    for (std::size_t i = 0; i < buffers_.size(); ++i) {
-        const BufferPicture& buffer = shown.buffers[i];
-        wrapped(color::dim, buffer.name + ": " + buffer.range);
-        if (buffer.picture.rgba.empty()) continue;
-        const float side = std::min(width, width * float(buffers_[i].width()) / float(buffers_[i].height()));
-        ImGui::Image(buffers_[i].imguiId(), {side, side * float(buffers_[i].height()) / float(buffers_[i].width())});
-        notePlace("buffer " + buffer.name);
-        if (!ImGui::IsItemHovered()) continue;
-        const ImVec2 low = ImGui::GetItemRectMin(), size = ImGui::GetItemRectSize(), at = ImGui::GetMousePos();
-        inBuffer = glm::ivec2(int((at.x - low.x) / size.x * float(buffer.picture.width)),
-                              int((at.y - low.y) / size.y * float(buffer.picture.height)));
-    }
-
     // What a pixel of them has: of a buffer below, or of the picture where it is theirs
-    if (inBuffer) pixel = inBuffer;
-    if (!shown.isPicture && !inBuffer) pixel.reset();
+    if (!shown.isPicture) pixel.reset();
+    const ImVec2 at = ImGui::GetMousePos();
+    for (std::size_t i = 0; i < placed_.size() && i < shown.buffers.size(); ++i) {
+        const auto& [left, top, right, bottom] = placed_[i];
+        if (at.x < left || at.y < top || at.x >= right || at.y >= bottom || !ImGui::IsWindowHovered()) continue;
+        const Picture& picture = shown.buffers[i].picture;
+        pixel = glm::ivec2(int((at.x - left) / (right - left) * float(picture.width)),
+                           int((at.y - top) / (bottom - top) * float(picture.height)));
+    }
+    placed_.assign(buffers_.size(), {});
     std::string values;
     for (const BufferPicture& buffer : shown.buffers) {
         const std::string value = pixel ? valueAt(buffer, pixel->x, pixel->y) : "";
@@ -128,6 +121,17 @@ void StepSection::showBuffers(const FrameSteps& steps, std::optional<glm::ivec2>
         wrapped("pixel " + std::to_string(pixel->x) + ", " + std::to_string(pixel->y) + " from the upper left" +
                 values);
     notePlace("pixel values");
+    const float width = ImGui::GetContentRegionAvail().x;
+    for (std::size_t i = 0; i < buffers_.size(); ++i) {
+        const BufferPicture& buffer = shown.buffers[i];
+        wrapped(color::dim, buffer.name + ": " + buffer.range);
+        if (buffer.picture.rgba.empty()) continue;
+        const float side = std::min(width, width * float(buffers_[i].width()) / float(buffers_[i].height()));
+        ImGui::Image(buffers_[i].imguiId(), {side, side * float(buffers_[i].height()) / float(buffers_[i].width())});
+        notePlace("buffer " + buffer.name);
+        const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+        placed_[i] = {low.x, low.y, high.x, high.y};
+    }
 }
 
 }  // namespace mv

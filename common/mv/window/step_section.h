@@ -1,5 +1,6 @@
 // The panel's part that stops the frame after one of its draws, and shows what that draw is made of.
 #pragma once
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,6 +27,7 @@ class StepSection {
     Session& session_;
     long picture_ = -1;  // the session's picture that the buffers below are of
     std::vector<Thumbnail> buffers_;
+    std::vector<std::array<float, 4>> placed_;  // where they stood in the last frame: left, top, right, bottom
 };
 
 }  // namespace mv
