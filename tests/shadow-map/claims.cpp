@@ -446,13 +446,13 @@ Thrown judgeSlide(DemoRun& run, bool behind) {
 
 TEST(ShadowMap, slide_projector) {
     DemoRun run("shadow-map");
-    run.preset("slide-behind").set("slide", "thrown").set("show-frustum", "off");
+    run.preset("slide-behind").set("slide", "thrown").set("show-frustum", "off").set("show-map", "off");
     const Thrown thrown = judgeSlide(run, false);
     EXPECT_GT(thrown.right, 150);
     // Beside the edges of shadows and stripes a point may fall to either side
     EXPECT_LE(thrown.wrong, thrown.right / 50);
     // In shadow there is ambient light alone, at most 0.3 of the lightest colour there, 0.93
-    run.preset("slide-projector").set("show-frustum", "off").set("filter", "none");
+    run.preset("slide-projector").set("show-frustum", "off").set("show-map", "off").set("filter", "none");
     const Picture still = run.picture();
     const std::vector<float> lit = stage().measure(1);
     long dark = 0, bright = 0;
@@ -474,7 +474,7 @@ TEST(ShadowMap, slide_projector) {
 
 TEST(ShadowMap, reverse_projection) {
     DemoRun run("shadow-map");
-    run.preset("slide-behind").set("show-frustum", "off");
+    run.preset("slide-behind").set("show-frustum", "off").set("show-map", "off");
     const Thrown reversed = judgeSlide(run, true);
     EXPECT_GT(reversed.right, 300);
     EXPECT_LE(reversed.wrong, reversed.right / 50);
