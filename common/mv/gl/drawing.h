@@ -45,9 +45,9 @@ class Drawing {
     // The same where the pane's projection draws a point in space, whatever is before it; nothing at or behind the eye.
     void point(const mat4& clipFromModel, const vec3& at, double size, const vec4& color);
     // Words whose box has its upper left corner there, smaller, down to leastWords (word_size.h), where they would end beyond
-    // the pane's right edge. Or words at a point in space, moved so far in units from where it is drawn, or whose middle is there: these
-    // keep their size. Of all words draw() leaves out what the picture's edge would cut off, and what would lie over words
-    // of an earlier call: a small picture has its shapes, and the words that fit.
+    // the pane's right edge. Or words at a point in space, moved so far in units from where it is drawn, or whose middle is
+    // there: these keep their size. Of all words draw() leaves out what the picture's edge would cut off, and what would lie
+    // over words of an earlier call: a small picture has its shapes, and the words that fit.
     void text(const vec2& upperLeft, const std::string& words, const TextStyle& style = {});
     void text(const mat4& clipFromModel, const vec3& at, const vec2& moved, const std::string& words,
               const TextStyle& style = {});
