@@ -33,12 +33,6 @@ bool isProduct(const mat4& whole, const mat4& a, const mat4& b) {
 
 }  // namespace
 
-double largestEntry(const mat4& matrix) {
-    double largest = 0;
-    for (int i = 0; i < 16; ++i) largest = std::max(largest, std::abs(matrix[i / 4][i % 4]));
-    return largest;
-}
-
 std::string matrixText(const std::string& name, const mat4& matrix, MatrixForm form) {
     const char* const between = form == MatrixForm::latex ? " & " : form == MatrixForm::cpp ? ", " : "\t";
     const char* const after = form == MatrixForm::latex ? " \\\\\n" : form == MatrixForm::cpp ? ",\n" : "\n";

@@ -1,5 +1,7 @@
 // The report of a drawn frame, as text or as JSON.
 #pragma once
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -9,7 +11,11 @@
 namespace mv {
 
 // The largest size of any entry.
-double largestEntry(const mat4& matrix);
+inline double largestEntry(const mat4& matrix) {
+    double largest = 0;
+    for (int i = 0; i < 16; ++i) largest = std::max(largest, std::abs(matrix[i / 4][i % 4]));
+    return largest;
+}
 
 // 0 for what is left of roundings beside the largest number that it stands with; never -0.
 inline double withoutRounding(double value, double largest) {
