@@ -1,5 +1,6 @@
 // The stages of the graphics pipeline: their names in OpenGL and in Direct3D, and what goes through them.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <string>
@@ -63,8 +64,14 @@ void drawHeadings(Drawing& drawing, const FrameInfo& frame, bool isWater, bool c
 
 // The pane below a line of words at its upper edge, for which it gives up 32 pixels; all of it where it has not twice that.
 inline Pane belowHeading(const FrameInfo& frame, std::size_t side) {
-    const Pane pane = frame.inUnits().panes(2)[side];
-    return frame.fromUnits({pane.x, pane.y, pane.width, pane.height < 64 ? pane.height : pane.height - 32});
+    const std::vector<Pane> panes = frame.inUnits().panes(2);
+    const auto below = [&](const Pane& pane) {
+        return frame.fromUnits({pane.x, pane.y, pane.width, pane.height < 64 ? pane.height : pane.height - 32});
+    };
+    // Of one width, whatever becomes of the units' fractions: the two are compared pixel by pixel
+    Pane own = below(panes[side]);
+    own.width = std::min(below(panes[0]).width, below(panes[1]).width);
+    return own;
 }
 
 }  // namespace mv

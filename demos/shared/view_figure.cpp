@@ -98,9 +98,10 @@ void drawViewFigure(Drawing& drawing, const Program& program, const Mesh& cube, 
                     const Frame& frame) {
     const Pane volume = volumePane(frame), clip = cubePane(frame), picture = picturePane(frame);
     const mat4 outside = outsideFromView(figure, volume), fromClip = paneFromClip(clip);
-    drawCube(program, cube, outside, figure.viewFromModel, volume);
-    drawCube(program, cube, fromClip * figure.clipFromView, figure.viewFromModel, clip);
-    glViewport(0, 0, frame.width(), frame.height());
+    drawCube(program, cube, outside, figure.viewFromModel, frame.pixels(volume));
+    drawCube(program, cube, fromClip * figure.clipFromView, figure.viewFromModel, frame.pixels(clip));
+    const Pane all = frame.pixels({0, 0, frame.width(), frame.height()});
+    glViewport(all.x, all.y, all.width, all.height);
 
     const int size = std::clamp(frame.height() / 42, 7, 18);
     const TextStyle words{size, ink, vec4(0)};

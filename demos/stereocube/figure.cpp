@@ -67,7 +67,7 @@ bool hasPlan(const Settings& s) { return s.plan && !isBeside(s) && !isShaded(s);
 // From above, the eyes on the left: the farthest corner, a line from each eye to it, and how far these are apart on the screen.
 void drawPlan(Gpu& gpu, const Settings& s, const FrameInfo& frame) {
     const std::vector<vec3> points = pointsOf(s);
-    const vec3 corner = *std::ranges::max_element(points, {}, [](const vec3& at) { return at.z; });
+    const vec3 corner = *std::ranges::max_element(points, [](const vec3& a, const vec3& b) { return a.z < b.z; });
     const double ahead = corner.z - s.zDist;
     if (ahead < near) return;
     const double unit = 0.36 * frame.width() / std::max({ahead, s.convergence, 1.0});

@@ -99,8 +99,8 @@ TEST_F(Lectures, a_sentence_is_measured_where_no_study_has_it) {
     EXPECT_NE(study.find("measured here: "), std::string::npos) << study;
     EXPECT_NE(study.find("MAD "), std::string::npos) << study;
     const std::string pictures =
-        printedBy(printVersus, {"cube-cull", "--size", "40x30", "--versus", "cull=back,front"});
-    EXPECT_TRUE(pictures.starts_with("cull back takes ")) << pictures;
+        printedBy(printVersus, {"cube-ortho", "--preset", "turned", "--size", "40x30", "--versus", "volume=on,off"});
+    EXPECT_TRUE(pictures.starts_with("volume on takes ")) << pictures;
     EXPECT_EQ(pictures.find("another in 0 %"), std::string::npos) << pictures;
     EXPECT_NE(pictures.find("by no study of what is right"), std::string::npos) << pictures;
 }
@@ -116,7 +116,7 @@ TEST_F(Lectures, a_plot_is_of_one_scene) {
               "--plot: must name one scene, as 'cube on plane=FILE.svg'; there are: cube on plane, still life");
     EXPECT_NE(refusal(writePlot, {"shadow-methods", "--plot", "moon=" + file}).find("must name a scene"),
               std::string::npos);
-    EXPECT_NE(refusal(writePlot, {"cube-cull", "--plot", file}).find("needs a demo with a study"), std::string::npos);
+    EXPECT_NE(refusal(writePlot, {"cube-ortho", "--plot", file}).find("needs a demo with a study"), std::string::npos);
 }
 
 // By a program that stands for ffmpeg: it keeps the bytes that it is given, or fails.

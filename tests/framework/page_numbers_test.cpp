@@ -222,7 +222,7 @@ TEST(PageNumbers, studies_are_read_from_the_tree) {
     ASSERT_EQ(runs.size(), 2U);
     EXPECT_EQ(runs[0].demo, "shadow-map");
     EXPECT_EQ(drawerOf(runs[1].renderer), Drawer::gpu);
-    EXPECT_TRUE(studiesInTree(MVGL_SOURCE_DIR, "cube-cull").empty());
+    EXPECT_TRUE(studiesInTree(MVGL_SOURCE_DIR, "cube-ortho").empty());
     const std::vector<std::string> pages = pagesWithNumbers(MVGL_SOURCE_DIR);
     EXPECT_NE(std::find(pages.begin(), pages.end(), "docs/shadows-compared.md"), pages.end());
     EXPECT_NE(std::find(pages.begin(), pages.end(), "demos/z-buffer/z-buffer.md"), pages.end());

@@ -273,9 +273,8 @@ TEST(GpuStages, three_domains) {
 
 TEST(GpuStages, light_is_scattered) {
     DemoRun run("gpu-stages");
-    stage().resize(640, 352);
     const Picture picture = run.preset("compute").set("kernel", "caustics").picture();
-    constexpr int width = 319, height = 320, left = 320;  // of the right pane, below its heading
+    constexpr int width = 479, height = 528, left = 480;  // of the right pane, below its heading
     // The same rays in double
     std::vector<double> counts(static_cast<std::size_t>(width * height), 0);
     const auto slope = [](const vec2& from, double f) {

@@ -129,7 +129,8 @@ isReported() { [ "$(reported "$1")" = "$2" ]; }
 keyboard() { # all of the panel without a mouse
     start 'mvgl: cube-cull' "$cubeCull"
     press Tab # there are no handles: to the panel
-    await "the focus in the panel" isFocused "section Presets"
+    await "the focus in the panel" isFocused Lesson
+    goTo "section Presets"
     screenshot "$state/focus.ppm"
     atLeast "pixels of the frame round what the keys are at" "$(convert "$state/focus.ppm" -fuzz 8% -fill white \
         -opaque 'rgb(255,204,89)' -fill black +opaque white -format '%[fx:mean*w*h]' info:)" 300
@@ -155,7 +156,7 @@ keyboard() { # all of the panel without a mouse
     press Tab Tab
     awaitReport hovered "far plane"
     press Tab
-    await "the focus in the panel" isFocused "section Presets"
+    await "the focus in the panel" isFocused Lesson
     press F6
     awaitReport focused ""
     quit
@@ -275,9 +276,9 @@ slider() {
     # The bar runs from -10 to 10 over some 220 pixels; 60 right of its middle is between 4 and 7.
     atLeast "z-dist" "$(reported z-dist)" 4
     atMost "z-dist" "$(reported z-dist)" 7
-    start 'mvgl: cube-cull' "$cubeCull" --z-dist 3 --cull none
+    start 'mvgl: cube-cull' "$cubeCull" --z-dist 3 --cull none --size 600x900
     clickOn "Reset all"
-    awaitReport command "$cubeCull"
+    awaitReport command "$cubeCull --size 600x900"
     quit
     # A bar of many decades: its middle is the middle of them, its upper end the last one, and its lower end is 0.
     start 'mvgl: pipeline' "$(dirname "$cubeCull")/pipeline" --size 400x900
@@ -536,7 +537,7 @@ clipboard() { # a copied line works where the window was opened from, pasted as 
 
 matrices() { # go to the clipboard; and smooth edges are in the copied line and in the picture's file
     start 'mvgl: cube-cull' "$cubeCull" --size 500x1000
-    at 700 500 && turn 5 5 # the panel is longer than the window is high
+    at 700 500 && turn 5 12 # the panel is longer than the window is high
     clickOn "viewFromModel as LaTeX"
     equal "LaTeX" '\begin{bmatrix}' "$("$(dirname "$launcher")/clipboard" | head -1)"
     clickOn "viewFromModel as C++"
