@@ -194,7 +194,7 @@ TEST_F(Gl, includes_that_are_no_code_are_not_followed) {
     };
     EXPECT_EQ(toldOf("#ifdef NOT_DEFINED\n" + none + "#endif\n"), "no error");
     const std::string told = toldOf("#ifndef NOT_DEFINED\n" + none + "#endif\n");
-    EXPECT_TRUE(has(told, "may.frag:2: ") && has(told, "includes a file that is not in shaders/include, 'none.glsl'"))
+    EXPECT_TRUE(has(told, "may.frag:2: ") && has(told, "includes a file that is not in shaders/include, or came there"))
         << told;
     // A file with a guard may include itself.
     addShaderFile("include/guarded.glsl", "#ifndef GUARD\n#define GUARD\n#include \"guarded.glsl\"\n#endif\n", "");

@@ -32,7 +32,6 @@ MeshData triangle() {
 class Undefined : public testing::Test {
   protected:
     void SetUp() override {
-        stage();
         restoreInitialState();
         target = Target(8, 8, {.depth = true}, "target");
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -55,7 +54,7 @@ class Undefined : public testing::Test {
 
     Target target;
     Mesh mesh;
-    const Program white = reading("", "vec4(1.0)");
+    const Program white = (stage(), reading("", "vec4(1.0)"));  // a program needs a context
     const Program image = reading("uniform sampler2D image;\n", "texture(image, vec2(0.5))");
     const Program shadow = reading("uniform sampler2DShadow map;\n", "vec4(texture(map, vec3(0.5)))");
 };

@@ -114,7 +114,6 @@ const std::set<std::string> unseen{
     "mirror leave-out",      // what is left out is not seen
     "displacement cull",     // the same
     "lights ask",            // lights that are off, or reach nothing, give nothing
-    "path pieces",           // a digit of the length, in words for which pictures as small as these have no room
     "springs confirm",       // a line of words, likewise
     "gpu-stages direct3d",   // names of stages, likewise
     "color-models written",  // numbers in words, likewise

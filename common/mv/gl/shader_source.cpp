@@ -270,7 +270,10 @@ class Assembly {
         }
         // The compiler tells the mistake if it does not skip the line.
         const std::string rule =
-            found != shaderFiles().end() ? "must not include itself" : "includes a file that is not in shaders/include";
+            found != shaderFiles().end()
+                ? "must not include itself"
+                : "includes a file that is not in shaders/include, or came there after the program "
+                  "was built (./run builds it anew)";
         const std::string& shownName = source_.files[place.file];
         if (reading_.isConditional()) {
             addLine("#error " + rule + ", '" + included + "'", place);

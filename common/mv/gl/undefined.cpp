@@ -376,7 +376,7 @@ class UndefinedWatch {
                 return faultHere("the framebuffer is not complete");
             written = imagesOf(GL_DRAW_FRAMEBUFFER, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         }
-        checkUniforms(program, written, !drawsPixels || writesColors(own, written));
+        checkUniforms(program, written, drawsPixels && writesColors(own, written));
         checkAttributes(vertices());
         if (!own || !drawsPixels) return;
         GLbitfield reads = 0, writes = GL_COLOR_BUFFER_BIT;
@@ -394,7 +394,7 @@ class UndefinedWatch {
     }
 
     // ---- uniforms
-    // Where only depths or stencil values are written, the fragments' colour need not be known.
+    // Where only depths or stencil values are written, or nothing is rasterized, the fragments' colour need not be known.
     static bool writesColors(bool own, const std::vector<Image>& written) {
         std::array<GLint, 4> mask{};
         below.GetIntegerv(GL_COLOR_WRITEMASK, mask.data());
