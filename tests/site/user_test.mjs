@@ -186,19 +186,19 @@ const edit = (from, to) => page.$eval('.shaders textarea', (area, a, b) => {
   area.value = area.value.replace(a, b);
   area.dispatchEvent(new Event('input'));
 }, from, to);
-await edit('fragColor = vertexColor;', 'fragColor = vertexColour;');
+await edit('vertexColor.rgb', 'vertexColour.rgb');
 await page.waitForSelector('.mistakes button');
-expect(/^shaders\/cube-cull\/cube-cull\.frag:4: .*vertexColour/.test(await text(page, '.mistakes button')), `a typo at its line: ${await text(page, '.mistakes')}`);
-equal(await text(page, '.numbers .is-wrong'), '4\n', 'its line is marked');
+expect(/^shaders\/cube-cull\/cube-cull\.frag:5: .*vertexColour/.test(await text(page, '.mistakes button')), `a typo at its line: ${await text(page, '.mistakes')}`);
+equal(await text(page, '.numbers .is-wrong'), '5\n', 'its line is marked');
 equal(await sumOf(page), unedited, 'the last good shader stays');
-await edit('vertexColour;', 'vertexColor.brga;');
+await edit('vertexColour.rgb', 'vertexColor.brg');
 await page.waitForFunction(() => !document.querySelector('.mistakes').textContent);
 expect((await sumOf(page)) !== unedited, 'a shader that compiles is seen');
 await page.evaluate(() => [...document.querySelectorAll('.shaders button')].find((button) => button.textContent === 'Put back').click());
 equal(await sumOf(page), unedited, 'the shader put back');
 // Another file is chosen before what was typed is compiled
 await page.$eval('.shaders textarea', (area) => {
-  area.value = area.value.replace('fragColor = vertexColor;', 'fragColor = vertexColor.brga;');
+  area.value = area.value.replace('vertexColor.rgb', 'vertexColor.brg');
   area.dispatchEvent(new Event('input'));
   const choice = document.querySelector('.shaders select');
   choice.value = 'cube-cull/cube-cull.vert';
@@ -210,7 +210,7 @@ equal(await sumOf(page), unedited, 'it is put back from the other file');
 await page.select('.shaders select', 'cube-cull/cube-cull.frag');
 equal(await page.evaluate(() => location.hash), before, 'shaders are not in the address');
 // What was typed outlives a reload, and is in the link that is copied; a shader that is not in use says so, and is compiled
-await edit('fragColor = vertexColor;', 'fragColor = vec4(0.0, 0.6, 0.2, 1.0);');
+await edit('vertexColor.rgb', 'vec3(0.0, 0.6, 0.2)');
 await page.waitForFunction(() => sessionStorage.getItem('mvgl cube-cull').includes('0.6, 0.2'));
 const flat = await sumOf(page);
 expect(flat !== unedited, 'a shader of one colour is seen');
@@ -410,7 +410,7 @@ page = await opened('cube-cull.is.html#cull=none');
 equal(await page.$eval('html', (root) => root.lang), 'is', 'the language of a page');
 equal(await text(page, '#help-cull'), 'hvaða hliðum á að eyða', "a knob's help");
 equal(await page.$eval('#knob-winding option', (option) => option.title), 'rangsælis á skjánum', "a choice's meaning");
-equal(await text(page, '.knob.is-idle .idle'), 'farið er eins með fram- og bakhliðar', 'why a knob does nothing');
+equal(await text(page, '.knob.is-idle .idle'), 'tekatillinn einn er gerður úr bótum', 'why a knob does nothing');
 equal(await page.$eval('.readouts tr', (one) => one.title), 'hliðar teningsins sem snúa að auganu, af 6', 'what a readout says');
 equal(await text(page, '.compare summary'), 'Bera saman', "the page's own words");
 equal(await text(page, '.panel td'), '3', 'and the number');
