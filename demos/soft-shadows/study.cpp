@@ -72,8 +72,10 @@ Study study() {
         return litReference(scene, frame, options, progress);
     };
     // Turned, so that no row of the reference's points runs along an edge of the caster.
-    study.scenes = {{"cube", {{"lamp-turn", "30"}, {"caster-height", "0"}}},
-                    {"table", {{"scene", "table"}, {"lamp-size", "0.5"}, {"lamp-turn", "30"}, {"caster-height", "0"}}}};
+    study.scenes = {
+        {"cube", {{"lamp-turn", "30"}, {"caster-height", "0"}, {"section", "off"}}},
+        {"table",
+         {{"scene", "table"}, {"lamp-size", "0.5"}, {"lamp-turn", "30"}, {"caster-height", "0"}, {"section", "off"}}}};
     const std::vector<std::string> counts{"1", "4", "16", "64", "256", "1024"};
     const std::vector<std::string> upTo256{counts.begin(), counts.end() - 1};
     study.lines = {{"matrix, float", {{"method", "matrix"}}, "lights", counts},
