@@ -164,6 +164,7 @@ needed() {
 only() {
     sed -i 's/ITEMS one two)/ITEMS one one-more two)/; s/mvgl one one-more two/mvgl one two/; s/\(\$<TARGET_OBJECTS:\)demo-two>/\1demo-one-more> &/' CMakeLists.txt
     sed 's/"one"/"one-more"/' demos/one.cpp >demos/one-more.cpp
+    mkdir demos/one demos/one-more # a demo is a folder
     ./test --only one >out 2>err || fail "./test --only one: $(cat out err)"
     equal "a demo" "one " "$(ran)"
     ./test --only one-more >out 2>err || fail "./test --only one-more: $(cat out err)"

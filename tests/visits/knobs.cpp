@@ -117,8 +117,10 @@ const std::set<std::string> unseen{
     "springs confirm",       // a line of words, likewise
     "gpu-stages direct3d",   // names of stages, likewise
     "color-models written",  // numbers in words, likewise
+    "pipeline far",          // the depth, in words likewise
     "clipping polygon",      // its ends, all corners in one place or on one line, are refused: they are no polygon
     "clipping against",      // the same
+    "clipping offset",       // digits of coordinates, in words for which pictures as small as these have no room
     "texture-map wrap",      // nothing lies beyond 0..1 before reach is set, too
     "ray-cast threads",      // who computes a row changes nothing
     "ray-trace structure",   // who is asked for a triangle, likewise
