@@ -98,7 +98,7 @@ static void writePixel(Drawing& drawing, TextColumn& text, const Settings& s, co
 
 static std::vector<TextLine> scaled(std::vector<TextLine> lines, double scale) {
     if (scale == 1) return lines;
-    if (scale < 0.5) return {};  // nobody could read them
+    if (!(scale >= 0.5)) return {};  // nobody could read them; and a pane of no height has no scale
     for (TextLine& line : lines) {
         line.x = int(line.x * scale);
         line.y = int(line.y * scale);
