@@ -20,14 +20,18 @@ void drawCamera(Gpu& gpu, const Settings& s, const Frame& frame) {
     frame.show("clipFromView", clipFromView);
 
     // Draw the street. Its parts are in an order that needs no depth buffer
+    drawStreet(gpu, pane, clipFromView * viewFromWorld, frame);
+
+    showZoom(gpu.drawing, s, now, frame.inUnits());
+}
+
+void drawStreet(Gpu& gpu, const Pane& pane, const mat4& clipFromWorld, const Frame& frame) {
     glEnable(GL_CULL_FACE);
     glViewport(pane.x, pane.y, pane.width, pane.height);
     gpu.street->program.use();
-    gpu.street->program.set("clipFromWorld", clipFromView * viewFromWorld);
+    gpu.street->program.set("clipFromWorld", clipFromWorld);
     gpu.street->mesh.draw();
     glViewport(0, 0, frame.width(), frame.height());
-
-    showZoom(gpu.drawing, s, now, frame.inUnits());
 }
 
 // The view at a time. The distance goes near, far and near again. The angle is computed from it, or has keys at the same

@@ -20,13 +20,8 @@ void drawFlight(Gpu& gpu, const Settings& s, const Frame& frame) {
 
     // Draw the street into as much of the pane as has the camera's shape
     const Pane pane = shapedPane(leftPane(frame), camera.aspect);
-    glEnable(GL_CULL_FACE);
     glEnable(GL_DEPTH_TEST);
-    glViewport(pane.x, pane.y, pane.width, pane.height);
-    gpu.street->program.use();
-    gpu.street->program.set("clipFromWorld", clipFromView * viewFromWorld);
-    gpu.street->mesh.draw();
-    glViewport(0, 0, frame.width(), frame.height());
+    drawStreet(gpu, pane, clipFromView * viewFromWorld, frame);
     glDisable(GL_DEPTH_TEST);
 
     showFlight(gpu.drawing, s, now, pane, frame);

@@ -79,6 +79,7 @@ struct View {
     double sizeOf(double height, double behind = 0) const;
 };
 void drawCamera(Gpu& gpu, const Settings& s, const Frame& frame);
+void drawStreet(Gpu& gpu, const Pane& pane, const mat4& clipFromWorld, const Frame& frame);
 View viewAt(const DollyZoom& camera, const KeyCurve& curve, double time, Zoom zoomedBy);
 double fovyFor(const DollyZoom& camera, double distance);
 

@@ -61,6 +61,9 @@ std::vector<std::pair<int, int>> differing(const Grid& grid, const std::vector<P
                                            const Picture& glPicture);
 // Below the left picture, under its words: a bar from 0, of a length from -1 to 1, and words.
 void showBar(Gpu& gpu, double length, const Grid& grid, const Frame& frame, const std::string& words);
+// What decides about a line's next pixel, line_figure.cpp: its error as a bar to the right where it is 0 or more, which is up.
+void showDecision(Gpu& gpu, const Line& line, const std::vector<PixelStep>& pixels, const Grid& grid,
+                  const Frame& frame);
 // "19 pixels", or how many of them are set: "10 of 19 pixels".
 std::string countOf(const Grid& grid, std::size_t all);
 // Words below them, and a second line below the left one. Draws all of gpu.drawing.

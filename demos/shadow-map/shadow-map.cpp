@@ -64,15 +64,25 @@ static vec2 spotCosines(const Settings& s) {
 void drawPicture(Gpu& gpu, const Settings& s, const Scene& scene, const LightView& light) {
     const Program& program = *gpu.program;
     program.use();
+    setLookup(gpu, s, program);
+    program.set("eye", vec3(glm::inverse(scene.viewFromWorld)[3]));
+    program.set("spotAxis", glm::normalize(s.target - s.light));
+    program.set("spotCosines", spotCosines(s));
+    drawObjects(gpu, program, scene, light);
+}
+
+// Tell the shader what it compares: the map in unit 1, the bias, and the light.
+void setLookup(Gpu& gpu, const Settings& s, const Program& program) {
     gpu.map.bind(1, s.filter == Filter::none ? DepthLookup::compareNearest : DepthLookup::compareLinear);
     program.set("map", 1);
     program.set("taps", looksAlong(s.filter));
     program.set("bias", s.bias);
     program.set("light", lightOf(s));
-    program.set("eye", vec3(glm::inverse(scene.viewFromWorld)[3]));
-    program.set("spotAxis", glm::normalize(s.target - s.light));
-    program.set("spotCosines", spotCosines(s));
     program.set("checkered", s.scene == Which::sphereAndCube);
+}
+
+// Draw each object with its places in the eye's picture and on the map.
+void drawObjects(Gpu& gpu, const Program& program, const Scene& scene, const LightView& light) {
     for (const auto& [object, mesh] : gpu.meshes.of(scene)) {
         program.set("clipFromObject", scene.clipFromWorld() * object.worldFromObject);
         program.set("mapFromObject", light.mapFromWorld() * object.worldFromObject);

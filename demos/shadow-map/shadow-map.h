@@ -59,6 +59,8 @@ struct Gpu {
 void draw(Gpu& gpu, const Settings& s, const Frame& frame);
 void drawMap(Gpu& gpu, const Settings& s, const Scene& scene, const LightView& light);
 void drawPicture(Gpu& gpu, const Settings& s, const Scene& scene, const LightView& light);
+void setLookup(Gpu& gpu, const Settings& s, const Program& program);
+void drawObjects(Gpu& gpu, const Program& program, const Scene& scene, const LightView& light);
 void drawSlide(Gpu& gpu, const Settings& s, const Scene& scene, const LightView& light);
 Picture slidePicture();
 LightView lightView(const Settings& s, const Scene& scene);

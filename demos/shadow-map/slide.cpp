@@ -4,31 +4,20 @@
 
 namespace mv::shadow_map {
 
-// Pass 2, with a picture in the light's window. What the map says is in shadow gets no light of the slide.
+// Pass 2, with a picture in the light's window. A point that the map says is in shadow gets no light of the slide.
 void drawSlide(Gpu& gpu, const Settings& s, const Scene& scene, const LightView& light) {
     if (gpu.slideFor.changed(true)) gpu.slide = Texture(slidePicture(), GL_NEAREST, "slide");
     const Program& program = *gpu.slideProgram;
     program.use();
     gpu.slide.bind(0);
-    gpu.map.bind(1, s.filter == Filter::none ? DepthLookup::compareNearest : DepthLookup::compareLinear);
     program.set("slide", 0);
-    program.set("map", 1);
-    program.set("taps", looksAlong(s.filter));
-    program.set("bias", s.bias);
-    program.set("light", lightOf(s));
-    program.set("checkered", s.scene == Which::sphereAndCube);
     program.set("alsoBehind", s.slide == Slide::alsoBehind);
-    for (const auto& [object, mesh] : gpu.meshes.of(scene)) {
-        program.set("clipFromObject", scene.clipFromWorld() * object.worldFromObject);
-        program.set("mapFromObject", light.mapFromWorld() * object.worldFromObject);
-        program.set("worldFromObject", object.worldFromObject);
-        program.set("color", object.color);
-        mesh.draw();
-    }
+    setLookup(gpu, s, program);
+    drawObjects(gpu, program, scene, light);
 }
 
-// Stripes of the six colours that have red, green or blue whole or not at all, the left one red and the top one white, so that one sees
-// which way round it is.
+// Stripes of the six colours that have red, green or blue whole or not at all. The left one is red and the top one white: they show
+// which way round the picture is.
 Picture slidePicture() {
     constexpr int side = 64;
     Picture picture(side, side);

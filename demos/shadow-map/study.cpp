@@ -99,10 +99,10 @@ Study study() {
               {ratio(of::count("fragments"), anew.at(4096), anew.at(1024), 10, 16),
                ratio(of::time, anew.at(4096), anew.at(1024), 1.8, 16)}),
         claim("kept",
-              "A kept map draws nothing again: the frame is the same, and takes at most 2.5 times as long, since "
-              "the lookups are spread over more memory.",
+              "A kept map draws nothing again: as many fragments are filled for any resolution, the same pixels are "
+              "wrong, and at 4096 the frame takes less than half of the time, so that drawing the map was most of it.",
               {ratio(of::count("fragments"), kept.at(4096), kept.at(1024), 1, 1), ratio(of::wrong, kept, anew, 1, 1),
-               ratio(of::time, kept.at(4096), kept.at(1024), 0, 2.5)}),
+               ratio(of::time, kept.at(4096), anew.at(4096), 0, 0.5)}),
         claim("fitting",
               "Fitting the frustum leaves at most six in ten of the wrong pixels, nearly what twice the resolution "
               "would do, and takes at most twice as long.",
