@@ -550,6 +550,30 @@ matrices() { # go to the clipboard; and smooth edges are in the copied line and 
     sameAsHeadless cube-cull-1.png
     equal "the line that the file tells" "$cubeCull --size 500x1000 --multisample 4" "$("$cubeCull" --from cube-cull-1.png --copyable)"
 }
+desktop() { # the lesson and the shader go to the user's own programs; where none can be asked, that is said
+    local source
+    source=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+    mkdir programs
+    printf '#!/bin/sh\necho "$1" >>"%s/opened"\n' "$PWD" >programs/xdg-open
+    chmod +x programs/xdg-open
+    local path=$PATH
+    PATH=$PWD/programs:$PATH
+    start 'mvgl: cube-cull' "$cubeCull"
+    clickOn Lesson
+    await "the lesson" lastOpened "$source/demos/cube-cull/cube-cull.md"
+    clickOn "Edit shader"
+    await "the shader" lastOpened "$source/shaders/cube-cull/cube-cull.frag"
+    quit
+    PATH=$path
+    hash -r
+    if ! command -v xdg-open >/dev/null; then
+        start 'mvgl: cube-cull' "$cubeCull"
+        clickOn Lesson
+        awaitReport error "xdg-open: must be installed (package xdg-utils) to open this file, $source/demos/cube-cull/cube-cull.md"
+        quit
+    fi
+}
+lastOpened() { [ "$(tail -n 1 opened 2>/dev/null)" = "$1" ]; }
 error() {
     start 'mvgl: cube-cull' "$cubeCull" --z-dist -0.2
     screenshot "$state/before.ppm"
@@ -1257,7 +1281,7 @@ case $case in
     storm) stormOfProbe ;;
     storm.*) stormOf "${case#storm.}" ;;
     motion.*) motion "${case#motion.}" ;;
-    opens | keys | keyboard | undo | sweep | whole | one_by_one | held | slider | preset | typed | choice | wheel | drag | hand | replay | save | clipboard | matrices | error | torn | twice | density | paused | memory | reload | idle | steps | study | bound | measure | drop | vanish)
+    opens | keys | keyboard | undo | sweep | whole | one_by_one | held | slider | preset | typed | choice | wheel | drag | hand | replay | save | clipboard | matrices | desktop | error | torn | twice | density | paused | memory | reload | idle | steps | study | bound | measure | drop | vanish)
         "$case"
         ;;
     *) fail "there is no case '$case'" ;;
