@@ -217,8 +217,9 @@ TEST(Report, has_readouts_counters_and_matrices) {
     DemoRun run("cube-cull");
     run.picture();
     const std::string text = reportText(stage(), 1, {});
-    for (const char* part : {"cube-cull, frame 1, 600x600", "readout   facing", "(faces of the cube turned towards the eye, of 6)", "2 draws, 12 triangles",
-                             "buffers   color, depth, 0 samples", "matrix    viewFromModel", "cull=back"}) {
+    for (const char* part :
+         {"cube-cull, frame 1, 600x600", "readout   facing", "(faces of the cube turned towards the eye, of 6)",
+          "2 draws, 12 triangles", "buffers   color, depth, 0 samples", "matrix    viewFromModel", "cull=back"}) {
         EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
     }
     const std::string json = reportJson(stage(), 1, {});
