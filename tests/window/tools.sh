@@ -201,10 +201,23 @@ place() {
     IFS=, read -r left top right bottom <<<"${values["at $1"]-}"
     [ -z "$bottom" ] || echo "$(((${left%.*} + ${right%.*}) / 2)) $(((${top%.*} + ${bottom%.*}) / 2))"
 }
+# reach WIDGET: scrolls the panel by the wheel until all of the widget is in the window.
+reach() {
+    local left top right bottom height=${values[size]#*x} previous=
+    while :; do
+        IFS=, read -r left top right bottom <<<"${values["at $1"]-}"
+        [ -n "$bottom" ] || die "no widget '$1' in the report"
+        [ "${top%.*}" -lt 0 ] || [ "${bottom%.*}" -ge "$height" ] || return 0
+        [ "$top" != "$previous" ] || die "'$1' stays out of the window, at $top to $bottom of $height"
+        previous=$top
+        at $(((${left%.*} + ${right%.*}) / 2)) $((height / 2))
+        if [ "${top%.*}" -lt 0 ]; then turn 4 1; else turn 5 1; fi
+    done
+}
 clickOn() { # WIDGET
+    reach "$1"
     local x y
     read -r x y <<<"$(place "$1")"
-    [ -n "$y" ] || die "no widget '$1' in the report"
     at "$x" "$y" && click
 }
 

@@ -514,7 +514,6 @@ save() {
 clipboard() { # a copied line works where the window was opened from, pasted as it is
     pasted() {
         start 'mvgl: cube-cull' "$@" --cull both --size 500x1000
-        at 700 500 && turn 5 5 # the panel is longer than the window is high
         clickOn "Copy command line"
         local line
         line=$("$(dirname "$launcher")/clipboard")
@@ -537,7 +536,6 @@ clipboard() { # a copied line works where the window was opened from, pasted as 
 
 matrices() { # go to the clipboard; and smooth edges are in the copied line and in the picture's file
     start 'mvgl: cube-cull' "$cubeCull" --size 500x1000
-    at 700 500 && turn 5 12 # the panel is longer than the window is high
     clickOn "viewFromModel as LaTeX"
     equal "LaTeX" '\begin{bmatrix}' "$("$(dirname "$launcher")/clipboard" | head -1)"
     clickOn "viewFromModel as C++"
