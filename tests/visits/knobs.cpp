@@ -90,13 +90,15 @@ TEST_P(Visits, ends_without_what_a_context_may_lack) {
             DemoRun run(GetParam());
             drawSmall();
             visitScene("initial");
-            Tried tried;
-            for (const std::string& message : run.messages()) tried.sentences.insert(message);
-            tried.sentences.merge(visitEnds(run).sentences);
-            const bool said = std::any_of(tried.sentences.begin(), tried.sentences.end(), [&](const std::string& one) {
-                return one.find("has no " + lacking.feature) != std::string::npos;
-            });
-            EXPECT_TRUE(said) << "no setting says what it lacks";
+            if (!isLeftToLong()) {
+                Tried tried;
+                for (const std::string& message : run.messages()) tried.sentences.insert(message);
+                tried.sentences.merge(visitEnds(run).sentences);
+                const bool said = std::any_of(
+                    tried.sentences.begin(), tried.sentences.end(),
+                    [&](const std::string& one) { return one.find("has no " + lacking.feature) != std::string::npos; });
+                EXPECT_TRUE(said) << "no setting says what it lacks";
+            }
         }
         EXPECT_FALSE(stopWatchingBeyondEs().contains(lacking.feature));
         withhold({});
@@ -149,7 +151,7 @@ TEST_P(Visits, idle_knobs) {
             if (!reason.empty()) saidIdle.insert(knob->name());
             if (reason.empty() && seen.count(knob->name()) > 0) continue;
             for (const std::string& value : knob->sweep()) {
-                if (value == present) continue;
+                if (value == present || affordable(knob->name(), value) != value) continue;
                 knob->parse(value);
                 const auto after = drawn();
                 ++cases;
@@ -173,7 +175,7 @@ TEST_P(Visits, idle_knobs) {
             const std::string present = knob->text();
             const bool few = !knob->options().empty() || knob->range() == "on | off";
             for (const std::string& value : few ? knob->sweep() : std::vector<std::string>{}) {
-                if (value == present) continue;
+                if (value == present || affordable(knob->name(), value) != value) continue;
                 knob->parse(value);
                 tryAll(preset.name + " --" + knob->name() + " " + value);
             }

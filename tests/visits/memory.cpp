@@ -49,7 +49,9 @@ class Rounds {
 // but for what vectors keep in reserve: at most 8 a frame, where the smallest thing that is forgotten in each is of 24.
 TEST_P(Visits, memory_stays) {
     const int frames = isLong() ? 5000 : 200;
-    DemoRun run(GetParam(), 64, 48);
+    // A picture that the processor computes is small here: how much is kept does not grow from frame to frame with its size.
+    const int by = hasPasses(findDemo(GetParam())) ? 4 : 1;
+    DemoRun run(GetParam(), 64 / by, 48 / by);
     // What drawText keeps of its last sixteen calls: a demo with fewer different words, of which one changes with the frame,
     // would fill it over many rounds. These are longer than a demo's.
     for (int i = 0; i < 16; ++i) {
