@@ -5,6 +5,7 @@
 #include <string>
 
 #include "color-models.h"
+#include "mv/demo/handle.h"
 #include "mv/formatted.h"
 #include "mv/geometry/plot.h"
 #include "mv/geometry/shapes.h"

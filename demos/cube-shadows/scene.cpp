@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "cube-shadows.h"
+#include "mv/error.h"
 #include "mv/math/projection.h"
 #include "mv/math/shadow.h"
 #include "mv/math/transform.h"

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "lights.h"
+#include "mv/demo/handle.h"
 #include "mv/formatted.h"
 #include "mv/geometry/plot.h"
 #include "mv/gl/word_size.h"

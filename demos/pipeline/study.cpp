@@ -8,6 +8,7 @@
 #include "gpu_product.h"
 #include "mv/demo/lesson.h"
 #include "mv/geometry/closest.h"
+#include "mv/gl/feedback.h"
 #include "mv/math/projection.h"
 #include "mv/math/unproject.h"
 #include "pipeline.h"

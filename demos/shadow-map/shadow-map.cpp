@@ -7,6 +7,7 @@
 #include <glm/matrix.hpp>
 
 #include "mv/demo/seen.h"
+#include "mv/error.h"
 #include "mv/gl/functions.h"
 #include "mv/math/transform.h"
 

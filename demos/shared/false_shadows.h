@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "mv/demo/study.h"
+#include "mv/geometry/scene.h"
 
 namespace mv {
 
