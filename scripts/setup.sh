@@ -4,7 +4,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=$root/build
 
 # Each with its reason in the README's table of dependencies.
-run_packages=(g++ cmake ninja-build libglfw3-dev libimgui-dev libglm-dev libstb-dev libpng-dev
+run_packages=(g++ cmake ninja-build libglfw3-dev libimgui-dev libglm-dev libeigen3-dev libstb-dev libpng-dev
   libjpeg-dev libcli11-dev nlohmann-json3-dev libgl-dev libegl-dev libegl1 libgl1-mesa-dri fonts-dejavu-core
   libosmesa6)
 site_packages=(nodejs cmark-gfm highlight terser)
