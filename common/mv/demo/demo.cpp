@@ -48,11 +48,10 @@ std::vector<double> Demo::values() const {
 }
 
 Knob& Demo::knob(std::string_view name) const {
+    const auto found = std::ranges::find_if(knobs_, [&](const Knob* knob) { return knob->name() == name; });
+    if (found != knobs_.end()) return **found;
     std::vector<std::string> names;
-    for (Knob* knob : knobs_) {
-        if (knob->name() == name) return *knob;
-        names.push_back(knob->name());
-    }
+    for (const Knob* knob : knobs_) names.push_back(knob->name());
     throw Error("--" + std::string(name), "is no knob of this demo" + suggestion(name, names));
 }
 
