@@ -157,6 +157,25 @@ TEST(Hostile, killed_while_writing) {
     }
 }
 
+// What it has started ends with it, however it ends: here a program that stands for ffmpeg and never comes to an end.
+TEST(Hostile, killed_while_filming) {
+    for (const std::string signal : {"TERM", "KILL", "USR1"}) {
+        const TemporaryFolder folder;
+        std::ofstream(folder.file("ffmpeg")) << "#!/bin/sh\necho $$ > process\nexec sleep 1000\n";
+        fs::permissions(folder / "ffmpeg", static_cast<fs::perms>(0755));
+        const ProcessResult run = runShell(
+            "ulimit -c 0; PATH=$PWD:$PATH " + program("cube-cull") +
+                " --movie a.mp4 --frames 1..99 & while [ ! -s process ] && kill -0 $!; do sleep 0.01; done; kill -" +
+                signal +
+                " $!; wait $!; i=0; while kill -0 $(cat process) 2>&- && [ $i -lt 500 ]; do i=$((i + 1)); sleep 0.01; "
+                "done; "
+                "[ $i -lt 500 ] && echo ended",
+            folder.path().string(), {"TMPDIR=" + folder.path().string()});
+        EXPECT_EQ(run.out, "ended\n") << signal << run.err;
+        EXPECT_FALSE(fs::exists(folder / "a.mp4"));
+    }
+}
+
 // What the program is given to write to is known by what it is: a stream goes on where it stands, and what runs is no file
 // to write.
 TEST(Hostile, streams_and_programs) {
