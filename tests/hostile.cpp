@@ -157,6 +157,25 @@ TEST(Hostile, killed_while_writing) {
     }
 }
 
+// What it has started ends with it, however it ends: here a program that stands for ffmpeg and never comes to an end.
+TEST(Hostile, killed_while_filming) {
+    for (const std::string signal : {"TERM", "KILL", "USR1"}) {
+        const TemporaryFolder folder;
+        std::ofstream(folder.file("ffmpeg")) << "#!/bin/sh\necho $$ > process\nexec sleep 1000\n";
+        fs::permissions(folder / "ffmpeg", static_cast<fs::perms>(0755));
+        const ProcessResult run = runShell(
+            "ulimit -c 0; PATH=$PWD:$PATH " + program("cube-cull") +
+                " --movie a.mp4 --frames 1..99 & while [ ! -s process ] && kill -0 $!; do sleep 0.01; done; kill -" +
+                signal +
+                " $!; wait $!; i=0; while kill -0 $(cat process) 2>&- && [ $i -lt 500 ]; do i=$((i + 1)); sleep 0.01; "
+                "done; "
+                "[ $i -lt 500 ] && echo ended",
+            folder.path().string(), {"TMPDIR=" + folder.path().string()});
+        EXPECT_EQ(run.out, "ended\n") << signal << run.err;
+        EXPECT_FALSE(fs::exists(folder / "a.mp4"));
+    }
+}
+
 // What the program is given to write to is known by what it is: a stream goes on where it stands, and what runs is no file
 // to write.
 TEST(Hostile, streams_and_programs) {
@@ -315,11 +334,36 @@ TEST(Hostile, little_of_everything) {
     }
     EXPECT_GT(refused, 3);
     EXPECT_GT(done, 0);
+    // Stack and data, in KB: the launcher's tables need some before main() begins, and a thread's end by its stack cannot be told.
+    // With less than 600 of data the loader itself cannot start it.
+    const std::vector<std::string> limits{"s 16",  "s 40",   "s 200",  "s 1000",  "s 1024",  "d 100",
+                                          "d 500", "d 1000", "d 5000", "d 10000", "d 50000", "n 4"};
+    for (const std::string& limit : limits) {
+        for (const char* command : {"cube-cull", "mvgl lights"}) {
+            const ProcessResult run =
+                runShell("ulimit -c 0; ulimit -" + limit + "; exec " + program(command) + " --size 99x99 --shot a.png",
+                         folder.path().string());
+            SCOPED_TRACE("ulimit -" + limit + " " + command + "\n" + run.err);
+            if (run.status == 127) continue;
+            EXPECT_EQ(fs::exists(folder / "a.png"), run.status == 0);
+            EXPECT_EQ(run.status == 0, limit == "s 1024");
+            if (run.status != 0) {
+                EXPECT_EQ(run.status, 1);
+                EXPECT_NE(errorLine(run.err), "");
+            }
+            if (limit.starts_with("s") || limit == "d 1000") {
+                EXPECT_NE(errorLine(run.err).find("raise ulimit -" + limit.substr(0, 1)) == std::string::npos,
+                          run.status != 0);
+            }
+            fs::remove(folder / "a.png");
+        }
+    }
     // As somebody who has one process, this one; the superuser has as many as he likes.
     const std::string nobody = geteuid() == 0 ? "setpriv --reuid=65534 --clear-groups " : "";
-    expectRefusal(runShell("exec " + nobody + "prlimit --nproc=1 " + program("cube-cull") + " --shot /dev/null",
-                           folder.path().string()),
-                  "must be allowed to start threads; ulimit -u and -v limit them, Resource temporarily unavailable");
+    expectRefusal(
+        runShell("exec " + nobody + "prlimit --nproc=1 " + program("cube-cull") + " --shot /dev/null",
+                 folder.path().string()),
+        "must be allowed to start threads; ulimit -u, -v and -d limit them, Resource temporarily unavailable");
     for (const char* host : {"", " --headless=osmesa", " --headless=egl"}) {
         const ProcessResult run =
             runShell("ulimit -c 0; " + picture + host, folder.path().string(), {"LP_NATIVE_VECTOR_WIDTH=7"});

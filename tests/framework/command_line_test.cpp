@@ -312,6 +312,21 @@ TEST(CommandLine, begins_with_a_pictures_line) {
     EXPECT_EQ(refusal({"cube-cull", "--from"}), "--from: must have a value (--help says which)");
     tell("texture-map --picture 'my photo'\\''s.jpg'");
     EXPECT_EQ(parseCommandLine({"--from", file, "--copyable"}).knobs.front().text, "my photo's.jpg");
+    // What a stranger's picture tells to do is not done.
+    for (const char* action : {"--shot x", "--shot=x", "--study x", "--movie x.mp4", "--plot x.svg", "--gallery x",
+                               "--docs x", "--from x", "--report", "--window", "--help", "--preset both"}) {
+        const std::string flag = std::string(action).substr(0, std::string(action).find_first_of(" ="));
+        tell("cube-cull --cull front " + std::string(action));
+        try {
+            parseCommandLine({"--from", file, "--copyable"});
+            ADD_FAILURE() << action;
+        } catch (const Error& error) {
+            EXPECT_EQ(error.what(),
+                      "--from: must be a picture whose line says what is drawn; its file has another flag, " + flag);
+        }
+        tell(action);
+        EXPECT_THROW((void)parseCommandLine({"--from", file}), Error) << action;
+    }
     tell("");
     EXPECT_THROW((void)parseCommandLine({"--from", file}), Error) << "no line";
     EXPECT_THROW((void)parseCommandLine({"--from", file + "x"}), Error) << "no file";

@@ -3,13 +3,16 @@
 
 #include <cstdlib>
 #include <initializer_list>
+#include <memory>
 #include <utility>
 
 #include "mv/error.h"
 #include "mv/gl/functions.h"
 #include "mv/gl/version.h"
 #include "mv/host/context.h"
+#include "mv/paper/audit.h"
 #include "mv/paper/report.h"
+#include "support/demo_of.h"
 #include "support/demo_run.h"
 
 using namespace mv;
@@ -23,6 +26,12 @@ void say(GLenum type, GLenum severity, const char* text) {
     ASSERT_NE(insert, nullptr) << "this context has no KHR_debug";
     insert(GL_DEBUG_SOURCE_APPLICATION, type, 1, severity, -1, text);
 }
+
+struct Nothing {};
+struct Talking final : DemoOf<Nothing> {
+    void draw(const Frame&) override { say(type, GL_DEBUG_SEVERITY_MEDIUM, "recompiled"); }
+    static inline GLenum type = GL_DEBUG_TYPE_PERFORMANCE;
+};
 
 class Driver : public testing::Test {
   protected:
@@ -72,6 +81,27 @@ TEST_F(Driver, the_other_types_are_remarks_and_end_no_frame) {
     say(GL_DEBUG_TYPE_PERFORMANCE, GL_DEBUG_SEVERITY_NOTIFICATION, "chatter");
     EXPECT_TRUE(driverRemarks().empty());
     EXPECT_EQ(takeErrors(), std::vector<std::string>());
+}
+
+// Said twice: an audit draws the frame twice.
+TEST_F(Driver, an_audit_tells_remarks_and_is_ended_by_a_fault) {
+    DemoInfo talking;
+    talking.name = "talking";
+    talking.width = talking.height = 30;
+    talking.make = [] { return std::make_unique<Talking>(); };
+    Talking::type = GL_DEBUG_TYPE_PERFORMANCE;
+    const AuditReport report = auditDemo(stage(), talking, {}, 1);
+    EXPECT_TRUE(report.clean());
+    EXPECT_NE(auditText(report).find("what the driver says:\n  performance: recompiled, 2 times\n"), std::string::npos)
+        << auditText(report);
+    Talking::type = GL_DEBUG_TYPE_UNDEFINED_BEHAVIOR;
+    try {
+        auditDemo(stage(), talking, {}, 1);
+        ADD_FAILURE() << "undefined behaviour must end it";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("recompiled"), std::string::npos) << error.what();
+    }
+    stage().close();
 }
 
 // A frame of a window asks for no words. What is wrong is found all the same, by glGetError.

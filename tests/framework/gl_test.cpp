@@ -201,6 +201,30 @@ TEST_F(Gl, includes_that_are_no_code_are_not_followed) {
     EXPECT_EQ(toldOf("#include \"guarded.glsl\"\n#include \"guarded.glsl\"\n"), "no error");
 }
 
+// As GLSL has them, whoever wrote the file, and in the files that are included, too.
+TEST_F(Gl, lines_end_as_the_file_ends_them) {
+    for (const std::string end : {"\n", "\r\n", "\r"}) {
+        const auto ended = [&](std::string text) {
+            for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += end.size())
+                text.replace(at, 1, end);
+            return text;
+        };
+        addShaderFile("include/ended.glsl", ended("// a comment\nvec4 ended() { return vec4(1); }\n"), "");
+        const std::string before = ended(
+            "// a comment\n#define LONG 1.0 + \\\n 1.0\n#if 0\n#include \"none.glsl\"\n#else\n#include \"ended.glsl\"\n"
+            "#endif\nout vec4 fragColor;\n");
+        const auto told = [&](const std::string& color) {
+            return errorOf([&] {
+                Program::fromText("ended", plainVertex,
+                                  before + ended("void main() {\n    fragColor = " + color + ";\n}\n"));
+            });
+        };
+        EXPECT_EQ(told("ended() * (LONG)"), "no error") << printable(end);
+        const std::string wrong = told("endet()");
+        EXPECT_TRUE(has(wrong, "ended.frag:11: ")) << printable(end) << wrong;
+    }
+}
+
 TEST_F(Gl, what_a_shader_includes_has_a_limit) {
     addShaderFile("include/large.glsl", std::string(std::size_t{900} << 10U, ' '), "");
     addShaderFile("include/larger.glsl", "#include \"large.glsl\"\n#include \"large.glsl\"\n#include \"large.glsl\"\n",

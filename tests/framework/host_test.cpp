@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 #include "mv/error.h"
 
 using namespace mv;
@@ -26,4 +28,19 @@ TEST(Hosts, a_version_that_no_driver_has_is_refused_by_each) {
         EXPECT_NE(text.find("OSMesa"), std::string::npos);
         EXPECT_NE(text.find("EGL surfaceless"), std::string::npos) << "and the reason of each host: " << text;
     }
+}
+
+TEST(Hosts, a_ceiling_that_is_no_version_is_said_once_and_not_of_a_host) {
+    for (const char* wrong : {"x", "", "3.2", "9.9"}) {
+        setenv("MVGL_GL", wrong, 1);
+        std::vector<std::string> notes;
+        try {
+            openHeadless(HostKind::automatic, {}, notes);
+            ADD_FAILURE() << wrong << " must be refused";
+        } catch (const Error& error) {
+            EXPECT_EQ(error.what(), "MVGL_GL: must be a core version of OpenGL: 3.3, or from 4.0 to 4.6" +
+                                        (*wrong ? ", " + std::string(wrong) : ""));
+        }
+    }
+    unsetenv("MVGL_GL");
 }

@@ -2,14 +2,17 @@
 #include "mv/run/lecture.h"
 
 #include <gtest/gtest.h>
+#include <signal.h>
 #include <sys/stat.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <string>
 
 #include "mv/image/file.h"
 #include "mv/image/load.h"
 #include "mv/image/png.h"
+#include "mv/run/film.h"
 #include "mv/run/render.h"
 #include "support/demo_run.h"
 #include "support/temporary_folder.h"
@@ -145,6 +148,27 @@ TEST_F(Lectures, a_movie_has_every_picture) {
     EXPECT_EQ(refusal(writeMovie, {"viewpoints", "--movie", file, "--frames", "1..3"}),
               file + ": must be a film that this ffmpeg can make; it says why above");
     EXPECT_EQ(readFile(file, 1 << 20), swept) << "the last film is still there";
+    // One that hangs is not waited for, while it is given pictures or after; and it does not outlive its film.
+    for (const char* script :
+         {"exec sleep 1000\n", "cat >/dev/null; exec sleep 1000\n", "trap '' TERM; while :; do :; done\n"}) {
+        standIn("echo $$ >\"$(dirname \"$0\")/process\"\n" + std::string(script));
+        try {
+            Film film(file, 200, 200, std::chrono::milliseconds(1000));
+            for (int i = 0; i < 3; ++i) film.add(Picture(200, 200));
+            film.finish();
+            ADD_FAILURE() << script;
+        } catch (const Error& error) {
+            EXPECT_STREQ(error.what(), "ffmpeg: must take pictures or write the film; it hangs, neither for 1 s");
+        }
+        const int process = std::stoi(readTextFile(folder.file("process"), 99));
+        EXPECT_EQ(::kill(process, 0), -1) << script;
+    }
+    // Slow ones write meanwhile, and are waited for.
+    standIn("for last; do :; done; cat >/dev/null; for i in 1 2 3 4; do sleep 0.6; echo $i >>\"$last\"; done\n");
+    Film slow(file, 2, 2, std::chrono::milliseconds(1500));
+    slow.add(Picture(2, 2));
+    slow.finish();
+    EXPECT_EQ(readTextFile(file, 99), "1\n2\n3\n4\n");
     ::setenv("PATH", before.c_str(), 1);
 }
 

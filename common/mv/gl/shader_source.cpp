@@ -58,11 +58,11 @@ std::string currentText(const ShaderFile& file, ShaderSource& source) {
     return text;
 }
 
-// Takes the first line off `rest`, without its end.
+// Takes the first line off `rest`, without its end: LF, CRLF, or CR alone, as GLSL has it.
 std::string takeLine(std::string_view& rest) {
-    const std::size_t end = rest.find('\n');
+    const std::size_t end = std::min(rest.find_first_of("\r\n"), rest.size());
     std::string line(rest.substr(0, end));
-    rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+    rest.remove_prefix(std::min(rest.size(), end + (rest.substr(end, 2) == "\r\n" ? 2 : 1)));
     return line;
 }
 
@@ -76,7 +76,7 @@ class Reading {
     };
 
     Line take(std::string_view line) {
-        const bool isContinued = std::exchange(continued_, endsInBackslash(line));
+        const bool isContinued = std::exchange(continued_, line.ends_with('\\'));
         const std::string bare = withoutComments(line);
         if (isContinued) return {};  // part of what the line before began with
         Line told = directiveOf(bare);
@@ -98,11 +98,6 @@ class Reading {
         Now now;
         bool wasTaken, mayHaveBeen;  // one of the same #if, so far
     };
-
-    static bool endsInBackslash(std::string_view line) {
-        if (line.ends_with('\r')) line.remove_suffix(1);
-        return line.ends_with('\\');
-    }
 
     // A comment is a blank.
     std::string withoutComments(std::string_view line) {
@@ -128,7 +123,7 @@ class Reading {
     }
 
     static Line directiveOf(std::string_view bare) {
-        constexpr const char* blanks = " \t\r\f\v";
+        constexpr const char* blanks = " \t\f\v";
         const auto skip = [&] { bare.remove_prefix(std::min(bare.find_first_not_of(blanks), bare.size())); };
         skip();
         if (!bare.starts_with('#')) return {};
@@ -330,7 +325,7 @@ std::string readableLog(std::string_view log, const ShaderSource& source) {
     std::string readable;
     while (!log.empty()) {
         std::string line = takeLine(log);
-        while (!line.empty() && (line.back() == '\0' || line.back() == '\r')) line.pop_back();
+        while (!line.empty() && line.back() == '\0') line.pop_back();
         if (line.empty()) continue;
         if (const auto found = parseLogLine(line); found && found->file == 0) {
             if (const auto place = placeOf(found->line, source))

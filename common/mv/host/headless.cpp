@@ -1,4 +1,5 @@
 #include "mv/error.h"
+#include "mv/gl/version.h"
 #include "mv/host/context.h"
 #include "mv/host/library.h"
 #include "mv/host/trial.h"
@@ -13,6 +14,8 @@ std::optional<HostKind> hostNamed(std::string_view name) {
 }
 
 std::unique_ptr<Context> openHeadless(HostKind kind, ContextRequest request, std::vector<std::string>& notes) {
+    // No host's fault, so it is said once and by itself.
+    if (!request.es) (void)versionsToAskFor(request.version);
     const auto osmesa = [&] { return openTried("OSMesa", [&] { return openOsmesa(request); }); };
     const auto egl = [&](bool surfaceless) {
         // A child's notes are its own.

@@ -15,6 +15,7 @@
 #include <string_view>
 #include <system_error>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "mv/error.h"
@@ -72,12 +73,17 @@ void drawSomething(const Context& context) {
 
 // ---- What the system does not give
 
-// The limit of memory in words, and "" where there is none that matters.
+// The limits of memory in words, and "" where there is none that matters.
 std::string memoryLimit() {
     constexpr rlim_t plenty = rlim_t{2} << 30U;
-    rlimit limit{};
-    if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY || limit.rlim_cur >= plenty) return "";
-    return "ulimit -v allows " + std::to_string(limit.rlim_cur >> 20U) + " MB";
+    std::string text;
+    for (const auto& [resource, flag] : {std::pair{RLIMIT_AS, "-v"}, {RLIMIT_DATA, "-d"}}) {
+        rlimit limit{};
+        if (getrlimit(resource, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY || limit.rlim_cur >= plenty) continue;
+        text += (text.empty() ? "ulimit " : " and ") + std::string(flag) + " allows " +
+                std::to_string(limit.rlim_cur >> 20U) + " MB";
+    }
+    return text;
 }
 
 // A driver starts threads, as many as there are processors, and waits for ever for those that could not be started.
@@ -92,11 +98,13 @@ void requireThreads(const std::string& host) {
         while (threads.size() < wanted) threads.emplace_back([&held] { const std::scoped_lock wait(held); });
     } catch (const std::system_error& error) {
         reason = error.code().message();
+    } catch (const std::bad_alloc&) {  // those that are there are still to be joined
+        reason = std::strerror(ENOMEM);
     }
     lock.unlock();
     for (std::thread& thread : threads) thread.join();
     if (!reason.empty()) {
-        throw ScarceError(host, "must be allowed to start threads; ulimit -u and -v limit them", reason);
+        throw ScarceError(host, "must be allowed to start threads; ulimit -u, -v and -d limit them", reason);
     }
 }
 
@@ -151,7 +159,29 @@ void tellAndEnd(int signal) {
     _exit(1);
 }
 
+// Nothing is allocated: there may be nothing.
+void requireLimit(decltype(RLIMIT_STACK) resource, rlim_t kilobytes, const char* sentence) {
+    rlimit limit{};
+    if (getrlimit(resource, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY || limit.rlim_cur >> 10U >= kilobytes)
+        return;
+    std::array<char, 256> text{};
+    std::snprintf(text.data(), text.size(), "error: %s, %llu KB\n", sentence,
+                  static_cast<unsigned long long>(limit.rlim_cur >> 10U));
+    say(text.data());
+    _exit(1);
+}
+
 }  // namespace
+
+void requireRoom() {
+    // Mesa's compiler takes 300 KB for the longest of the demos' shaders; and a thread of a driver gets as much as this one,
+    // where no handler could tell of its end.
+    requireLimit(RLIMIT_STACK, 1024,
+                 "stack: must be allowed 1024 KB at least, for shaders are compiled on it; raise ulimit -s");
+    // The tables of all demos take 3 MB.
+    requireLimit(RLIMIT_DATA, 8192,
+                 "memory: must be allowed 8192 KB at least for the tables of the demos; raise ulimit -d");
+}
 
 void tellOfFaults() {
     // A compiler that has used up the stack for a long shader has none left for the handler.

@@ -15,6 +15,10 @@ namespace mv {
 // (ulimit).
 std::unique_ptr<Context> openTried(const std::string& host, const std::function<std::unique_ptr<Context>()>& open);
 
+// Ends the program by a sentence and with status 1 where its limits of stack and data (ulimit -s, -d) are less than what it
+// needs to begin. It allocates nothing, and needs nothing static.
+void requireRoom();
+
 // From now on a fault that ends the program is told in a sentence, and the status is 1: a driver's compiler that has no more memory
 // or stack, a variable that it does not bear. A debugger still sees the signal first. Handlers that are there stay.
 void tellOfFaults();

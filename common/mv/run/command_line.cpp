@@ -427,6 +427,21 @@ std::vector<std::string> wordsOf(const std::string& line) {
 
 std::string flagOf(const std::string& word) { return word.substr(0, word.find('=')); }
 
+// A picture may be anybody's: its line says what is drawn, as copyableCommand() writes it, and nothing that is done.
+void requireNoAction(const std::vector<std::string>& told) {
+    static constexpr std::array drawn{"--at",          "--compare", "--density", "--frame",
+                                      "--multisample", "--size",    "--strip",   "--until"};
+    const auto demo = findDemo(told.front()).make();
+    for (const std::string& word : told) {
+        const std::string flag = flagOf(word);
+        const auto knobs = demo->knobs();
+        if (!flag.starts_with("--") || std::ranges::find(drawn, flag) != drawn.end() ||
+            std::ranges::any_of(knobs, [&](const Knob* knob) { return "--" + knob->name() == flag; }))
+            continue;
+        throw Error("--from", "must be a picture whose line says what is drawn; its file has another flag", flag);
+    }
+}
+
 // With --from FILE the line that the picture's file tells, before what else is given, which replaces its flags.
 std::vector<std::string> withPicturesLine(const std::vector<std::string>& arguments) {
     std::vector<std::string> rest;
@@ -451,6 +466,7 @@ std::vector<std::string> withPicturesLine(const std::vector<std::string>& argume
                               : catalogue().size() == 1 ? catalogue().front().name
                                                         : told.front();
     if (named != told.front()) throw UsageError("--from", "must be a picture of " + named, "one of " + told.front());
+    requireNoAction(told);
     if (isNamed) rest.erase(rest.begin());
     std::vector<std::string> all{named};
     for (std::size_t i = 1; i < told.size();) {

@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
-#include <functional>
 #include <iostream>
 
 #include "mv/image/compare.h"
 #include "mv/image/file.h"
 #include "mv/paper/tables.h"
 #include "mv/run/copyable.h"
+#include "mv/run/film.h"
 #include "mv/run/render.h"
 #include "mv/show/frame_times.h"
 #include "mv/show/median.h"
@@ -18,60 +17,6 @@
 #include "mv/study/study.h"
 
 namespace mv {
-namespace {
-
-// ---- Movies
-
-constexpr std::size_t mostBytes = std::size_t{4} << 30U;
-
-// A film that ffmpeg makes of pictures that it is given one by one.
-class Film {
-  public:
-    Film(const std::string& file, int width, int height) : file_(file), scratch_("movie") {
-        if (!isInPath("ffmpeg")) {
-            throw Error("--movie",
-                        "needs ffmpeg, which is not installed (sudo apt install ffmpeg); --shot a.%04d.png writes "
-                        "the pictures without");
-        }
-        requireWritable(file);
-        const std::string extension = std::filesystem::path(file).extension().string();
-        made_ = scratch_.path() / ("movie" + extension);
-        // Video has half as many colours as pixels a side, and so even sides; a GIF has a palette of its own
-        const std::string kind = extension == ".gif" ? "-vf 'fps=30,split[a][b];[a]palettegen[p];[b][p]paletteuse'"
-                                                     : "-vf 'pad=ceil(iw/2)*2:ceil(ih/2)*2' -pix_fmt yuv420p";
-        const std::string line = "ffmpeg -loglevel error -y -f rawvideo -pix_fmt rgba -s " + std::to_string(width) +
-                                 "x" + std::to_string(height) + " -r 60 -i - " + kind + " " +
-                                 quotedForShell(made_.string());
-        pipe_ = ::popen(line.c_str(), "w");
-        if (!pipe_) throw Error("--movie", "must be able to start ffmpeg");
-    }
-    ~Film() {
-        if (pipe_) ::pclose(pipe_);
-    }
-    Film(const Film&) = delete;
-    Film& operator=(const Film&) = delete;
-
-    void add(const Picture& picture) {
-        if (std::fwrite(picture.rgba.data(), 1, picture.rgba.size(), pipe_) != picture.rgba.size()) refuse();
-    }
-    void finish() {
-        const bool good = ::pclose(std::exchange(pipe_, nullptr)) == 0;
-        if (!good) refuse();
-        writeFileAtomically(file_, readFile(made_, mostBytes));
-    }
-
-  private:
-    [[noreturn]] void refuse() const {
-        throw Error(file_, "must be a film that this ffmpeg can make; it says why above");
-    }
-
-    std::string file_;
-    ScratchFolder scratch_;
-    std::filesystem::path made_;
-    std::FILE* pipe_ = nullptr;
-};
-
-}  // namespace
 
 void writeMovie(const Command& command) {
     const DemoInfo& info = *command.demo;

@@ -155,6 +155,8 @@ std::string oneLine(const std::string& sentence) {
 
 }  // namespace
 
+void beforeAll() { requireRoom(); }
+
 int runMain(int count, char** arguments) {
     steadyStreams();
     tellOfFaults();
