@@ -10,6 +10,11 @@
 namespace mv::cube_cull {
 
 void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
+    drawBody(gpu, gpu.program, s, frame);
+    gpu.axes.draw();
+}
+
+void drawBody(Gpu& gpu, const Program& program, const Settings& s, const Frame& frame) {
     // Discard the unwanted faces. OpenGL starts with GL_CCW as the winding of front faces, and culls GL_BACK
     if (s.cull != Cull::none) glEnable(GL_CULL_FACE);
     if (s.cull == Cull::front) glCullFace(GL_FRONT);
@@ -24,11 +29,10 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
 
     // Draw
     if (gpu.bodyFor.changed(s.body, s.divisions)) gpu.body = Mesh(bodyOf(s), "body");
-    gpu.program.use();
-    gpu.program.set("viewFromModel", viewFromModel(s));
-    gpu.program.set("clipFromView", clipFromView);
+    program.use();
+    program.set("viewFromModel", viewFromModel(s));
+    program.set("clipFromView", clipFromView);
     gpu.body.draw();
-    if (!frame.measuring()) gpu.axes.draw();
 }
 
 // The teapot's colours are its normals': red to +x, green to +y, blue to +z. Without its lid one looks into it.
