@@ -34,9 +34,11 @@ struct Gpu {
 
 void draw(Gpu& gpu, const Settings& s, const Frame& frame);
 void drawBody(Gpu& gpu, const Program& program, const Settings& s, const Frame& frame);
-MeshData bodyOf(const Settings& s);
 mat4 viewFromModel(const Settings& s);
 void check(const Settings& s);
+
+// body.cpp
+MeshData bodyOf(const Settings& s);
 
 // study.cpp
 void drawDistances(Gpu& gpu, const Settings& s, const Frame& frame);
