@@ -17,7 +17,7 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     if (isFromTexture(s)) return drawFromTexture(gpu, s, frame);  // solid.cpp
 
     // Place the body, and map each of its points to a point of the pattern
-    const Program& program = gpu.program;
+    const Program& program = *gpu.byFormula;
     program.use();
     const BodyMatrices matrices = bodyMatrices(s, frame);
     program.set("clipFromBody", matrices.clipFromBody);

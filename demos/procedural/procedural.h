@@ -41,8 +41,7 @@ struct Ramp {
 constexpr double sphereRadius = 1.3;
 
 struct Gpu {
-    Program program{"procedural"};
-    OnDemand<Program> fromTexture{"procedural", "solid"};
+    OnDemand<Program> byFormula{"procedural"}, byTexture{"procedural", "solid"};
     TextureObject solid;
     MadeFor<Pattern, int, double, int, double> solidFor;
     OnDemand<Mesh> flat{withoutTexCoords(square()), "square"};

@@ -18,7 +18,7 @@ void drawFromTexture(Gpu& gpu, const Settings& s, const Frame& frame) {
     glBindTexture(GL_TEXTURE_3D, gpu.solid.id());
 
     // Place the body, and map each of its points to 0..1 in the texture
-    const Program& program = *gpu.fromTexture;
+    const Program& program = *gpu.byTexture;
     program.use();
     const BodyMatrices matrices = bodyMatrices(s, frame);
     program.set("clipFromBody", matrices.clipFromBody);
