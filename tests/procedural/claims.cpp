@@ -194,14 +194,15 @@ TEST(Procedural, texels_of_the_formula) {
 
 TEST(Procedural, one_resolution) {
     DemoRun run("procedural", width, height);
-    run.set("view", "wall").set("pattern", "noise").set("zoom", 30).set("octaves", 8);
-    // The second differences of a row: 0 but where two straight lines meet, of which 160 pixels of 0.1 texels have 2 or 3.
+    run.set("view", "wall").set("pattern", "noise").set("zoom", 8).set("octaves", 8).set("endless", "off");
+    // The second differences of a row: 0 but where two straight lines meet, which is at 8 texels of 20 pixels. What is less than 2e-3
+    // are roundings of weights and bytes. The finest octaves bend by more in most pixels
     const auto bends = [&](const char* source) {
         const auto shown = drawn(run.set("source", source));
         int count = 0;
         for (int x = 1; x + 1 < width; ++x)
             count +=
-                std::abs(shown[std::size_t(x) - 1] - 2 * shown[std::size_t(x)] + shown[std::size_t(x) + 1]) > 1e-3F;
+                std::abs(shown[std::size_t(x) - 1] - 2 * shown[std::size_t(x)] + shown[std::size_t(x) + 1]) > 2e-3F;
         return count;
     };
     EXPECT_LE(bends("texture"), width / 4);
