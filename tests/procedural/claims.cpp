@@ -194,9 +194,9 @@ TEST(Procedural, texels_of_the_formula) {
 
 TEST(Procedural, one_resolution) {
     DemoRun run("procedural", width, height);
-    constexpr double zoom = 8, texels = 64, side = 3.0 * width / height, step = side / (texels - 1);
+    constexpr double zoom = 8, texels = 32, side = 3.0 * width / height, step = side / (texels - 1);
     run.set("view", "wall").set("pattern", "noise").set("zoom", zoom).set("octaves", 8).set("endless", "off");
-    // From each texel to the next, some 20 pixels: how far the row leaves the straight line between the first and the last of them
+    // From each texel to the next, some 40 pixels: how far the row leaves the straight line between the first and the last of them
     const auto leaves = [&](const char* source) {
         const auto shown = drawn(run.set("source", source).set("texels", texels));
         const auto texelOf = [&](int x) { return std::floor((onWall(x, 0, zoom).x + side / 2) / step); };
