@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -168,13 +169,23 @@ TEST(StudyPages, are_there_and_fresh) {
             EXPECT_FALSE(saying.predicates.empty()) << saying.id << ": a claim has a predicate, or is a note";
         }
         EXPECT_FALSE(ids.empty()) << "what it says, a claim at least";
-        std::size_t declared = 0;
+        std::set<std::array<std::string, 3>> declared;
         for (const StudyLine& line : demo.study->lines) {
-            const std::size_t scenes = line.scenes.empty() ? demo.study->scenes.size() : line.scenes.size();
-            declared += scenes * (line.knob.empty() ? 1 : line.values.size());
+            for (const StudyScene& scene : demo.study->scenes) {
+                if (!line.scenes.empty() && std::ranges::find(line.scenes, scene.name) == line.scenes.end()) continue;
+                for (const std::string& value : line.knob.empty() ? std::vector<std::string>{""} : line.values)
+                    declared.insert({scene.name, line.method, value});
+            }
         }
         for (const StudyRun& run : runs) {
-            EXPECT_EQ(run.rows.size(), declared) << "the declaration has changed";
+            std::set<std::array<std::string, 3>> measured;
+            for (const StudyRow& row : run.rows) measured.insert({row.scene, row.method, row.parameter});
+            // A processor is always at hand. A GPU is not, and may lack what was declared since: its rows are old ones, and right
+            if (drawerOf(run.renderer) == Drawer::processor)
+                EXPECT_EQ(measured, declared) << "the declaration has changed";
+            else
+                EXPECT_TRUE(std::ranges::includes(declared, measured)) << "the declaration has changed";
+            EXPECT_EQ(run.rows.size(), measured.size()) << "a row is there twice";
             for (const StudyRow& row : run.rows) {
                 EXPECT_TRUE(!row.ok() || row.rounds >= 1) << row.method << " " << row.parameter;
             }

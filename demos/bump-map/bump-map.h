@@ -57,16 +57,18 @@ struct Gpu {
 
 // The technique: bump-map.cpp.
 void draw(Gpu& gpu, const Settings& s, const Frame& frame);
-void bindMaps(Gpu& gpu, const Settings& s);
 const Program& programOf(Gpu& gpu, const Settings& s);
 void setLight(const Program& program, const Settings& s, const Frame& frame);
 void makeSmooth(Gpu& gpu, const Settings& s);
 void drawMapped(Gpu& gpu, const Program& program, const Settings& s, const Pane& pane);
 void drawReal(Gpu& gpu, const Settings& s, const Pane& pane);
-FloatPicture heightMap(const Settings& s);
-Texels formatOf(const Settings& s);
 bool usesFrames(Method method);
 bool usesNormals(Method method);
+
+// The maps: maps.cpp.
+void bindMaps(Gpu& gpu, const Settings& s);
+FloatPicture heightMap(const Settings& s);
+Texels formatOf(const Settings& s);
 
 // The scene: scene.cpp. Its world space is the body's space.
 constexpr double wallEnd = 64;  // units from the middle of the wall to its ends

@@ -1,8 +1,6 @@
 // cube-cull: a cube or a teapot whose back faces, front faces or both are discarded before they are drawn.
 #include "cube-cull.h"
 
-#include "mv/geometry/bezier_patch.h"
-#include "mv/geometry/teapot.h"
 #include "mv/gl/functions.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
@@ -10,6 +8,11 @@
 namespace mv::cube_cull {
 
 void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
+    drawBody(gpu, gpu.program, s, frame);
+    gpu.axes.draw();
+}
+
+void drawBody(Gpu& gpu, const Program& program, const Settings& s, const Frame& frame) {
     // Discard the unwanted faces. OpenGL starts with GL_CCW as the winding of front faces, and culls GL_BACK
     if (s.cull != Cull::none) glEnable(GL_CULL_FACE);
     if (s.cull == Cull::front) glCullFace(GL_FRONT);
@@ -24,24 +27,10 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
 
     // Draw
     if (gpu.bodyFor.changed(s.body, s.divisions)) gpu.body = Mesh(bodyOf(s), "body");
-    gpu.program.use();
-    gpu.program.set("viewFromModel", viewFromModel(s));
-    gpu.program.set("clipFromView", clipFromView);
+    program.use();
+    program.set("viewFromModel", viewFromModel(s));
+    program.set("clipFromView", clipFromView);
     gpu.body.draw();
-    if (!frame.measuring()) gpu.axes.draw();
-}
-
-// The teapot's colours are its normals': red to +x, green to +y, blue to +z. Without its lid one looks into it.
-MeshData bodyOf(const Settings& s) {
-    if (s.body == Body::cube) return colorCube();
-    std::vector<BezierPatch> patches = teapot();
-    constexpr int firstOfLid = 12, patchesOfLid = 8;
-    if (s.body == Body::openTeapot)
-        patches.erase(patches.begin() + firstOfLid, patches.begin() + firstOfLid + patchesOfLid);
-    MeshData mesh = tessellated(patches, s.divisions);
-    for (fvec3& position : mesh.positions) position = 0.45F * (position - fvec3(0.25, 1.5, 0));
-    for (const fvec3& normal : mesh.normals) mesh.colors.emplace_back(0.5F + 0.5F * normal, 1);
-    return withoutTexCoords(withoutNormals(std::move(mesh)));
 }
 
 mat4 viewFromModel(const Settings& s) {

@@ -1,4 +1,6 @@
 #pragma once
+#include <optional>
+
 #include "mv/demo/frame.h"
 #include "mv/demo/made_for.h"
 #include "mv/demo/numbers.h"
@@ -27,12 +29,19 @@ struct Gpu {
     Mesh body;
     MadeFor<Body, int> bodyFor;
     Mesh axes{mv::axes(1.5), "axes"};
+    std::optional<Program> distances;  // for the study alone
 };
 
 void draw(Gpu& gpu, const Settings& s, const Frame& frame);
-MeshData bodyOf(const Settings& s);
+void drawBody(Gpu& gpu, const Program& program, const Settings& s, const Frame& frame);
 mat4 viewFromModel(const Settings& s);
 void check(const Settings& s);
+
+// body.cpp
+MeshData bodyOf(const Settings& s);
+
+// study.cpp
+void drawDistances(Gpu& gpu, const Settings& s, const Frame& frame);
 void readOut(Gpu& gpu, const Settings& s, const Frame& frame, Numbers& numbers);
 
 }  // namespace mv::cube_cull

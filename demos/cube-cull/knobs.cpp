@@ -70,6 +70,7 @@ const Lesson<Settings, Gpu> lesson{
                  {"outside", "triangles wholly outside the view"},
                  {"surviving", "triangles that go on to the rasterizer"}},
     .draw = draw,
+    .measure = drawDistances,
     .readOut = readOut,
     .check = check,
 };

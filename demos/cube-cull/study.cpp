@@ -36,6 +36,12 @@ void readOut(Gpu& gpu, const Settings& s, const Frame& frame, Numbers& numbers) 
     numbers.set("surviving", double(triangles.surviving));
 }
 
+void drawDistances(Gpu& gpu, const Settings& s, const Frame& frame) {
+    if (!gpu.distances)
+        gpu.distances = Program::fromFiles("distance", {"cube-cull/cube-cull.vert", "cube-cull/distance.frag"});
+    drawBody(gpu, *gpu.distances, s, frame);
+}
+
 namespace {
 
 Bvh treeOf(const MeshData& mesh) {

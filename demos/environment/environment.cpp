@@ -74,16 +74,18 @@ void setSurface(const Program& program, const Settings& s) {
 
 // The number of surfaces at which light may leave the glass. A formula for it exists for the sphere alone.
 int waysOut(const Settings& s) {
-    if (!isSphere(s) || s.refract == Through::first) return 0;
-    return s.refract == Through::both ? 1 : 5;
+    constexpr std::array ofSphere{0, 1, 5};  // in the order of Through
+    return isSphere(s) ? ofSphere.at(static_cast<std::size_t>(s.refract)) : 0;
 }
 
 Coating coatingOf(const Settings& s) {
     using Kind = Coating::Kind;
-    constexpr std::array kinds{Kind::mirror, Kind::metal, Kind::metal, Kind::glass};  // in the order of Material
-    return {.kind = kinds.at(static_cast<std::size_t>(s.material)),
-            .metal = s.material == Material::copper ? copper : gold,
-            .index = s.index};
+    // In the order of Material; a mirror and glass ask for no metal
+    const std::array<Coating, 4> coatings{{{Kind::mirror, gold, s.index},
+                                           {Kind::metal, gold, s.index},
+                                           {Kind::metal, copper, s.index},
+                                           {Kind::glass, gold, s.index}}};
+    return coatings.at(static_cast<std::size_t>(s.material));
 }
 
 // A model of the user's replaces the body, and is as large as the sphere.

@@ -46,11 +46,11 @@ void drawClock(Drawing& drawing, const Settings& s, const Pane& pane, double tim
 }
 
 // The ball is thrown anew every six seconds.
-void drawBall(Drawing& drawing, const Pane& pane, double time) {
-    const double t = std::fmod(time, 6), ballHeight = std::abs(std::sin(4 * t + 0.6)) * std::exp(-0.35 * t);
+void drawBall(Drawing& drawing, const Settings& s, const Pane& pane, double time) {
+    const double height = ballHeight(s.ball, std::fmod(time, 6));
     const double low = 0.5 * pane.height, high = 0.76 * pane.height, x = 0.83 * pane.width, size = 20 * unit(pane);
     drawing.line({x - size, low}, {x + size, low}, {ink, 2});
-    drawing.point({x, low + size / 2 + ballHeight * (high - low - size)}, size, vec4(0.85, 0.45, 0.1, 1));
+    drawing.point({x, low + size / 2 + height * (high - low - size)}, size, vec4(0.85, 0.45, 0.1, 1));
 }
 
 // Four beside each other, above the display's last pictures.
@@ -73,7 +73,7 @@ void drawClocks(Drawing& drawing, const Settings& s, const std::array<double, 4>
         const Pane pane = paneOf(frame, way);
         drawing.in(pane);
         drawClock(drawing, s, pane, here, right);
-        drawBall(drawing, pane, here);
+        drawBall(drawing, s, pane, here);
         const vec4 color = std::abs(here - right) > 2 * stepTime(s) ? red : ink;
         words(drawing, pane, 0.99, names[static_cast<std::size_t>(way)], ink, 1.2);
         words(drawing, pane, 0.91, formatted("%.2f s", here), color);

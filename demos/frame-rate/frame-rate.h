@@ -15,6 +15,7 @@ namespace mv::frame_rate {
 enum class Display { hz60, ntsc, hz144, hz240 };
 enum class Sum { doubles, floats, compensated, product };
 enum class Hands { clockwise, asWritten };
+enum class Ball { asWritten, falling };
 
 struct Settings {
     Display display = Display::hz144;
@@ -29,6 +30,7 @@ struct Settings {
     bool between = true;
     Sum sum = Sum::doubles;
     Hands hands = Hands::clockwise;
+    Ball ball = Ball::asWritten;
 };
 
 struct Gpu {
@@ -89,6 +91,11 @@ mat4 clipFromCube(double turn, double aspect);
 Running start(const Settings& s);
 void step(Running& now, const Settings& s, int index);
 double hertz(const Settings& s);
+
+// The ball, 1 high at most, t seconds after it was thrown: ball.cpp.
+double ballHeight(Ball ball, double t);
+double slidesHeight(double t);
+double fallingHeight(double t);
 
 // Clocks, balls and the display's last pictures: figure.cpp.
 Pane cubePane(const FrameInfo& frame, int way);

@@ -29,7 +29,11 @@ std::vector<Row<Settings>> rows() {
             .beginsAnew(),
         word("hands", &Settings::hands,
              {{"clockwise"}, {"as-written", "by t/10 and t/120 degrees, as the slide has it"}},
-             "which way the hands go"));
+             "which way the hands go"),
+        word("ball", &Settings::ball,
+             {{"as-written", "by |sin(wt + theta_0)| e^(-kt), as the slide has it"},
+              {"falling", "freely, from bounce to bounce"}},
+             "how the ball bounces"));
 }
 
 constexpr Declaration about{

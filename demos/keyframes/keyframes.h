@@ -93,7 +93,7 @@ const std::vector<CameraAt>& cameraKeys();
 CameraAt cameraAt(const Settings& s, double time);
 Pane shapedPane(const Pane& pane, double aspect);
 
-// Paths, graphs and words: figure.cpp.
+// Paths, graphs and words: ball_figure.cpp, runge_figure.cpp, camera_figure.cpp, flight_figure.cpp, and figure.cpp for all.
 void showWay(Drawing& drawing, const Settings& s, const Motion<vec3>& motion, double now, const Pane& pane);
 void showBall(Drawing& drawing, const Motion<vec3>& motion, double now, const Pane& pane);
 void showGraphs(Drawing& drawing, const Settings& s, const Motion<vec3>& motion, double now, const FrameInfo& frame);

@@ -16,10 +16,12 @@ void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
     const std::string octaves = s.pattern == Pattern::brick ? ""
                                                             : ", noise of " + std::to_string(s.octaves) +
                                                                   (s.octaves == 1 ? " octave" : " octaves");
+    const std::string texels = std::to_string(s.texels);
+    const std::string from = isFromTexture(s) ? ", from " + texels + " x " + texels + " x " + texels + " texels" : "";
     const int size = std::clamp(frame.height() / 34, 8, 22);
     const vec4 ink(0.1, 0.1, 0.1, 1), paper(1, 1, 1, 0.8);
     gpu.drawing.begin(frame);
-    gpu.drawing.text({10, 3.6 * size}, std::string(names.at(which)) + octaves, {size, ink, paper});
+    gpu.drawing.text({10, 3.6 * size}, std::string(names.at(which)) + octaves + from, {size, ink, paper});
     gpu.drawing.text({10, 1.9 * size}, std::string("f(x, y, z) = ") + formulas.at(which), {size, ink, paper});
     gpu.drawing.draw(frame);
 }

@@ -14,8 +14,10 @@
 namespace mv::procedural {
 
 void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
+    if (isFromTexture(s)) return drawFromTexture(gpu, s, frame);  // solid.cpp
+
     // Place the body, and map each of its points to a point of the pattern
-    const Program& program = gpu.program;
+    const Program& program = *gpu.byFormula;
     program.use();
     const BodyMatrices matrices = bodyMatrices(s, frame);
     program.set("clipFromBody", matrices.clipFromBody);
@@ -32,9 +34,13 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     program.set("samples", s.filter == Filter::samples ? s.samples : 1);
     program.set("leavesOut", s.filter == Filter::leaveOut);
 
+    drawBody(gpu, s);
+    nameFinerOctaves(s, frame);
+}
+
+void drawBody(Gpu& gpu, const Settings& s) {
     glEnable(GL_DEPTH_TEST);
     (s.view == View::sphere ? *gpu.ball : *gpu.flat).draw();
-    nameFinerOctaves(s, frame);
 }
 
 // Set the centre of the pattern. With the origin near, the shader gets the cell of each octave and the place in it, from
@@ -81,9 +87,10 @@ vec3 highOf(const PatternPlace::Octave& octave) {
     return {half(octave.cell[0]), half(octave.cell[1]), half(octave.cell[2])};
 }
 
-// The pattern's place in the middle of the view. With `endless`, octaves go on with the zoom.
+// The pattern's place in the middle of the view. With `endless`, octaves go on with the zoom; a texture has those that it was
+// made with.
 PatternPlace placeOf(const Settings& s) {
-    const bool zooms = s.view == View::wall && s.endless;
+    const bool zooms = s.view == View::wall && s.endless && s.source == Source::formula;
     return {s.pattern, s.octaves, zooms ? std::log2(s.zoom) : 0.0, patternCentre(s.distance)};
 }
 

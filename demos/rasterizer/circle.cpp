@@ -34,7 +34,8 @@ static std::vector<vec2> ringOf(const Circle& circle, const Grid& grid) {
     return ring;
 }
 
-void drawCircle(Gpu& gpu, const Circle& circle, const Grid& grid, const Frame& frame) {
+void drawCircle(Gpu& gpu, const Settings& s, const Grid& grid, const Frame& frame) {
+    const Circle& circle = s.circle;
     const std::vector<PixelStep> pixels = pixelsOf(circle, grid);
     std::vector<vec2> ring = ringOf(circle, grid);
     MeshData data{.primitive = Primitive::lines};

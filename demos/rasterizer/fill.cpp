@@ -35,7 +35,9 @@ std::size_t countFill(const Fill& fill, const Corners& corners, const Grid& grid
     return flooded(fill, outlineOf(corners, grid), grid).pixels.size();
 }
 
-void drawFill(Gpu& gpu, const Fill& fill, const Corners& corners, const Grid& grid, const Frame& frame) {
+void drawFill(Gpu& gpu, const Settings& s, const Grid& grid, const Frame& frame) {
+    const Fill& fill = s.fill;
+    const Corners& corners = s.corners;
     const PixelMap outline = outlineOf(corners, grid);
     const std::vector<PixelStep> pixels = flooded(fill, outline, grid).pixels;
     Shape shape{{{corners.begin(), corners.end()}}, fill.seed + 0.5};

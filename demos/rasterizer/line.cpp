@@ -28,7 +28,8 @@ std::size_t countLine(const Line& line, const Grid& grid) { return pixelsOf(line
 
 static MeshData meshOf(const Line& line, const Grid& grid);
 
-void drawLine(Gpu& gpu, const Line& line, const Grid& grid, const Frame& frame) {
+void drawLine(Gpu& gpu, const Settings& s, const Grid& grid, const Frame& frame) {
+    const Line& line = s.line;
     const std::vector<PixelStep> pixels = pixelsOf(line, grid);
     const Picture mine = inked(grid, pixels), glPicture = byOpenGl(gpu, meshOf(line, grid), grid, frame);
 

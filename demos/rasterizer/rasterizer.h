@@ -79,11 +79,11 @@ struct Gpu {
 // Each subject is a part of the lesson, in a file of its name: line.cpp, triangle.cpp, fill.cpp, star.cpp, circle.cpp.
 struct Grid;
 void draw(Gpu& gpu, const Settings& s, const Frame& frame);
-void drawLine(Gpu& gpu, const Line& line, const Grid& grid, const Frame& frame);
-void drawTriangles(Gpu& gpu, const Triangles& s, const Corners& corners, const Grid& grid, const Frame& frame);
-void drawFill(Gpu& gpu, const Fill& fill, const Corners& corners, const Grid& grid, const Frame& frame);
-void drawStar(Gpu& gpu, const Star& star, const Grid& grid, const Frame& frame);
-void drawCircle(Gpu& gpu, const Circle& circle, const Grid& grid, const Frame& frame);
+void drawLine(Gpu& gpu, const Settings& s, const Grid& grid, const Frame& frame);
+void drawTriangles(Gpu& gpu, const Settings& s, const Grid& grid, const Frame& frame);
+void drawFill(Gpu& gpu, const Settings& s, const Grid& grid, const Frame& frame);
+void drawStar(Gpu& gpu, const Settings& s, const Grid& grid, const Frame& frame);
+void drawCircle(Gpu& gpu, const Settings& s, const Grid& grid, const Frame& frame);
 
 // The readouts of each part.
 void readOut(Gpu& gpu, const Settings& s, const Frame& frame, Numbers& numbers);

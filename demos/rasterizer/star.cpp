@@ -15,7 +15,8 @@ static std::vector<PixelStep> pixelsOf(const Star& star, const Grid& grid) {
 
 std::size_t countStar(const Star& star, const Grid& grid) { return pixelsOf(star, grid).size(); }
 
-void drawStar(Gpu& gpu, const Star& star, const Grid& grid, const Frame& frame) {
+void drawStar(Gpu& gpu, const Settings& s, const Grid& grid, const Frame& frame) {
+    const Star& star = s.star;
     const std::vector<PixelStep> pixels = pixelsOf(star, grid);
     Shape shape{{star.corners}};
     shape.lines.front().push_back(star.corners.front());

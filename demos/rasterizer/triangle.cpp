@@ -97,10 +97,12 @@ std::size_t countTriangles(const Triangles& s, const Corners& corners, const Gri
     return count;
 }
 
-void drawTriangles(Gpu& gpu, const Triangles& s, const Corners& corners, const Grid& grid, const Frame& frame) {
-    const std::vector<Covered> all = covered(s, corners, grid);
-    const Picture mine = pictureOf(all, s, corners, grid),
-                  glPicture = byOpenGl(gpu, meshOf(s, corners, grid), grid, frame);
+void drawTriangles(Gpu& gpu, const Settings& s, const Grid& grid, const Frame& frame) {
+    const Triangles& triangles = s.triangles;
+    const Corners& corners = s.corners;
+    const std::vector<Covered> all = covered(triangles, corners, grid);
+    const Picture mine = pictureOf(all, triangles, corners, grid),
+                  glPicture = byOpenGl(gpu, meshOf(triangles, corners, grid), grid, frame);
     Shape shape{{{corners[0], corners[2]}, {corners.begin(), corners.end()}}};
     shape.lines.back().push_back(corners.front());
     showPictures(gpu, frame, grid, mine, glPicture, shape);
@@ -108,14 +110,15 @@ void drawTriangles(Gpu& gpu, const Triangles& s, const Corners& corners, const G
     std::size_t count = 0;
     for (const Covered& one : all) count += one.pixels.size();
     std::optional<std::pair<std::string, vec4>> more;
-    if (s.neighbour) {
+    if (triangles.neighbour) {
         const Shared found = shared(all, corners, grid);
         more = {std::to_string(found.doubles) + " pixels twice, " + std::to_string(found.holes) + " holes",
                 found.doubles + found.holes > 0 ? red : ink};
     }
-    showWords(gpu, frame, grid, std::string(nameOf(s.method)) + ", " + nameOf(s.rule) + ": " + countOf(grid, count),
+    showWords(gpu, frame, grid,
+              std::string(nameOf(triangles.method)) + ", " + nameOf(triangles.rule) + ": " + countOf(grid, count),
               formatted("OpenGL: pixels set otherwise: %.0f",
-                        double(countDifferent(pictureOf(all, s, corners, grid.whole()), glPicture))),
+                        double(countDifferent(pictureOf(all, triangles, corners, grid.whole()), glPicture))),
               more);
 }
 

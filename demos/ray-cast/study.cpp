@@ -1,5 +1,4 @@
-// The readouts of ray-cast, and its study: the t of each pixel against the same rays in long double, and its
-// picture against GL's.
+// The readouts of ray-cast, and its study: the t of each pixel against the same rays in long double (reference.cpp).
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -54,120 +53,13 @@ namespace {
 
 using namespace mv::claims;
 
-bool isShown(const Demo& demo, std::size_t kind) {
-    if (demo.word("objects") == "all") return kind < castTogether;
-    return demo.word("objects") == castKindNames.at(kind);
-}
-
-// The teapot's triangles, by the grid, which shares no box with the tree.
-Reference teapotReference(const Demo& demo) {
-    const int side = static_cast<int>(demo.number("rows"));
-    const int cells = static_cast<int>(std::lround(std::sqrt(demo.number("triangles") / 64)));
-    const auto grid = findTriangles(RayStructure::grid, teapotTriangles(cells));
-    const double size = demo.number("scale");
-    Reference reference;
-    for (int pixel = 0; pixel < side * side; ++pixel) {
-        const LongRay ray = exactRay(demo, pixel % side, pixel / side, side);
-        const auto hit = grid->nearest({vec3(ray.origin) / size, vec3(ray.direction) / size});
-        reference.values.push_back(hit ? hit->hit.t / size - demo.number("distance") : 10);
-    }
-    reference.work = double(reference.values.size());
-    return reference;
-}
-
-// Each pixel's t as the demo's values() has it, and what is there.
-Reference longDouble(const Demo& demo, const ReferenceFrame&, const auto&) {
-    const int side = static_cast<int>(demo.number("rows"));
-    const bool isFloat = demo.word("precision") == "float";
-    const Long size = static_cast<Long>(demo.number("scale"));
-    Reference reference;
-    reference.across = side;
-    for (int j = 0; j < side; ++j) {
-        for (int i = 0; i < side; ++i) {
-            const LongRay ray = exactRay(demo, i, j, side);
-            std::optional<Long> first;
-            int seen = 0;
-            for (std::size_t k = 0; k < castKindNames.size(); ++k) {
-                if (!isShown(demo, k)) continue;
-                const auto t = exactHit(ray, static_cast<CastKind>(k), size, isFloat);
-                if (!t || (first && *first <= *t)) continue;
-                first = t;
-                seen = static_cast<int>(k) + 1;
-            }
-            reference.values.push_back(
-                first ? static_cast<double>(*first / size - static_cast<Long>(demo.number("distance"))) : 10);
-            reference.regions.push_back(seen);
-        }
-    }
-    reference.work = double(reference.values.size());
-    return reference;
-}
-
-// The objects that the demo's rays see, by its own form: 0 for the sky.
-std::vector<int> seenByRays(const Demo& demo, int side) {
-    const CastWay way{settingsOf<Settings>(demo).form, PlaneForm::implicit, static_cast<int>(demo.number("starts"))};
-    const bool isFloat = demo.word("precision") == "float";
-    const double size = demo.number("scale");
-    std::vector<std::size_t> kinds;
-    for (std::size_t k = 0; k < castKindNames.size(); ++k) {
-        if (isShown(demo, k)) kinds.push_back(k);
-    }
-    std::vector<int> seen;
-    for (int pixel = 0; pixel < side * side; ++pixel) {
-        const LongRay ray = exactRay(demo, pixel % side, pixel / side, side);
-        std::optional<double> first;
-        int what = 0;
-        for (const std::size_t k : kinds) {
-            const auto kind = static_cast<CastKind>(k);
-            const auto hit = isFloat ? castAt(kind, size, RayOf<float>{fvec3(ray.origin), fvec3(ray.direction)}, way)
-                                     : castAt(kind, size, Ray{vec3(ray.origin), vec3(ray.direction)}, way);
-            if (!hit || (first && *first <= hit->t)) continue;
-            first = hit->t;
-            what = static_cast<int>(k) + 1;
-        }
-        seen.push_back(what);
-    }
-    return seen;
-}
-
-// Beside GL's raster of the same scene: pixels with another object, away from edges, and the part that is at edges.
-std::vector<double> besideRaster(Probing& probing) {
-    const Demo& demo = probing.demo();
-    if (demo.word("objects") == "teapot") return {};
-    const int side = static_cast<int>(demo.number("rows"));
-    const std::vector<float> raster = probing.measured(side, side);
-    if (raster.empty()) return {};
-    const std::vector<int> rays = seenByRays(demo, side);
-    const auto idOf = [&](std::size_t pixel) { return std::max(0, static_cast<int>(raster[pixel])); };
-    double wrong = 0, edge = 0;
-    for (int y = 0; y < side; ++y) {
-        for (int x = 0; x < side; ++x) {
-            const std::size_t here = pixelIndex(x, y, side);
-            bool isAtEdge = false;
-            for (int v = std::max(0, y - 1); v <= std::min(side - 1, y + 1); ++v) {
-                for (int u = std::max(0, x - 1); u <= std::min(side - 1, x + 1); ++u)
-                    isAtEdge = isAtEdge || rays[pixelIndex(u, v, side)] != rays[here];
-            }
-            edge += isAtEdge ? 1 : 0;
-            wrong += !isAtEdge && idOf(here) != rays[here] ? 1 : 0;
-        }
-    }
-    return {wrong, 100 * edge / (double(side) * side)};
-}
-
-const bool probed =
-    addProbes("ray-cast",
-              {{.numbers = {{"raster-wrong", "pixels, away from edges, where GL's triangles show another object", "px"},
-                            {"at-edges", "of the pixels, that have a neighbour with another object", "%"}},
-                .measure = besideRaster}});
-
 Study study() {
     Study study;
     study.quantity = "t of each pixel's ray without the eye's distance, in units of the scene; 64 x 64 rays";
     study.reference = "the same rays, as rounded, in long double: perpendiculars, volumes and halving";
     study.reads = {"precision", "objects", "triangles", "distance", "scale", "rows"};
-    study.makeReference = [](const Demo& demo, const ReferenceFrame& frame, const auto& progress) {
-        return demo.word("objects") == "teapot" ? teapotReference(demo) : longDouble(demo, frame, progress);
+    study.makeReference = [](const Demo& demo, const ReferenceFrame&, const auto&) {
+        return demo.word("objects") == "teapot" ? teapotReference(demo) : longDouble(demo);
     };
     study.axis = ErrorAxis::fraction;
     study.width = 64;

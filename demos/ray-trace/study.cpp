@@ -1,16 +1,13 @@
-// The readouts of ray-trace, and its study: the noise of a few samples, and the time to find a triangle among
-// many.
+// The readouts of ray-trace, and its study: the noise of a few samples, and the time to find a triangle among many.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <map>
 #include <string>
 #include <vector>
 
 #include "mv/demo/lesson.h"
-#include "mv/math/transform.h"
 #include "ray-trace.h"
+#include "values.h"
 
 namespace mv::ray_trace {
 
@@ -32,150 +29,7 @@ void readOut(Gpu&, const Settings& s, const Made& made, const Frame&, Numbers& n
 
 namespace {
 
-constexpr int width = 24, height = 16, seeds = 8;  // of values()
-constexpr int manySamples = 4096;
-
-// All passes that count, one after the other.
-TracePicture whole(const TracePicture::Plan& plan) {
-    TracePicture picture;
-    picture.pass(plan, 0);
-    for (int pass = TracePicture::passesOf(0); pass < TracePicture::passesOf(plan.samples); ++pass)
-        picture.pass(plan, pass);
-    return picture;
-}
-double grey(const vec3& light) { return (light.x + light.y + light.z) / 3; }
-
-// Kept, so that the time of finding triangles is not that of preparing to.
-std::shared_ptr<const TriangleFinder> keptFinder(const Settings& s) {
-    static MadeFor<TracedRoom, RayStructure, int> keptFor;
-    static std::shared_ptr<const TriangleFinder> kept;
-    if (keptFor.changed(s.room, s.structure, s.triangles)) kept = finderOf(s);
-    return kept;
-}
-
-}  // namespace
-
-// The colours of a picture of 48 x 32 pixels, one ray for each.
-static std::vector<double> colorsOf(TracePicture::Plan plan) {
-    plan.pattern = SamplePattern::regular;
-    plan.samples = 1;
-    std::vector<double> all;
-    const TracePicture picture = whole(plan);
-    for (const vec3& light : picture.light()) all.insert(all.end(), {light.x, light.y, light.z});
-    return all;
-}
-
-// The middle of a picture of 48 x 32 pixels for each of eight seeds, as grey; of triangles the t of a thousand rays, 0 for none;
-// of strips, which rays meet again what they leave; of the glass ball colours.
-std::vector<double> values(const Settings& s) {
-    if (s.room == TracedRoom::strips) return againOffStrips(s.triangles, s.leave);
-    std::vector<double> all;
-    if (s.room == TracedRoom::teapot) {
-        const TracePicture::Plan plan = planOf(s, 40, 25, keptFinder(s));
-        for (const Ray& ray : raysThrough(plan)) {
-            const auto hit = plan.scene.mesh->nearest(ray);
-            all.push_back(hit ? hit->hit.t : 0);
-        }
-        return all;
-    }
-    if (s.room == TracedRoom::glassBall) return colorsOf(planOf(s, 48, 32, {}));
-    for (int one = 1; one <= seeds; ++one) {
-        TracePicture::Plan plan = planOf(s, width, height, {});
-        plan.view.fovy = halved(plan.view.fovy);
-        plan.seed = static_cast<std::uint32_t>(100 * s.seed + one);
-        const TracePicture picture = whole(plan);
-        for (const vec3& light : picture.light()) all.push_back(grey(light));
-    }
-    return all;
-}
-
-// The spread of the seeds' mean squares, each taken from the mean of all seeds' pictures.
-std::vector<std::pair<std::string, double>> valueCounts(const Settings& s) {
-    if (s.room == TracedRoom::teapot || s.room == TracedRoom::strips || s.room == TracedRoom::glassBall) return {};
-    const std::vector<double> greys = values(s);
-    constexpr std::size_t pixels = std::size_t{width} * height;
-    std::vector<double> mean(pixels, 0), squares(seeds, 0);
-    for (std::size_t i = 0; i < greys.size(); ++i) mean[i % pixels] += greys[i] / seeds;
-    for (std::size_t i = 0; i < greys.size(); ++i)
-        squares[i / pixels] += (greys[i] - mean[i % pixels]) * (greys[i] - mean[i % pixels]);
-    double sum = 0, deviation = 0;
-    for (const double one : squares) sum += one / seeds;
-    for (const double one : squares) deviation += (one - sum) * (one - sum) / (seeds - 1);
-    return {{"deviation of the seeds (%)", sum > 0 ? 100 * std::sqrt(deviation) / sum : 0}};
-}
-
-namespace {
-
 using namespace mv::claims;
-
-// The subject of the picture, without its sampling; Fresnel's parts exact, the squares asked and not averaged.
-TracePicture::Plan referencePlan(const Demo& demo, int columns, int rows) {
-    Settings s = settingsOf<Settings>(demo);
-    s.fresnel = Fresnel::exact;
-    s.filtered = false;
-    return planOf(s, columns, rows, {});  // of a teapot the reference asks the triangles itself
-}
-
-// A sequence of its own seed, of many samples; for each of the demo's seeds the same picture. References are kept:
-// whoever tries one knob after the other asks for the same picture again and again.
-Reference ofManySamples(const Demo& demo) {
-    static std::map<std::string, Reference> made;
-    std::string of;
-    for (const char* knob : {"room", "depth", "shadows", "lamp-size", "index", "eye-turn", "eye-height", "globe-turn"})
-        of += demo.word(knob) + " ";
-    Reference& reference = made[of];
-    if (!reference.values.empty()) return reference;
-    TracePicture::Plan plan = referencePlan(demo, width, height);
-    plan.view.fovy = halved(plan.view.fovy);
-    plan.pattern = SamplePattern::sequence;
-    plan.samples = manySamples;
-    plan.seed = 12345;
-    const TracePicture picture = whole(plan);
-    for (int seed = 0; seed < seeds; ++seed) {
-        for (const vec3& light : picture.light()) reference.values.push_back(grey(light));
-    }
-    reference.work = double(picture.rays());
-    return reference;
-}
-
-// Every triangle asked, by the textbook's form: what is beside it in the same place has the same t.
-Reference everyTriangle(const Demo& demo) {
-    const int cells = static_cast<int>(std::lround(std::sqrt(demo.number("triangles") / 64)));
-    const std::vector<SceneTriangle> triangles = teapotTriangles(cells);
-    Reference reference;
-    for (const Ray& ray : raysThrough(referencePlan(demo, 40, 25))) {
-        double first = 0;
-        for (const SceneTriangle& in : triangles) {
-            const vec3 ab = in.b - in.a, ac = in.c - in.a, across = glm::cross(ray.direction, ac);
-            const double determinant = glm::dot(ab, across);
-            if (determinant == 0) continue;
-            const vec3 from = ray.origin - in.a, around = glm::cross(from, ab);
-            const double u = glm::dot(from, across) / determinant, v = glm::dot(ray.direction, around) / determinant,
-                         t = glm::dot(ac, around) / determinant;
-            if (u >= 0 && v >= 0 && u + v <= 1 && t > 0 && (first == 0 || t < first)) first = t;
-        }
-        reference.values.push_back(first);
-    }
-    reference.work = double(triangles.size());
-    return reference;
-}
-
-// No ray that leaves a floor upwards meets it again.
-Reference noneAgain(const Demo&) {
-    constexpr std::size_t rays = 100'000;
-    return {.values = std::vector<double>(rays, 0), .work = double(rays)};
-}
-
-// The same rays, each traced for 256 wavelengths.
-Reference ofManyWavelengths(const Demo& demo) {
-    Settings s = settingsOf<Settings>(demo);
-    s.fresnel = Fresnel::exact;
-    TracePicture::Plan plan = planOf(s, 48, 32, {});
-    plan.colors = ray_trace::colorsOf(s, 256);
-    Reference reference;
-    reference.values = colorsOf(plan);
-    return reference;
-}
 
 Study study() {
     Study study;
@@ -187,11 +41,7 @@ Study study() {
     study.reference =
         "4096 samples a pixel of a sequence with a seed of its own; every triangle by the textbook's form; 0; the same "
         "rays for 256 wavelengths";
-    study.makeReference = [](const Demo& demo, const ReferenceFrame&, const auto&) {
-        if (demo.word("room") == "strips") return noneAgain(demo);
-        if (demo.word("room") == "glass-ball") return ofManyWavelengths(demo);
-        return demo.word("room") == "teapot" ? everyTriangle(demo) : ofManySamples(demo);
-    };
+    study.makeReference = [](const Demo& demo, const ReferenceFrame&, const auto&) { return referenceOf(demo); };
     study.ofValues = true;
     study.reads = {"room",      "depth",     "shadows", "lamp-size",  "index", "eye-turn", "eye-height",
                    "triangles", "highlight", "falloff", "globe-turn", "abbe",  "filtered"};

@@ -13,9 +13,9 @@
 namespace mv::robot_arm {
 
 void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
+    constexpr std::array ofScene{drawLinks, drawLinks, drawWalkers, drawPerson};  // walker.cpp, person.cpp
     gpu.overlay.begin(frame);
-    const auto drawScene = isWalker(s) ? drawWalkers : isPerson(s) ? drawPerson : drawLinks;
-    drawScene(gpu, s, frame);
+    ofScene.at(static_cast<std::size_t>(s.which))(gpu, s, frame);
     gpu.overlay.above.draw(frame);
 }
 

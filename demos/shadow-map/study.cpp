@@ -29,6 +29,7 @@ StudyLine line(const std::string& method, const std::string& filter, const std::
     line.settings.insert(line.settings.end(), settings.begin(), settings.end());
     line.knob = "resolution";
     line.values = {"256", "512", "1024", "2048", "4096"};
+    line.scenes = {"cube on plane", "still life"};
     return line;
 }
 
@@ -56,7 +57,9 @@ Study study() {
         return litReference(exactScene(demo, frame), frame, {.pixelSide = 8}, progress);
     };
     study.scenes = {{"cube on plane", lit("cube-on-plane", {"-2.2", "3.6", "1.4"}, {"0", "0", "0"})},
-                    {"still life", lit("still-life", {"-3.4", "4.2", "2.6"}, {"0.4", "0.5", "-0.8"})}};
+                    {"still life", lit("still-life", {"-3.4", "4.2", "2.6"}, {"0.4", "0.5", "-0.8"})},
+                    {"cords", {{"scene", "overhead"}, {"sides", "64"}, {"cord", "0.006"}}},
+                    {"ball", {{"scene", "overhead"}, {"cord", "0.001"}, {"resolution", "4096"}}}};
     study.lines = {line("1 tap", "none", "2"),
                    line("hardware 2x2", "hardware", "2"),
                    line("PCF 3x3", "pcf3", "4"),
@@ -65,7 +68,9 @@ Study study() {
                    line("1 tap, receiver left out", "none", "2", {{"receiver", "off"}}),
                    line("1 tap, back faces, receiver left out, no bias", "none", "0",
                         {{"receiver", "off"}, {"map-faces", "back"}}),
-                   line("1 tap, frustum fitted", "none", "2", {{"frustum", "fitted"}})};
+                   line("1 tap, frustum fitted", "none", "2", {{"frustum", "fitted"}}),
+                   {"thin casters", {{"keep", "off"}}, "resolution", {"256", "512", "1024", "2048", "4096"}, {"cords"}},
+                   {"coarse casters", {{"keep", "off"}}, "sides", {"4", "6", "8", "12", "24", "48"}, {"ball"}}};
     study.reads = {"scene",    "projection", "light-x", "light-y",  "light-z", "target-x", "target-y",
                    "target-z", "spin-x",     "spin-y",  "distance", "sides",   "cord"};
     study.axis = ErrorAxis::fraction;
@@ -110,6 +115,21 @@ Study study() {
         claim("receiver", "Leaving the receiver out makes as many pixels wrong, by as much.",
               {ratio(of::wrong, rows("1 tap, receiver left out"), anew, 1, 1),
                ratio(of::rms, rows("1 tap, receiver left out"), anew, 1, 1)}),
+        claim("thin-casters",
+              "Cords thinner than a texel have dashes for shadows. Measured on a processor, the wrong part falls more "
+              "slowly than the resolution grows; from 1024 texels on, where a texel is hardly wider than a cord, all "
+              "of it lies "
+              "within a pixel of an edge.",
+              {slope(of::wrong, rows("thin casters"), -1, -0.65),
+               atLeast(of::wrongAwayFromEdges, rows("thin casters").at(256), 0.1),
+               zero(of::wrongAwayFromEdges, rows("thin casters").from(1024))}),
+        claim("coarse-casters",
+              "A polygonal ball throws a polygonal shadow, too small by an area that falls as the square of its sides. "
+              "Measured on a processor, with the finest map, up to 12 sides the wrong part falls nearly so, as a power "
+              "between -2 and -1.4; with 24 sides it is less than a tenth of what it is with 4, and the map's own "
+              "error is most of it.",
+              {slope(of::wrong, rows("coarse casters").upTo(12), -2, -1.4),
+               ratio(of::wrong, rows("coarse casters").at(24), rows("coarse casters").at(4), 0, 0.1)}),
         claim("back-faces", "Back faces without any bias are as right as front faces with one, within 15 %.",
               {ratio(of::wrong, rows("1 tap, back faces, receiver left out, no bias"), anew, 0.85, 1.15)})};
     return study;

@@ -1,6 +1,7 @@
 // shadow-methods: one scene, and its shadows by every method: side by side, or subtracted.
 #include "shadow-methods.h"
 
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -59,15 +60,18 @@ static void drawObject(const Program& program, const Scene& scene, const SceneOb
 
 // Draw the scene with its shadows by one method: as a picture, or for a study as the lit fraction of each pixel.
 void drawScene(Gpu& gpu, const Scene& scene, Method by) {
-    if (usesMap(by)) return drawByMap(gpu, scene, by);
-    if (by == Method::matrix) return drawByMatrix(gpu, scene);
+    constexpr std::array ofMethod{drawLit, drawByMatrix, drawByVolumes, drawByMap, drawByMap, drawByMap, drawByMap};
+    ofMethod.at(std::size_t(by))(gpu, scene, by);
+}
+
+// Draw the scene as if nothing stood in the light.
+void drawLit(Gpu& gpu, const Scene& scene, Method) {
     const Program& program = useLight(gpu, scene);
     for (const auto& [object, mesh] : gpu.meshes.of(scene)) drawObject(program, scene, object, mesh);
-    if (by == Method::volume) drawByVolumes(gpu, scene);
 }
 
 // Draw the casters again, flattened onto the planes.
-void drawByMatrix(Gpu& gpu, const Scene& scene) {
+void drawByMatrix(Gpu& gpu, const Scene& scene, Method) {
     // Draw the scene in full light, and store in the stencil buffer the number of the plane seen, 0 for a body
     const Program& program = useLight(gpu, scene);
     glEnable(GL_STENCIL_TEST);
@@ -107,7 +111,9 @@ void drawFlattened(Gpu& gpu, const Scene& scene) {
 }
 
 // Count the volumes behind the visible surfaces by z-fail, and draw the scene again without the light where the count is not 0.
-void drawByVolumes(Gpu& gpu, const Scene& scene) {
+void drawByVolumes(Gpu& gpu, const Scene& scene, Method by) {
+    drawLit(gpu, scene, by);
+
     // Count the volumes. Colours and depths stay as they are
     glEnable(GL_STENCIL_TEST);
     glStencilFunc(GL_ALWAYS, 0, ~0U);
@@ -179,7 +185,10 @@ const Program& useLight(Gpu& gpu, const Scene& scene) {
 }
 
 bool usesMap(Method method) { return method >= Method::map; }
-int looksAlong(Method method) { return method == Method::pcf5 ? 5 : method == Method::pcf3 ? 3 : 1; }
+int looksAlong(Method method) {
+    constexpr std::array ofMethod{0, 0, 0, 1, 1, 3, 5};
+    return ofMethod.at(std::size_t(method));
+}
 
 // The method right of the split, or the first where there is no second.
 Method secondOf(const Settings& s) { return s.against == Against::off ? s.method : Method(int(s.against) - 1); }

@@ -61,9 +61,10 @@ struct Gpu {
 void draw(Gpu& gpu, const Settings& s, const Frame& frame);
 void drawSplit(Gpu& gpu, const Settings& s, const Scene& scene, const Frame& frame);
 void drawScene(Gpu& gpu, const Scene& scene, Method by);
-void drawByMatrix(Gpu& gpu, const Scene& scene);
+void drawLit(Gpu& gpu, const Scene& scene, Method by);
+void drawByMatrix(Gpu& gpu, const Scene& scene, Method by);
 void drawFlattened(Gpu& gpu, const Scene& scene);
-void drawByVolumes(Gpu& gpu, const Scene& scene);
+void drawByVolumes(Gpu& gpu, const Scene& scene, Method by);
 void drawByMap(Gpu& gpu, const Scene& scene, Method by);
 bool makeMap(Gpu& gpu, const Settings& s, const Scene& scene);
 const Program& useLight(Gpu& gpu, const Scene& scene);

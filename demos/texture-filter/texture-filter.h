@@ -51,14 +51,18 @@ struct Gpu {
 // The technique: texture-filter.cpp.
 void draw(Gpu& gpu, const Settings& s, const Frame& frame);
 void bindTexture(Gpu& gpu, const Settings& s);
-std::vector<FloatPicture> levelsOf(const Settings& s);
 Texels formatOf(const Settings& s);
-GLenum minifying(Filter filter);
-GLenum magnifying(Filter filter);
+struct GlFilters {
+    GLenum minify, magnify;
+};
+GlFilters glFilters(Filter filter);
 bool isMipmapped(const Settings& s);
 bool isByDriver(const Settings& s);
 bool areColored(const Settings& s);
 int looks(const Settings& s);
+
+// The texture and its mipmaps: levels.cpp.
+std::vector<FloatPicture> levelsOf(const Settings& s);
 
 // A pixel's footprint in the texture, as OpenGL computes it: footprint.cpp.
 struct Lookup {

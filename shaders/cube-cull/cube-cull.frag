@@ -1,5 +1,4 @@
-#include "measure.glsl"
 in vec4 vertexColor;
+out vec4 fragColor;
 
-// A study asks for the distance along the gaze, which is w in clip space.
-void main() { show(vertexColor.rgb, 1.0 / gl_FragCoord.w, true); }
+void main() { fragColor = vertexColor; }

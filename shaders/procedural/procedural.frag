@@ -1,14 +1,11 @@
 // The pattern of a point, of several points of a pixel, or without what a pixel cannot show.
-#include "measure.glsl"
 #include "procedural.glsl"
-#include "srgb.glsl"
-uniform vec3 dark, light;    // colours of 0 and 1, linear
+#include "procedural-look.glsl"
 uniform int samples;         // a side of a pixel
 uniform bool leavesOut;      // what is smaller than a pixel
 uniform bool fromFar;        // the point is rounded to floats, and its cell found from that
 uniform vec3 far;            // the centre
-uniform bool isRound;         // shaded, from the left and above; of which a study asks what is turned to the eye by 60 degrees
-uniform bool isFloor;         // of which it asks up to 20 units away
+uniform bool isFloor;        // of which a study asks up to 20 units away
 in vec3 offset;
 in vec3 facing;
 
@@ -24,8 +21,5 @@ void main() {
             sum += patternAt(at, size);
         }
     }
-    float mean = sum / float(samples * samples);
-    vec3 color = mix(dark, light, mean);
-    if (isRound) color *= 0.25 + 0.75 * max(dot(normalize(facing), vec3(-0.48, 0.6, 0.64)), 0.0);
-    show(srgbFromLinear(color), mean, isFloor ? offset.y < 20.0 : !isRound || normalize(facing).z > 0.5);
+    showPattern(sum / float(samples * samples), facing, !isFloor || offset.y < 20.0);
 }

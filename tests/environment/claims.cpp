@@ -8,6 +8,7 @@
 // - [total-reflection] In a bubble, beyond the limiting angle, everything is mirrored, and nothing shines through.
 // - [no-surface] Glass with the index of its surroundings cannot be seen.
 // - [indices] Water, glass and diamond reflect ((n - 1) / (n + 1))^2 head on, and from inside all beyond the angle whose sine is 1/n.
+// - [any-length] v - 2 n (n.v) mirrors a v of any length; v + 2 n cos a mirrors unit vectors alone.
 // - [own-model] A model of one's own, an OBJ file, is as large as the sphere wherever and however large its corners are.
 #include <gtest/gtest.h>
 
@@ -336,5 +337,18 @@ TEST(Environment, indices) {
         EXPECT_NEAR(run.readout("head-on"), part, 1e-11 * part) << n;
         (void)run.set("index", 1 / n).picture();
         EXPECT_NEAR(std::sin(radians(run.readout("limit"))), 1 / n, 1e-12) << n;
+    }
+}
+
+TEST(Environment, any_length) {
+    const vec3 normal = glm::normalize(vec3(1, 2, 2));
+    for (const double length : {1.0, 3.0, 1e-3}) {
+        const vec3 way = length * glm::normalize(vec3(0.3, -1, 0.2));
+        const double cosine = -glm::dot(glm::normalize(way), normal);
+        // In the plane of v and n, as long, and leaving at the angle at which v arrives: roundings of a sum of three
+        const vec3 mirrored = reflected(way, normal), slides = way + 2 * cosine * normal;
+        EXPECT_NEAR(glm::length(mirrored), length, 4e-16 * length);
+        EXPECT_NEAR(glm::dot(mirrored, normal), length * cosine, 4e-16 * length);
+        EXPECT_EQ(glm::distance(mirrored, slides) < 1e-14, length == 1) << length;
     }
 }

@@ -5,16 +5,20 @@
 // - [wrong-by-its-ratio] What is moved per picture goes display/60 times as fast, and slower where pictures are left out.
 // - [made-for-60] The first three ways look the same on a display of 60 Hz that keeps up.
 // - [hands-turn-backwards] The slide's positive angles turn the hands the wrong way.
+// - [bounces-come-closer] The slide's ball comes down at even times, and does not fall freely between them; the falling one does, and
+//   each of its flights lasts three quarters of the one before.
 // - [spiral] Where a step takes longer to compute than it lasts, each picture takes longer than the one before; with a cap
 //   it does not, and time is lost.
 // - [same-frame] A frame does not depend on the frames drawn before it, or on knobs moved meanwhile.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
 #include <vector>
 
+#include "frame-rate/frame-rate.h"
 #include "mv/show/session.h"
 #include "support/demo_run.h"
 
@@ -174,4 +178,43 @@ TEST(FrameRate, same_frame) {
     stage().draw(298);
     EXPECT_NE(stage().picture(), played);
     stage().close();
+}
+
+TEST(FrameRate, bounces_come_closer) {
+    using namespace mv::frame_rate;
+    constexpr double h = 1e-4;
+    // When the ball is lower than just before and after, up to `end`; and the largest change of its acceleration away from these times, as a
+    // part of it.
+    struct Motion {
+        std::vector<double> bounces;
+        double uneven = 0;
+    };
+    const auto motionOf = [&](Ball ball, double end) {
+        Motion motion;
+        const auto at = [&](double t) { return ballHeight(ball, t); };
+        const auto acceleration = [&](double t) { return (at(t - h) - 2 * at(t) + at(t + h)) / (h * h); };
+        double least = HUGE_VAL, most = 0;
+        for (double t = 2 * h; t < end; t += h) {
+            if (at(t) < at(t - h) && at(t) <= at(t + h)) motion.bounces.push_back(t);
+            if (at(t) < 0.05) continue;  // near a bounce the difference reaches across it
+            least = std::min(least, std::abs(acceleration(t))), most = std::max(most, std::abs(acceleration(t)));
+        }
+        motion.uneven = (most - least) / most;
+        return motion;
+    };
+    const Motion slide = motionOf(Ball::asWritten, 3), falling = motionOf(Ball::falling, 3);
+    ASSERT_GE(slide.bounces.size(), 3U);
+    ASSERT_GE(falling.bounces.size(), 3U);
+    // A bounce is found to a step, so a flight to two
+    for (std::size_t i = 2; i < slide.bounces.size(); ++i) {
+        EXPECT_NEAR(slide.bounces[i] - slide.bounces[i - 1], slide.bounces[1] - slide.bounces[0], 2 * h);
+    }
+    for (std::size_t i = 2; i < falling.bounces.size(); ++i) {
+        EXPECT_NEAR(falling.bounces[i] - falling.bounces[i - 1],
+                    0.75 * (falling.bounces[i - 1] - falling.bounces[i - 2]), 4 * h);
+    }
+    EXPECT_GT(slide.uneven, 0.5);
+    EXPECT_LT(falling.uneven, 1e-4);  // a difference of roundings, 2e-16 / h^2, beside an acceleration of 5
+    EXPECT_LT(ballHeight(Ball::falling, 4.8), 1e-12);  // all flights are over
+    EXPECT_EQ(ballHeight(Ball::falling, 0), 0);
 }

@@ -21,6 +21,8 @@ namespace {
 const char* const plainVertex =
     "uniform mat4 clipFromModel;\nin vec4 position;\nvoid main() { gl_Position = clipFromModel * position; }\n";
 const char* const plainFragment = "uniform vec4 paint;\nout vec4 color;\nvoid main() { color = paint; }\n";
+const char* const solidFragment =
+    "uniform sampler3D solid;\nout vec4 color;\nvoid main() { color = texelFetch(solid, ivec3(0), 0); }\n";
 const char* const mapFragment =
     "uniform sampler2D map;\nout vec4 color;\nvoid main() { color = texelFetch(map, ivec2(0), 0); }\n";
 
@@ -42,7 +44,8 @@ enum class Waste {
     object,
     attribute,
     work,
-    levels
+    levels,
+    solid
 };
 struct Wasting {
     Waste kind = Waste::none;
@@ -67,7 +70,8 @@ struct Wasteful final : DemoOf<Wasting> {
                             {"unused-object"},
                             {"unread-part"},
                             {"needless-work"},
-                            {"unread-levels"}},
+                            {"unread-levels"},
+                            {"solid"}},
                            "")}) {}
     Program program, reader, viewer;
     Mesh plate;
@@ -75,10 +79,21 @@ struct Wasteful final : DemoOf<Wasting> {
     Buffer filled;
     std::optional<DepthMap> map;
     std::optional<Texture> picture, levelled;
+    TextureObject solid;
 
     void init() override {
         program = Program::fromText("plain", plainVertex, plainFragment);
         plate = Mesh(positionsOnly(square()), "plate");
+    }
+    static TextureObject makeSolid() {
+        TextureObject made = makeTexture();
+        glBindTexture(GL_TEXTURE_3D, made.id());
+        labelObject(GL_TEXTURE, made.id(), "solid");
+        const std::vector<std::uint8_t> texels(2 * 3 * 4 * 4);
+        glTexImage3D(GL_TEXTURE_3D, 0, GL_RGBA8, 2, 3, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
+        for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+            glTexParameteri(GL_TEXTURE_3D, filter, GL_NEAREST);
+        return made;
     }
     void drawPlate(const mat4& clipFromModel) {
         program.set("clipFromModel", clipFromModel);
@@ -142,6 +157,15 @@ struct Wasteful final : DemoOf<Wasting> {
             viewer.set("clipFromModel", inFront);
             plate.draw();
         }
+        if (s.kind == Kind::solid) {  // no waste: a draw reads the 3D texture
+            if (!viewer.id()) viewer = Program::fromText("viewer", plainVertex, solidFragment);
+            if (!solid.id()) solid = makeSolid();
+            glBindTexture(GL_TEXTURE_3D, solid.id());
+            viewer.use();
+            viewer.set("solid", 0);
+            viewer.set("clipFromModel", inFront);
+            plate.draw();
+        }
         if (s.kind == Kind::repeated) {
             if (!reader.id()) reader = Program::fromText("reader", plainVertex, mapFragment);
             reader.use();
@@ -190,6 +214,14 @@ TEST(Audit, a_frame_without_waste_is_clean) {
     EXPECT_EQ(report.undone, undone);
     EXPECT_NE(auditText(report).find("undone after it: glBindVertexArray, "), std::string::npos) << auditText(report);
     EXPECT_FALSE(auditing());
+}
+
+TEST(Audit, knows_textures_of_three_dimensions) {
+    const AuditReport report = auditOf("solid", wasteful());
+    EXPECT_TRUE(report.clean()) << auditText(report);
+    const AuditReport none = auditOf("none", wasteful());
+    EXPECT_EQ(report.first.bytesUploaded - none.first.bytesUploaded, 2 * 3 * 4 * 4 + 4 + 64)
+        << "texels, the sampler's unit and a matrix";
 }
 
 // One waste of each kind is found, and only that.

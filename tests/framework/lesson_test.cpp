@@ -201,6 +201,22 @@ TEST(Lessons, functions_are_called_where_a_demo_would_be) {
     EXPECT_THROW((void)demo.values(), Error);
 }
 
+TEST(Lessons, draws_what_a_study_measures_in_the_pictures_place) {
+    Lesson<Settings, Gpu> lesson = kettle();
+    FrameNotes notes;
+    const auto drawnFor = [&](bool measuring) {
+        Kettle demo(std::make_shared<const Lesson<Settings, Gpu>>(lesson));
+        demo.init();
+        calls.clear();
+        demo.draw(Frame(FrameInfo(1, 8, 8), notes, {.measuring = measuring}));
+        return calls;
+    };
+    EXPECT_EQ(drawnFor(true), std::vector<std::string>{"draw"});
+    lesson.measure = [](Gpu&, const Settings&, const Frame&) { calls.emplace_back("measure"); };
+    EXPECT_EQ(drawnFor(true), std::vector<std::string>{"measure"});
+    EXPECT_EQ(drawnFor(false), std::vector<std::string>{"draw"});
+}
+
 // Knobs and check() keep what was asked for; what draws gets what the context can.
 TEST(Lessons, fallback_changes_what_is_drawn_and_no_knob) {
     static double drawn, told;

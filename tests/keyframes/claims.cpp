@@ -1,6 +1,7 @@
 // What keyframes claims, and a test for each.
 //
 // - [through-its-keys] Every kind of curve but the B-spline and the Bezier curve is at each key at the key's time.
+// - [formulas] The page's formulas of polynomial, spline, Catmull-Rom, B-spline and Bezier curve are those that are drawn.
 // - [speed-jumps] Straight from key to key the speed is constant, and jumps at the keys. A spline's does not; that of a
 //   uniform Catmull-Rom curve does not either, but its acceleration does.
 // - [ends] Where it rests before and after, all kinds leave with a jump, but what is eased at both ends and the clamped
@@ -24,6 +25,7 @@
 #include <string>
 #include <vector>
 
+#include "keyframes/key_curve.h"
 #include "mv/demo/demo.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
@@ -285,4 +287,66 @@ TEST(Keyframes, camera_keys) {
     run.set("curve", "ease").set("ease", "elastic");
     EXPECT_NE(run.refusal().find("--ease: must keep the camera off what it looks at"), std::string::npos)
         << run.refusal();
+}
+
+TEST(Keyframes, formulas) {
+    const std::vector<double> g{0.5, 1.5, 4, 5, 8, 2};
+    const int n = 5;
+    std::vector<Keyframe<double>> keys;
+    for (const double value : g) keys.push_back({double(keys.size()), value});
+    const auto motionOf = [&](KeyCurve::Kind kind) {
+        KeyCurve curve;
+        curve.kind = kind;
+        return curve.through(keys, 0.0, 0.0);
+    };
+    const auto key = [&](int i) { return g[std::size_t(i)]; };
+    const auto lagrange = motionOf(KeyCurve::Kind::lagrange), spline = motionOf(KeyCurve::Kind::natural),
+               catmullRom = motionOf(KeyCurve::Kind::catmullRom), bSpline = motionOf(KeyCurve::Kind::bSpline),
+               bezier = motionOf(KeyCurve::Kind::bezier);
+    // Some twenty roundings of numbers up to 10, and up to 8 times as much in the polynomial, whose weights swing
+    constexpr double roundings = 1e-13;
+
+    // The spline's accelerations solve the page's equations
+    std::vector<double> a;
+    for (int i = 0; i < n; ++i) a.push_back(spline.at(i).acceleration);
+    a.push_back(spline.before(n).acceleration);
+    EXPECT_NEAR(a.front(), 0, roundings);
+    EXPECT_NEAR(a.back(), 0, 1e-12);  // a place before the last key, by the slope of 20 at most times its last place
+    for (int i = 1; i < n; ++i) {
+        const double left = a[std::size_t(i) - 1] + 4 * a[std::size_t(i)] + a[std::size_t(i) + 1];
+        EXPECT_NEAR(left, 6 * (key(i - 1) - 2 * key(i) + key(i + 1)), 1e-11) << i;
+    }
+
+    for (int step = 0; step < 10 * n; ++step) {
+        const double t = (step + 0.5) / 10, u = t - std::floor(t), v = 1 - u;
+        const int i = int(t);
+        double polynomial = 0, bernstein = 0, over = 1;
+        for (int k = 0; k <= n; ++k) {
+            double product = key(k);
+            for (int j = 0; j <= n; ++j) product *= j == k ? 1 : (t - j) / (k - j);
+            polynomial += product;
+            bernstein += over * std::pow(t / n, k) * std::pow(1 - t / n, n - k) * key(k);
+            over = over * (n - k) / (k + 1);
+        }
+        EXPECT_NEAR(lagrange.position(t), polynomial, 8 * roundings) << t;
+        EXPECT_NEAR(bezier.position(t), bernstein, roundings) << t;
+        EXPECT_NEAR(spline.position(t),
+                    v * key(i) + u * key(i + 1) + (v * v * v - v) * a[std::size_t(i)] / 6 +
+                        (u * u * u - u) * a[std::size_t(i) + 1] / 6,
+                    roundings)
+            << t;
+        if (i == 0 || i == n - 1) continue;  // what is missing at the ends is another matter
+        const double vi = (key(i + 1) - key(i - 1)) / 2, vj = (key(i + 2) - key(i)) / 2;
+        EXPECT_NEAR(catmullRom.position(t),
+                    (2 * u * u * u - 3 * u * u + 1) * key(i) + (u * u * u - 2 * u * u + u) * vi +
+                        (3 * u * u - 2 * u * u * u) * key(i + 1) + (u * u * u - u * u) * vj,
+                    roundings)
+            << t;
+        EXPECT_NEAR(bSpline.position(t),
+                    (v * v * v * key(i - 1) + (3 * u * u * u - 6 * u * u + 4) * key(i) +
+                     (-3 * u * u * u + 3 * u * u + 3 * u + 1) * key(i + 1) + u * u * u * key(i + 2)) /
+                        6,
+                    roundings)
+            << t;
+    }
 }

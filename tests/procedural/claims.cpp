@@ -5,6 +5,9 @@
 // - [near-is-far] The pattern 2^24 from the origin is computed as exactly as before if the origin is near.
 // - [finer-by-name] In a small picture the audit names each octave that is finer than every pixel; leave-out computes none.
 // - [goes-through] A body is cut out of its pattern: the same point has the same number on the sphere and on the wall.
+// - [texels-of-the-formula] A 3D texture has the formula's number at the middle of each texel, to half a step of a byte, and between
+//   two middles the straight line, at any distance from the origin.
+// - [one-resolution] Zoomed in, a texture shows straight lines from texel to texel, where the formula goes on.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -153,4 +156,63 @@ TEST(Procedural, goes_through) {
         }
         EXPECT_GT(asked, 1000);
     }
+}
+
+TEST(Procedural, texels_of_the_formula) {
+    // Texels' middles lie at the wall's left and right edges and evenly between them. So each pixel's place between eight of them
+    // is known, and what it shows is the mean of the formula's bytes there.
+    DemoRun run("procedural", width, height);
+    run.set("view", "wall").set("source", "texture").set("texels", "16");
+    for (const Named& one : patterns) {
+        run.set("pattern", one.name);
+        for (const double distance : {0.0, 16'777'216.0}) {
+            const auto shown = drawn(run.set("distance", distance));
+            const PatternPlace place{one.pattern, 5, 0, patternCentre(distance)};
+            const double side = 3.0 * width / height, step = side / 15;
+            const auto byteAt = [&](int i, int j, int k) {
+                const vec3 middle(i * step - side / 2, j * step - side / 2, k * step - side / 2);
+                return double(std::lround(255 * patternAt(place, middle))) / 255;
+            };
+            double largest = 0;
+            for (int y = 0; y < height; y += 7) {
+                for (int x = 0; x < width; x += 7) {
+                    const vec3 at = (onWall(x, y, 1) + side / 2) / step, low = glm::floor(at), part = at - low;
+                    double mean = 0;
+                    for (int corner = 0; corner < 8; ++corner) {
+                        const int a = corner & 1, b = (corner >> 1) & 1, c = corner >> 2;
+                        mean += (a == 1 ? part.x : 1 - part.x) * (b == 1 ? part.y : 1 - part.y) *
+                                (c == 1 ? part.z : 1 - part.z) * byteAt(int(low.x) + a, int(low.y) + b, int(low.z) + c);
+                    }
+                    largest = std::max(largest, std::abs(mean - double(shown[pixelIndex(x, y, width)])));
+                }
+            }
+            // A driver weighs by parts of 1/256 at least, in each of three directions, and keeps 8 bits: 4/256 in all.
+            EXPECT_LT(largest, 4.0 / 256) << one.name << " " << distance;
+        }
+    }
+}
+
+TEST(Procedural, one_resolution) {
+    DemoRun run("procedural", width, height);
+    constexpr double zoom = 8, texels = 32, side = 3.0 * width / height, step = side / (texels - 1);
+    run.set("view", "wall").set("pattern", "noise").set("zoom", zoom).set("octaves", 8).set("endless", "off");
+    // From each texel to the next, some 40 pixels: how far the row leaves the straight line between the first and the last of them
+    const auto leaves = [&](const char* source) {
+        const auto shown = drawn(run.set("source", source).set("texels", texels));
+        const auto texelOf = [&](int x) { return std::floor((onWall(x, 0, zoom).x + side / 2) / step); };
+        double most = 0;
+        for (int first = 0; first < width;) {
+            int end = first + 1;
+            while (end < width && texelOf(end) == texelOf(first)) ++end;
+            const double low = double(shown[std::size_t(first)]), high = double(shown[std::size_t(end) - 1]);
+            for (int x = first; x < end; ++x) {
+                const double line = low + (high - low) * (x - first) / std::max(1, end - 1 - first);
+                most = std::max(most, std::abs(double(shown[std::size_t(x)]) - line));
+            }
+            first = end;
+        }
+        return most;
+    };
+    EXPECT_LT(leaves("texture"), 3.0 / 256);  // a driver's weights have 8 bits
+    EXPECT_GT(leaves("formula"), 6.0 / 256);
 }

@@ -103,6 +103,8 @@ struct Lesson {
     std::vector<Probe::Number> readouts = {};  // names, what they say, units
 
     typename Functions::Draw draw = {};
+    // What a study has drawn in the place of that, where the picture's own shaders tell no quantity (measure.glsl).
+    typename Functions::Draw measure = {};
     // Over the picture, what only people need: Demo::annotate. Its frame counts units, see FrameInfo::inUnits().
     typename Functions::Draw figure = {};
     typename Functions::ReadOut readOut = {};  // right after draw, where somebody reads the readouts
@@ -140,7 +142,7 @@ class LessonDemo final : public Demo {
 
     void init() override { gpu_.emplace(); }
     void draw(const Frame& frame) override {
-        paint(lesson_->draw, frame);
+        paint(frame.measuring() && lesson_->measure ? lesson_->measure : lesson_->draw, frame);
         if (!lesson_->readOut || !frame.readouts()) return;
         Numbers numbers(*this);
         if constexpr (remembers)

@@ -112,11 +112,11 @@ class Recorder {
     }
     void before_TexImage2D(GLenum, GLint level, GLint, GLsizei width, GLsizei height, GLint, GLenum format, GLenum type,
                            const void* data) {
-        if (level > 0) parts_.levelsMade(texture_);
-        // Bound to be filled, not to be sampled; binding it again for that is another thing.
-        bound_.erase(texture_);
-        state_.erase(bindingOf(unit_));
-        upload("texture", GL_TEXTURE, texture_, data, long(width) * height * bytesOfPixel(format, type));
+        filled(level, data, long(width) * height * bytesOfPixel(format, type));
+    }
+    void before_TexImage3D(GLenum, GLint level, GLint, GLsizei width, GLsizei height, GLsizei depth, GLint,
+                           GLenum format, GLenum type, const void* data) {
+        filled(level, data, long(width) * height * depth * bytesOfPixel(format, type));
     }
     void before_GenerateMipmap(GLenum) { parts_.levelsMade(texture_); }
     void before_TexParameteri(GLenum, GLenum name, GLint value) {
@@ -190,6 +190,13 @@ class Recorder {
     }
     static std::string bytes(const void* data, GLsizei count) {
         return {static_cast<const char*>(data), static_cast<std::size_t>(count)};
+    }
+    void filled(GLint level, const void* texels, long size) {
+        if (level > 0) parts_.levelsMade(texture_);
+        // Bound to be filled, not to be sampled; binding it again for that is another thing.
+        bound_.erase(texture_);
+        state_.erase(bindingOf(unit_));
+        upload("texture", GL_TEXTURE, texture_, texels, size);
     }
     static std::string bindingOf(GLenum unit) { return "glBindTexture on unit " + std::to_string(unit - GL_TEXTURE0); }
     static long bytesOfPixel(GLenum format, GLenum type) {
@@ -458,6 +465,8 @@ void Recorder::noteSampled() {
         for (const Uniform& uniform : activeUniforms()) {
             if (uniform.type == GL_SAMPLER_2D || uniform.type == GL_SAMPLER_2D_SHADOW) {
                 known->second.push_back({uniform.location, GL_TEXTURE_BINDING_2D});
+            } else if (uniform.type == GL_SAMPLER_3D) {
+                known->second.push_back({uniform.location, GL_TEXTURE_BINDING_3D});
             } else if (uniform.type == GL_SAMPLER_CUBE) {
                 known->second.push_back({uniform.location, GL_TEXTURE_BINDING_CUBE_MAP});
             }

@@ -42,11 +42,10 @@ class EsWatch {
     }
     void before_BindTexture(GLenum, GLuint texture) { texture_ = texture; }
     void before_TexImage2D(GLenum, GLint, GLint format, GLsizei, GLsizei, GLint, GLenum, GLenum, const void*) {
-        if (isOneOf(static_cast<GLenum>(format), {GL_R32F, GL_RG32F, GL_RGB32F, GL_RGBA32F})) {
-            float32_.insert(texture_);
-        } else {
-            float32_.erase(texture_);
-        }
+        filled(format);
+    }
+    void before_TexImage3D(GLenum, GLint, GLint format, GLsizei, GLsizei, GLsizei, GLint, GLenum, GLenum, const void*) {
+        filled(format);
     }
     void before_TexParameteri(GLenum, GLenum name, GLint value) {
         if (name == anisotropy) {
@@ -82,6 +81,13 @@ class EsWatch {
     }
 
   private:
+    void filled(GLint format) {
+        if (isOneOf(static_cast<GLenum>(format), {GL_R32F, GL_RG32F, GL_RGB32F, GL_RGBA32F})) {
+            float32_.insert(texture_);
+        } else {
+            float32_.erase(texture_);
+        }
+    }
     void noteDraw(GLenum mode) {
         if (captured_ != GL_NONE && captured_ != mode) used.insert(beyond_es::expandedFeedback);
         const auto& gl = Layer<EsWatch>::below;

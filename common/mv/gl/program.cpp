@@ -407,7 +407,7 @@ void Program::set(const char* name, double value) const {
     glUniform1f(location(name, {GL_FLOAT}), static_cast<GLfloat>(value));
 }
 void Program::set(const char* name, int value) const {
-    glUniform1i(location(name, {GL_INT, GL_BOOL, GL_SAMPLER_2D, GL_SAMPLER_2D_SHADOW, GL_SAMPLER_CUBE,
+    glUniform1i(location(name, {GL_INT, GL_BOOL, GL_SAMPLER_2D, GL_SAMPLER_2D_SHADOW, GL_SAMPLER_3D, GL_SAMPLER_CUBE,
                                 GL_UNSIGNED_INT_SAMPLER_2D}),
                 value);
 }

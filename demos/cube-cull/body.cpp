@@ -1,0 +1,24 @@
+// The bodies of cube-cull: a cube, and a teapot with its lid or without.
+#include <utility>
+#include <vector>
+
+#include "cube-cull.h"
+#include "mv/geometry/bezier_patch.h"
+#include "mv/geometry/teapot.h"
+
+namespace mv::cube_cull {
+
+// The teapot's colours are its normals': red to +x, green to +y, blue to +z. Without its lid one looks into it.
+MeshData bodyOf(const Settings& s) {
+    if (s.body == Body::cube) return colorCube();
+    std::vector<BezierPatch> patches = teapot();
+    constexpr int firstOfLid = 12, patchesOfLid = 8;
+    if (s.body == Body::openTeapot)
+        patches.erase(patches.begin() + firstOfLid, patches.begin() + firstOfLid + patchesOfLid);
+    MeshData mesh = tessellated(patches, s.divisions);
+    for (fvec3& position : mesh.positions) position = 0.45F * (position - fvec3(0.25, 1.5, 0));
+    for (const fvec3& normal : mesh.normals) mesh.colors.emplace_back(0.5F + 0.5F * normal, 1);
+    return withoutTexCoords(withoutNormals(std::move(mesh)));
+}
+
+}  // namespace mv::cube_cull
