@@ -6,6 +6,7 @@
 #include "mv/gl/functions.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
+#include "shared/wide_lines.h"
 
 namespace mv::cube_cull {
 
@@ -28,7 +29,7 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     gpu.program.set("viewFromModel", viewFromModel(s));
     gpu.program.set("clipFromView", clipFromView);
     gpu.body.draw();
-    if (!frame.measuring()) gpu.axes.draw();
+    if (!frame.measuring()) drawWide(frame, [&] { gpu.axes.draw(); });
 }
 
 // The teapot's colours are its normals': red to +x, green to +y, blue to +z. Without its lid one looks into it.
