@@ -478,6 +478,11 @@ steps() { # by the panel, and what is saved and copied
     awaitReport until 0
     clickOn ">##draw"
     awaitReport until 1
+    # What the draw has changed is outlined: the cube's pixels, as many as differ from the picture before
+    for draws in 0 1; do
+        "$cubeCull" --size 600x960 --until $draws --headless --shot "$state/until$draws.png" >"$state/said" || fail "no picture of $draws draws"
+    done
+    equal "pixels outlined" "$(differing "$state/until0.png" "$state/until1.png")" "$(reported outlined)"
     press s
     awaitReport until 1
     quit
