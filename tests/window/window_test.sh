@@ -30,6 +30,13 @@ opens() {
     equal "corner of the picture" "srgb(230,255,255)" "$(pixel "$state/screen.ppm" 3,3)"
     equal "middle of the picture" "srgb(0,0,255)" "$(pixel "$state/screen.ppm" 300,290)"
     equal "corner of the panel" "srgb(30,33,38)" "$(pixel "$state/screen.ppm" 603,3)"
+    press ctrl+l
+    screenshot "$state/light.ppm"
+    equal "corner of the light panel" "srgb(246,247,249)" "$(pixel "$state/light.ppm" 603,3)"
+    equal "the picture beside it" "srgb(230,255,255)" "$(pixel "$state/light.ppm" 3,3)"
+    clickOn "light panel"
+    screenshot "$state/dark.ppm"
+    equal "corner of the panel, dark again" "srgb(30,33,38)" "$(pixel "$state/dark.ppm" 603,3)"
     quit
     equal "picture's width" 600 "$(reported width)"
     equal "picture's height" 600 "$(reported height)"

@@ -325,7 +325,8 @@ void DemoScreen::showPicture() {
 void DemoScreen::draw() {
     session_.setDensity(std::max({1.0, window_.contentScale(), density_}));
     if (pictureWidth() > 0 && session_.due(pictureWidth(), window_.size().pixelHeight())) redraw();
-    if (shownTarget()) steps_.outline(std::clamp(static_cast<int>(std::lround(window_.size().pixelsPerUnit())), 1, 16));
+    if (shownTarget())
+        steps_.outline(std::clamp(static_cast<int>(std::lround(2 * window_.size().pixelsPerUnit())), 1, 16));
     showPicture();
     gui_.begin();
     if (const Target* shown = shownTarget(); shown && !comparison_.on()) {
@@ -506,6 +507,10 @@ void DemoScreen::showFile() {
         ImGui::EndDisabled();
         tooltip("four samples for each pixel (--multisample 4); a frame that is stopped after a draw has one");
     }
+    bool light = gui_.light();
+    if (ImGui::Checkbox("light panel", &light)) gui_.setLight(light);
+    notePlace("light panel");
+    tooltip("dark words on a light ground, as a beamer wants them (Ctrl+L)");
     char text[96];
     const int width = stage_.front().width(), height = stage_.front().height();
     if (comparison_.on()) {
