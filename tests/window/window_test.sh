@@ -302,8 +302,18 @@ slider() {
 
 preset() { # its button sets every knob, and the copied line makes the same picture
     start 'mvgl: cube-cull' "$cubeCull" --z-dist -6
+    screenshot "$state/unpointed.ppm"
     clickOn "preset front-culled"
     awaitReport cull front z-dist -4
+    # What is said about it stands beside the panel: below it the panel has words of its own, and nothing over them
+    screenshot "$state/pointed.ppm"
+    local left=$(($(reported width) + 2)) below
+    below=$(($(place "section Settings" | sed 's/.* //') - 8))
+    for shown in unpointed pointed; do
+        convert "$state/$shown.ppm" -crop "300x16+$left+$below" +repage "$state/$shown-settings.ppm"
+    done
+    cmp "$state/unpointed-settings.ppm" "$state/pointed-settings.ppm" || fail "the tooltip covers the next section"
+    atLeast "pixels of the picture under the tooltip" "$(differing "$state/unpointed.ppm" "$state/pointed.ppm")" 2000
     press s
     quit
     equal "command" "$cubeCull --cull front" "$(reported command)"

@@ -292,11 +292,12 @@ std::string brokenAtSpaces(const std::string& text, float width) {
 
 void tooltip(const std::string& text) {
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
-    const float width = ImGui::GetFontSize() * 20;
+    const float width = ImGui::GetFontSize() * 20, gap = ImGui::GetStyle().WindowPadding.x;
+    // Beside the panel, where there is room: below it would cover the next widget
+    const float left = ImGui::GetWindowPos().x - gap;
+    if (left > width + 2 * gap) ImGui::SetNextWindowPos({left, ImGui::GetItemRectMin().y}, ImGuiCond_Always, {1, 0});
     ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(width);
     ImGui::TextUnformatted(brokenAtSpaces(text, width).c_str());
-    ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
 }
 

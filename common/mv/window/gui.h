@@ -83,7 +83,7 @@ void notePlace(const std::string& name);
 void notePlace(const std::string& name, const ImVec4& place);
 // A button whose place is noted under its label.
 bool button(const char* label, ImVec2 size = {0, 0});
-// Words under the last widget while the mouse is on it, also where it is disabled.
+// Words about the last widget while the mouse is on it, also where it is disabled: left of the panel, or under the widget.
 void tooltip(const std::string& text);
 // The widget that the keys are at is framed from now on, also where the mouse has just moved.
 void showFocus();
