@@ -303,17 +303,18 @@ slider() {
 preset() { # its button sets every knob, and the copied line makes the same picture
     start 'mvgl: cube-cull' "$cubeCull" --z-dist -6
     screenshot "$state/unpointed.ppm"
+    # What is said about a widget stands beside the panel, and over no other widget
+    local x y
+    read -r x y <<<"$(place "preset front-culled")"
+    at "$x" "$y"
+    screenshot "$state/pointed.ppm"
+    for shown in unpointed pointed; do
+        convert "$state/$shown.ppm" -crop "330x90+$(($(reported width) + 2))+$((y + 14))" +repage "$state/$shown-below.ppm"
+    done
+    cmp "$state/unpointed-below.ppm" "$state/pointed-below.ppm" || fail "the tooltip covers what is below the preset"
+    atLeast "pixels of the tooltip" "$(differing "$state/unpointed.ppm" "$state/pointed.ppm")" 2000
     clickOn "preset front-culled"
     awaitReport cull front z-dist -4
-    # What is said about it stands beside the panel: below it the panel has words of its own, and nothing over them
-    screenshot "$state/pointed.ppm"
-    local left=$(($(reported width) + 2)) below
-    below=$(($(place "section Settings" | sed 's/.* //') - 8))
-    for shown in unpointed pointed; do
-        convert "$state/$shown.ppm" -crop "300x16+$left+$below" +repage "$state/$shown-settings.ppm"
-    done
-    cmp "$state/unpointed-settings.ppm" "$state/pointed-settings.ppm" || fail "the tooltip covers the next section"
-    atLeast "pixels of the picture under the tooltip" "$(differing "$state/unpointed.ppm" "$state/pointed.ppm")" 2000
     press s
     quit
     equal "command" "$cubeCull --cull front" "$(reported command)"
