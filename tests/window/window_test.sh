@@ -302,6 +302,7 @@ slider() {
 
 preset() { # its button sets every knob, and the copied line makes the same picture
     start 'mvgl: cube-cull' "$cubeCull" --z-dist -6
+    at 300 300
     screenshot "$state/unpointed.ppm"
     # What is said about a widget stands beside the panel, and over no other widget
     local x y
@@ -309,9 +310,9 @@ preset() { # its button sets every knob, and the copied line makes the same pict
     at "$x" "$y"
     screenshot "$state/pointed.ppm"
     for shown in unpointed pointed; do
-        convert "$state/$shown.ppm" -crop "330x90+$(($(reported width) + 2))+$((y + 14))" +repage "$state/$shown-below.ppm"
+        convert "$state/$shown.ppm" -fill black -draw "rectangle 600,$((y - 14)) 960,$((y + 14))" -crop 358x600+602+0 +repage "$state/$shown-panel.ppm"
     done
-    cmp "$state/unpointed-below.ppm" "$state/pointed-below.ppm" || fail "the tooltip covers what is below the preset"
+    cmp "$state/unpointed-panel.ppm" "$state/pointed-panel.ppm" || fail "the tooltip covers what is not its own"
     atLeast "pixels of the tooltip" "$(differing "$state/unpointed.ppm" "$state/pointed.ppm")" 2000
     clickOn "preset front-culled"
     awaitReport cull front z-dist -4
