@@ -164,6 +164,11 @@ keyboard() { # all of the panel without a mouse
     awaitReport hovered "far plane"
     press Tab
     await "the focus in the panel" isFocused Lesson
+    goTo "Step through the draws"
+    press space
+    awaitReport until 1 focused ">##draw"
+    press space
+    awaitReport until 2
     press F6
     awaitReport focused ""
     quit

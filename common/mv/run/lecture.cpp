@@ -36,9 +36,12 @@ class Film {
         requireWritable(file);
         const std::string extension = std::filesystem::path(file).extension().string();
         made_ = scratch_.path() / ("movie" + extension);
-        // Video has half as many colours as pixels a side, and so even sides; a GIF has a palette of its own
+        // Video has half as many colours as pixels a side, and so even sides, and says by which matrix its colours are made,
+        // which players guess else; a GIF has a palette of its own
         const std::string kind = extension == ".gif" ? "-vf 'fps=30,split[a][b];[a]palettegen[p];[b][p]paletteuse'"
-                                                     : "-vf 'pad=ceil(iw/2)*2:ceil(ih/2)*2' -pix_fmt yuv420p";
+                                                     : "-vf 'pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=out_color_matrix="
+                                                       "bt709:out_range=tv' -pix_fmt yuv420p -colorspace bt709 "
+                                                       "-color_primaries bt709 -color_trc bt709 -color_range tv";
         const std::string line = "ffmpeg -loglevel error -y -f rawvideo -pix_fmt rgba -s " + std::to_string(width) +
                                  "x" + std::to_string(height) + " -r 60 -i - " + kind + " " +
                                  quotedForShell(made_.string());
@@ -75,6 +78,8 @@ class Film {
 
 void writeMovie(const Command& command) {
     const DemoInfo& info = *command.demo;
+    if (command.vary.empty() && !info.animated && command.changes.empty())
+        throw Error("--movie", "needs something that moves: --vary KNOB=A..B:N, or --at N KNOB=VALUE", info.name);
     const int width = command.width ? command.width : info.width,
               height = command.height ? command.height : info.height;
     Film film(command.movie, width, height);

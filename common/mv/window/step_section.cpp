@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "mv/image/compare.h"
 #include "mv/window/gui.h"
@@ -25,6 +26,7 @@ bool StepSection::show(const std::optional<glm::ivec2>& pixel) {
         if (pressed) {
             session_.setSamples(0);
             session_.stopAfter(1);
+            begins_ = true;
         }
         return pressed;
     }
@@ -86,6 +88,8 @@ bool StepSection::showSlider(const FrameSteps& steps) {
     notePlace("until");
     tooltip("the frame stops after this draw; what comes later is left out, clears and copies, too");
     ImGui::SameLine(0, gap);
+    // The keys that were at the button which is gone go on here
+    if (std::exchange(begins_, false)) ImGui::SetKeyboardFocusHere();
     step(">##draw", "one draw more", 1);
     if (until == *session_.until()) return false;
     session_.stopAfter(until);

@@ -34,6 +34,7 @@ class StepSection {
     const Context& context_;
     Stage& stage_;
     Session& session_;
+    bool begins_ = false;        // the slider comes with the next frame
     long outlinedPicture_ = -1;  // the session's picture that the line is for
     std::optional<long> outlined_;
     std::optional<Thumbnail> line_;
