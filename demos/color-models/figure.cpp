@@ -153,8 +153,9 @@ void drawStrips(Drawing& drawing, const Settings& s, const FrameInfo& frame) {
     drawing.in({0, 0, frame.width(), std::max(frame.height() * 2 / 5, 1)});
     const double left = 76, right = 520, height = 46;
     const Plot plot{{vec2(660, 52) * u, vec2(940, 236) * u}, {0, 1, "part of the way"}, {0, 1, "lightness as seen"}};
-    words(drawing, frame, {left, 246}, "mixed in", faint, 14);
-    words(drawing, frame, {right + 8, 246}, "uneven by", faint, 14);
+    const double above = 232 + std::max(14.0, leastWords / u);  // of words that a small picture keeps large
+    words(drawing, frame, {left, above}, "mixed in", faint, 14);
+    words(drawing, frame, {right + 8, above}, "uneven by", faint, 14);
     for (std::size_t i = 0; i < 4; ++i) {
         const std::vector<vec3> colors = strip(s, static_cast<Way>(i));
         const double top = 226 - 54 * double(i), wide = (right - left) / double(colors.size());

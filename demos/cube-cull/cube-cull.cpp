@@ -4,12 +4,13 @@
 #include "mv/gl/functions.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
+#include "shared/wide_lines.h"
 
 namespace mv::cube_cull {
 
 void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     drawBody(gpu, gpu.program, s, frame);
-    gpu.axes.draw();
+    drawWide(frame, [&] { gpu.axes.draw(); });
 }
 
 void drawBody(Gpu& gpu, const Program& program, const Settings& s, const Frame& frame) {

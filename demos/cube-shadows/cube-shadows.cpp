@@ -17,7 +17,7 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_STENCIL_TEST);
     drawSurfaces(gpu, s, scene);
-    drawEdgesAndLamp(gpu, s, scene);
+    drawEdgesAndLamp(gpu, s, scene, frame);
 
     // Draw the casters again, flattened onto each plane, where the tag shows that this plane is seen. The tag replaces
     // the depth test, so shadow and plane do not z-fight

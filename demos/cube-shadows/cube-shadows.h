@@ -86,7 +86,7 @@ bool showsFront(const Settings& s, const Plane& plane);
 void check(const Settings& s);
 
 // The drawing over the picture, and the words beside it: figure.cpp.
-void drawEdgesAndLamp(Gpu& gpu, const Settings& s, const Scene& scene);
+void drawEdgesAndLamp(Gpu& gpu, const Settings& s, const Scene& scene, const Frame& frame);
 void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame);
 void tell(const Settings& s, const Scene& scene, const Frame& frame);
 void readOut(Gpu& gpu, const Settings& s, const Frame& frame, Numbers& numbers);

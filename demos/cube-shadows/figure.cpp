@@ -11,6 +11,7 @@
 #include "mv/math/transform.h"
 #include "shared/light_rays.h"
 #include "shared/scenes.h"
+#include "shared/wide_lines.h"
 
 namespace mv::cube_shadows {
 
@@ -23,10 +24,12 @@ MeshData painted(MeshData mesh, const vec3& color) {
 MeshData lampShape() { return painted(sphere(0.12, 32, 16), {1, 0.6, 0}); }
 MeshData edgesOfCube() { return painted(wireCube(), {0, 0, 0}); }
 
-void drawEdgesAndLamp(Gpu& gpu, const Settings& s, const Scene& scene) {
+void drawEdgesAndLamp(Gpu& gpu, const Settings& s, const Scene& scene, const Frame& frame) {
     // The edges lie a little outside the faces, which would cover parts of them
     if (s.scene != Which::stillLife)
-        drawSurface(gpu, scene, *gpu.edges, scene[cubeInRoomScene::cube].worldFromObject * scale(2.004));
+        drawWide(frame, [&] {
+            drawSurface(gpu, scene, *gpu.edges, scene[cubeInRoomScene::cube].worldFromObject * scale(2.004));
+        });
     static const MeshData shape = lampShape();
     const mat4 worldFromLamp = translate(vec3(lightOf(s)));
     if (!s.atInfinity && isInView(shape, scene.clipFromWorld() * worldFromLamp))

@@ -28,6 +28,17 @@ long refreshesFor(int steps, const Settings& s, const Running& now) {
     return std::max(1L, static_cast<long>(std::ceil(milliseconds / 1000 * hertz(s))));
 }
 
+// Some hundred numbers are kept. When there are too many, every second one goes.
+void keepOff(Running& now, const Settings& s) {
+    constexpr std::size_t most = 512;
+    if (!now.offs.empty() && now.shownAt < now.offs.back().at + now.spread) return;
+    now.offs.push_back({now.shownAt, times(s, now)[0] - now.shownAt});
+    if (now.offs.size() <= most) return;
+    for (std::size_t i = 0; 2 * i < now.offs.size(); ++i) now.offs[i] = now.offs[2 * i];
+    now.offs.resize((now.offs.size() + 1) / 2);
+    now.spread *= 2;
+}
+
 void showUntil(Running& now, const Settings& s, double time) {
     while (double(now.refreshes + now.waiting) / hertz(s) <= time) {
         const double before = now.shownAt;
@@ -36,6 +47,7 @@ void showUntil(Running& now, const Settings& s, double time) {
         ++now.pictures;
         const int steps = move(now.moved, s, now.shownAt - before);
         now.waiting = refreshesFor(steps, s, now);
+        keepOff(now, s);
         now.last.push_back({now.shownAt, double(now.waiting) / hertz(s), steps});
         if (now.last.size() > 1000) now.last.erase(now.last.begin(), now.last.begin() + 500);
     }
@@ -45,10 +57,20 @@ void showUntil(Running& now, const Settings& s, double time) {
 
 Running start(const Settings& s) {
     Running now;
-    showUntil(now, s, s.hours * 3600);
+    if (s.beside == Beside::displays) now.others.resize(besideEachOther.size());
+    step(now, s, 0);
     return now;
 }
-void step(Running& now, const Settings& s, int index) { showUntil(now, s, s.hours * 3600 + index / 60.0); }
+void step(Running& now, const Settings& s, int index) {
+    const double until = s.hours * 3600 + index / 60.0;
+    showUntil(now, s, until);
+    for (std::size_t i = 0; i < now.others.size(); ++i) showUntil(now.others[i], onDisplay(s, i), until);
+}
+Settings onDisplay(const Settings& s, std::size_t other) {
+    Settings there = s;
+    there.display = besideEachOther.at(other);
+    return there;
+}
 
 double hertz(const Settings& s) {
     constexpr std::array<double, 4> rates{60, 60'000 / 1001.0, 144, 240};

@@ -12,6 +12,9 @@ namespace mv::frame_rate {
 namespace {
 
 const vec4 red(0.75, 0.15, 0.1, 1), blue(0.1, 0.3, 0.7, 1), grey(0.6, 0.6, 0.6, 1), ink(0.1, 0.1, 0.1, 1);
+// Of displays of 60, 144 and 240 Hz, and of what is right on all of them.
+const std::array<vec4, 4> besideColors{vec4(0.35, 0.35, 0.35, 1), vec4(0.80, 0.45, 0.05, 1), vec4(0.50, 0.25, 0.75, 1),
+                                       blue};
 constexpr double secondsShown = 2;  // of the display's last pictures
 
 double unit(const Pane& pane) { return std::min(pane.width / 240.0, pane.height / 420.0); }
@@ -22,7 +25,7 @@ void words(Drawing& drawing, const Pane& pane, double height, const std::string&
     drawing.text({12 * unit(pane), height * pane.height}, text, {pixels, color, vec4(0)});
 }
 std::string offBy(double seconds) {
-    if (std::abs(seconds) < 1e-9) return "right";
+    if (std::abs(seconds) < 1e-6) return "right";
     if (std::abs(seconds) < 0.001) return formatted("off by %.0g s", seconds);
     return formatted("off by %+.3f s", seconds);
 }
@@ -66,19 +69,68 @@ Pane cubePane(const FrameInfo& frame, int way) {
     return {pane.x, pane.y, pane.width, std::max(pane.height / 2, 1)};
 }
 
-void drawClocks(Drawing& drawing, const Settings& s, const std::array<double, 4>& time, const FrameInfo& frame) {
-    static const std::array<std::string, 4> names{"per picture", "per second", "of the time", "in steps"};
+void drawClocks(Drawing& drawing, const Settings& s, const Running& now, const std::array<double, 4>& time,
+                const FrameInfo& frame) {
+    const bool areDisplays = s.beside == Beside::displays;
+    const std::array<std::string, 4> names =
+        areDisplays ? std::array<std::string, 4>{"at 60 Hz", "at 144 Hz", "at 240 Hz", "per second"}
+                    : std::array<std::string, 4>{"per picture", "per second", "of the time", "in steps"};
     for (int way = 0; way < 4; ++way) {
-        const double here = time[static_cast<std::size_t>(way)], right = time[2];
+        const double here = time[static_cast<std::size_t>(way)],
+                     right =
+                         areDisplays && way < 3 ? now.others.at(static_cast<std::size_t>(way)).shownAt : now.shownAt;
         const Pane pane = paneOf(frame, way);
         drawing.in(pane);
         drawClock(drawing, s, pane, here, right);
         drawBall(drawing, s, pane, here);
         const vec4 color = std::abs(here - right) > 2 * stepTime(s) ? red : ink;
-        words(drawing, pane, 0.99, names[static_cast<std::size_t>(way)], ink, 1.2);
+        const auto column = static_cast<std::size_t>(way);
+        words(drawing, pane, 0.99, names[column], areDisplays ? besideColors.at(column) : ink, 1.2);
         words(drawing, pane, 0.91, formatted("%.2f s", here), color);
         words(drawing, pane, 0.85, offBy(here - right), color);
     }
+}
+
+// How far the first way was off on each display since the start, and that the second way is right.
+void drawErrors(Drawing& drawing, const Settings& s, const Running& now, const FrameInfo& frame) {
+    const double low = std::min(48.0, frame.height() / 10.0), right = frame.width() * 0.66;
+    const Box box{{std::min(64.0, frame.width() / 8.0), low}, {right, frame.height() / 4.0 - 10}};
+    double least = 0, most = 0;
+    for (const Running& display : now.others) {
+        for (const OffAt& one : display.offs) {
+            least = std::min(least, one.off);
+            most = std::max(most, one.off);
+        }
+    }
+    const double room = std::max(0.05 * (most - least), 0.01);
+    const Plot plot{
+        box, {0, std::max(now.shownAt, 1.0), "seconds since the start"}, {least - room, most + room, "off by, s"}};
+    drawing.in({0, 0, frame.width(), frame.height()});
+    drawing.axes(plot);
+    const double secondWay = times(s, now)[1] - now.shownAt;
+    drawing.line(plot.pixel({0, 0}), plot.pixel({plot.x.high, secondWay}), {besideColors.back(), 3});
+    for (std::size_t i = 0; i < now.others.size(); ++i) {
+        std::vector<vec2> curve{{0, 0}};
+        for (const OffAt& one : now.others[i].offs) curve.emplace_back(one.at, one.off);
+        drawing.curve(plot, curve, {besideColors.at(i), i == 0 ? 1.5 : 2.5});
+    }
+
+    // Name the lines, the highest first
+    const int height = std::clamp(frame.height() / 36, leastWords, 15);
+    vec2 at(right + 12, box.high.y + 6);
+    const auto say = [&](const std::string& text, const vec4& color) {
+        drawing.text(at, text, {height, color, vec4(0)});
+        at.y -= 1.4 * height;
+    };
+    say("a fixed turn a picture:", ink);
+    for (std::size_t i = now.others.size(); i-- > 0;) {
+        const Running& display = now.others[i];
+        const double ratio = display.shownAt > 0 ? times(onDisplay(s, i), display)[0] / display.shownAt : 1;
+        say(formatted("%.0f Hz: ", hertz(onDisplay(s, i))) +
+                (std::abs(ratio - 1) < 1e-3 ? "right" : formatted("%.3g times as fast", ratio)),
+            besideColors.at(i));
+    }
+    say("speed times seconds: right", besideColors.back());
 }
 
 // A line for each picture, as high as it lasted; a square tells in how many steps the fourth way went to it.

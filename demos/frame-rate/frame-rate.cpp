@@ -11,9 +11,10 @@
 namespace mv::frame_rate {
 
 void draw(Gpu& gpu, const Settings& s, const Running& now, const Frame& frame) {
-    const std::array<double, 4> time = times(s, now);
+    const bool areDisplays = s.beside == Beside::displays;
+    const std::array<double, 4> time = areDisplays ? timesBeside(s, now) : times(s, now);
 
-    // Draw a cube for each way, turned by that way's time
+    // Draw a cube for each way, or display, turned by its time
     glEnable(GL_DEPTH_TEST);
     gpu.program.use();
     for (int way = 0; way < 4; ++way) {
@@ -25,10 +26,10 @@ void draw(Gpu& gpu, const Settings& s, const Running& now, const Frame& frame) {
     }
     glViewport(0, 0, frame.width(), frame.height());
 
-    // Draw clocks and balls by the same times, and show how long each of the last pictures stayed
+    // Draw clocks and balls by the same times, and show how long each of the last pictures stayed, or how the error grew
     gpu.drawing.begin(frame);
-    drawClocks(gpu.drawing, s, time, frame.inUnits());
-    drawPictures(gpu.drawing, s, now, frame.inUnits());
+    drawClocks(gpu.drawing, s, now, time, frame.inUnits());
+    (areDisplays ? drawErrors : drawPictures)(gpu.drawing, s, now, frame.inUnits());
     gpu.drawing.draw(frame);
     frame.count("pictures of the display", double(now.pictures));
 }
@@ -73,6 +74,13 @@ std::array<double, 4> times(const Settings& s, const Running& now) {
     const double perSecond = sums.at(static_cast<std::size_t>(s.sum));
     const double inSteps = s.between ? glm::mix(moved.before, moved.after, moved.owed / stepTime(s)) : moved.after;
     return {perPicture, perSecond, now.shownAt, inSteps};
+}
+
+// The first way's time on three displays, and the second way's on the chosen one.
+std::array<double, 4> timesBeside(const Settings& s, const Running& now) {
+    std::array<double, 4> result{0, 0, 0, times(s, now)[1]};
+    for (std::size_t i = 0; i < now.others.size(); ++i) result.at(i) = times(onDisplay(s, i), now.others[i])[0];
+    return result;
 }
 
 double turnOf(const Settings& s, double time) { return std::fmod(s.speed * time, 360); }

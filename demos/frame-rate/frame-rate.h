@@ -16,8 +16,10 @@ enum class Display { hz60, ntsc, hz144, hz240 };
 enum class Sum { doubles, floats, compensated, product };
 enum class Hands { clockwise, asWritten };
 enum class Ball { asWritten, falling };
+enum class Beside { displays, ways };
 
 struct Settings {
+    Beside beside = Beside::displays;
     Display display = Display::hz144;
     double speed = 100;     // degrees a second
     double hours = 1;       // at frame 0
@@ -66,6 +68,12 @@ struct Shown {
     bool operator==(const Shown&) const = default;
 };
 
+// How far the first way's time was off, in seconds.
+struct OffAt {
+    double at, off;
+    bool operator==(const OffAt&) const = default;
+};
+
 // The state kept from frame to frame: the display, and the motion on it.
 struct Running {
     long refreshes = 0;  // of the display, up to the picture that it shows
@@ -74,6 +82,9 @@ struct Running {
     double shownAt = 0;  // seconds
     Moved moved;
     std::vector<Shown> last;
+    std::vector<OffAt> offs;      // since the start, evenly spread
+    double spread = 0.1;          // seconds between two of them
+    std::vector<Running> others;  // displays of 60, 144 and 240 Hz, where these are beside each other
 };
 
 constexpr int mostSteps = 5;  // for one picture, with a cap
@@ -81,6 +92,7 @@ constexpr int mostSteps = 5;  // for one picture, with a cap
 // The technique: frame-rate.cpp. All times are seconds.
 void draw(Gpu& gpu, const Settings& s, const Running& now, const Frame& frame);
 std::array<double, 4> times(const Settings& s, const Running& now);
+std::array<double, 4> timesBeside(const Settings& s, const Running& now);
 double turnOf(const Settings& s, double time);
 int move(Moved& moved, const Settings& s, double elapsed);
 int moveInSteps(Moved& moved, const Settings& s, double elapsed);
@@ -91,6 +103,8 @@ mat4 clipFromCube(double turn, double aspect);
 Running start(const Settings& s);
 void step(Running& now, const Settings& s, int index);
 double hertz(const Settings& s);
+inline constexpr std::array<Display, 3> besideEachOther{Display::hz60, Display::hz144, Display::hz240};
+Settings onDisplay(const Settings& s, std::size_t other);
 
 // The ball, 1 high at most, t seconds after it was thrown: ball.cpp.
 double ballHeight(Ball ball, double t);
@@ -99,8 +113,10 @@ double fallingHeight(double t);
 
 // Clocks, balls and the display's last pictures: figure.cpp.
 Pane cubePane(const FrameInfo& frame, int way);
-void drawClocks(Drawing& drawing, const Settings& s, const std::array<double, 4>& time, const FrameInfo& frame);
+void drawClocks(Drawing& drawing, const Settings& s, const Running& now, const std::array<double, 4>& time,
+                const FrameInfo& frame);
 void drawPictures(Drawing& drawing, const Settings& s, const Running& now, const FrameInfo& frame);
+void drawErrors(Drawing& drawing, const Settings& s, const Running& now, const FrameInfo& frame);
 
 // study.cpp.
 void readOut(Gpu& gpu, const Settings& s, const Running& now, const Frame& frame, Numbers& numbers);

@@ -5,8 +5,14 @@
 namespace mv::frame_rate {
 namespace {
 
+bool areWays(const Settings& s) { return s.beside == Beside::ways; }
+
 std::vector<Row<Settings>> rows() {
     return together(
+        word("beside", &Settings::beside,
+             {{"displays", "the first way on three of them, and the second"}, {"ways", "four, on one display"}},
+             "what stands beside each other")
+            .beginsAnew(),
         word("display", &Settings::display, {{"60"}, {"59.94", "60000/1001, as television has it"}, {"144"}, {"240"}},
              "pictures a second that the simulated display can show")
             .beginsAnew(),
@@ -19,7 +25,8 @@ std::vector<Row<Settings>> rows() {
         oneOf("steps", &Settings::steps, {15, 60, 240}, "steps a second of the fourth way").beginsAnew(),
         number("step-load", &Settings::stepLoad, {0, 40}, "time to compute one of these steps", "ms"),
         toggle("cap", &Settings::cap, "at most 5 steps for a picture; what is owed beyond is dropped"),
-        toggle("between", &Settings::between, "show the steps' motion between two steps, not the last one"),
+        toggle("between", &Settings::between, "show the steps' motion between two steps, not the last one")
+            .when(areWays, "the fourth way is not shown"),
         word("sum", &Settings::sum,
              {{"double"},
               {"float"},
@@ -39,8 +46,7 @@ std::vector<Row<Settings>> rows() {
 constexpr Declaration about{
     .name = "frame-rate",
     .sentence = "Motion per picture, per second, of the time and in steps, on a display that is simulated.",
-    .lookFor =
-        "After an hour at 144 Hz the first clock is 84 minutes fast; the others are right, the last to two steps.",
+    .lookFor = "Made for 60 Hz, after an hour at 144 Hz it is 84 minutes fast; by the seconds it is right everywhere.",
     .chapter = "Motion",
     .number = 33,
     .width = 960,
@@ -53,25 +59,26 @@ constexpr Declaration about{
 std::vector<SettingsPreset<Settings>> presets() {
     return {
         {"hour",
-         "What was made for 60 Hz runs 2.4 times as fast at 144: it is off by 5040 s in an hour.",
+         "What was made for 60 Hz runs 2.4 times as fast at 144 and 4 times at 240: off by 5040 and 10800 s in an "
+         "hour.",
          {},
          {{"per-picture-off", 5039.9, 5040.2}}},
         {"made-for-60",
          "At 60 Hz, and from the start, all agree: a mistake that its author cannot see.",
-         {.display = Display::hz60, .hours = 0}},
+         {.beside = Beside::ways, .display = Display::hz60, .hours = 0}},
         {"backwards",
          "The slide's formulas, t/10 and t/120 degrees: positive angles turn the hands backwards.",
-         {.display = Display::hz60, .hands = Hands::asWritten}},
+         {.beside = Beside::ways, .display = Display::hz60, .hands = Hands::asWritten}},
         {"stutter",
          "Pictures late at random, one of them very late: the first way is thrown off, and the fourth loses what "
          "the cap drops.",
-         {.hours = 0.01, .jitter = 12, .hiccup = 300}},
+         {.beside = Beside::ways, .hours = 0.01, .jitter = 12, .hiccup = 300}},
         {"spiral",
          "A step of 1/60 s takes 20 ms to compute: 5 are owed for each picture, and the cap drops the rest.",
-         {.hours = 0.01, .stepLoad = 20}},
+         {.beside = Beside::ways, .hours = 0.01, .stepLoad = 20}},
         {"no-cap",
          "Without the cap each picture takes longer than the one before, and soon none comes any more.",
-         {.hours = 0.002, .stepLoad = 20, .cap = false}},
+         {.beside = Beside::ways, .hours = 0.002, .stepLoad = 20, .cap = false}},
     };
 }
 

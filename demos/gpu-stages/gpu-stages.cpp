@@ -6,6 +6,7 @@
 #include "mv/demo/seen.h"
 #include "mv/gl/gl.h"
 #include "mv/math/transform.h"
+#include "shared/wide_lines.h"
 
 namespace mv::gpu_stages {
 
@@ -40,7 +41,7 @@ static bool isOfLines(const Stages& s, Geometry stage) {
 
 // Let the geometry shader measure in pixels, and draw the lines in front of the faces.
 static void setWireframe(const Program& program, const Frame& frame) {
-    program.set("halfPicture", 0.5 * vec2(frame.width(), frame.height()));
+    program.set("halfPicture", 0.5 * vec2(frame.width(), frame.height()) / double(lineWidth(frame)));
     program.set("isHidden", false);
 }
 

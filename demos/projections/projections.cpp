@@ -10,6 +10,7 @@
 #include "mv/math/projection.h"
 #include "mv/math/shear.h"
 #include "mv/math/transform.h"
+#include "shared/wide_lines.h"
 
 namespace mv::projections {
 
@@ -39,8 +40,8 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
         gpu.lines.use();
         gpu.lines.set("clipFromWorld", clip);
         if (i == 0 || !four[i - 1].isParallel()) gpu.lines.set("color", vec4(0.1, 0.1, 0.1, 1));
-        gpu.edges.draw();
-        if (!four[i].isParallel()) drawToInfinity(gpu, clip, pane);
+        drawWide(frame, pane, [&] { gpu.edges.draw(); });
+        if (!four[i].isParallel()) drawWide(frame, pane, [&] { drawToInfinity(gpu, clip, pane); });
     }
 }
 

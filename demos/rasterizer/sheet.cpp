@@ -23,11 +23,25 @@ std::size_t Grid::made(std::size_t all) const {
     return step == allSteps ? all : std::min(all, static_cast<std::size_t>(step));
 }
 
-Pane leftPane(const FrameInfo& frame) { return {0, 0, std::max(1, frame.width() / 2), frame.height()}; }
+// In a picture that is higher than wide the left pane is the upper one.
+Pane leftPane(const FrameInfo& frame) {
+    const int half = std::max(1, frame.height() / 2);
+    if (frame.isUpright()) return {0, frame.height() - half, frame.width(), half};
+    return {0, 0, std::max(1, frame.width() / 2), frame.height()};
+}
 Pane rightPane(const FrameInfo& frame) {
+    if (frame.isUpright()) return {0, 0, frame.width(), leftPane(frame).height};
     return {leftPane(frame).width, 0, std::max(1, frame.width() - leftPane(frame).width), frame.height()};
 }
-Plot plotOf(const FrameInfo& frame, const Grid& grid) { return gridPlot(leftPane(frame), grid.columns, grid.rows); }
+Plot plotOf(const FrameInfo& frame, const Grid& grid) {
+    const Pane pane = leftPane(frame);
+    if (!frame.isUpright()) return gridPlot(pane, grid.columns, grid.rows);
+    // Leave room below for the words
+    const int room = std::min(72, pane.height / 3);
+    Plot plot = gridPlot({0, 0, pane.width, pane.height - room}, grid.columns, grid.rows);
+    plot.box = {plot.box.low + vec2(0, room), plot.box.high + vec2(0, room)};
+    return plot;
+}
 
 Pixel pixelOf(const vec3& color) {
     const auto byte = [](double part) {
@@ -123,17 +137,18 @@ void showErrors(Gpu& gpu, const std::vector<PixelStep>& pixels, const Grid& grid
 }
 
 void framePixel(Gpu& gpu, int x, int y, const vec4& color, const Grid& grid, const Frame& frame) {
-    const Plot plot = plotOf(frame, grid);
+    const Plot plot = plotOf(frame.inUnits(), grid);
     const vec2 low = plot.pixel({x, y}), high = plot.pixel({x + 1, y + 1});
     const std::array corners{low, vec2(high.x, low.y), high, vec2(low.x, high.y), low, vec2(high.x, low.y)};
     gpu.drawing.line(corners, {color, 3});
 }
 
 void showDifferent(Gpu& gpu, const std::vector<std::pair<int, int>>& pixels, const Grid& grid, const Frame& frame) {
-    const Plot plot = plotOf(frame, grid);
+    const FrameInfo units = frame.inUnits();
+    const Plot plot = plotOf(units, grid);
     const double radius = 0.75 * plot.box.size().x / grid.columns;
     if (radius < 4) return;
-    for (const Pane& pane : {rightPane(frame), leftPane(frame)}) {
+    for (const Pane& pane : {rightPane(units), leftPane(units)}) {
         gpu.drawing.in(pane);
         for (const auto& [x, y] : pixels) {
             std::vector<vec2> ring;
@@ -157,8 +172,9 @@ std::vector<std::pair<int, int>> differing(const Grid& grid, const std::vector<P
 }
 
 void showBar(Gpu& gpu, double length, const Grid& grid, const Frame& frame, const std::string& words) {
-    const Plot plot = plotOf(frame, grid);
-    const int height = std::clamp(frame.height() / 30, 8, 18);
+    const FrameInfo units = frame.inUnits();
+    const Plot plot = plotOf(units, grid);
+    const int height = std::clamp(units.height() / 30, 8, 18);
     const double half = 0.25 * plot.box.size().x, y = plot.box.low.y - 6 - 2.1 * height;
     const vec2 zero(plot.box.low.x + half, y);
     if (y < 1.5 * height) return;

@@ -29,14 +29,53 @@ std::string counted(const TwoLinkAnswer& answer) {
     return counts.at(static_cast<std::size_t>(answer.solutions));
 }
 
-// The way of two links' end in the last 300 frames.
+// The way of two links' end in the last 300 frames, and in the next 300.
 void showWay(JointedOverlay& overlay, const Settings& s, int index) {
-    std::vector<vec2> way;
-    for (int i = std::max(0, index - 300); i <= index; ++i) {
-        const Angles angles = anglesAt(s, i);
-        way.push_back(overlay.pixel(vec3(twoLinkEnd(s.upper, s.lower, {angles[0], angles[1]}), 0)));
+    const auto way = [&](int from, int to) {
+        std::vector<vec2> places;
+        for (int i = from; i <= to; ++i) {
+            const Angles angles = anglesAt(s, i);
+            places.push_back(overlay.pixel(vec3(twoLinkEnd(s.upper, s.lower, {angles[0], angles[1]}), 0)));
+        }
+        return places;
+    };
+    overlay.below.line(way(index, index + 300), {vec4(vec3(robotRed), 0.35), 1.5});
+    overlay.above.line(way(std::max(0, index - 300), index), {robotRed, 2});
+}
+
+std::string meters(double length) { return formatted("%.3g", length); }
+
+// The axes of each of two links, at its joint, and how long it is.
+void showAxes(JointedOverlay& overlay, const Settings& s, const Jointed& thing,
+              const std::vector<mat4>& worldFromPart) {
+    const std::array lengths{s.upper, s.lower};
+    for (std::size_t i = 0; i < worldFromPart.size(); ++i) {
+        const std::string number = std::to_string(i + 1);
+        const auto at = [&](double x, double y) { return overlay.pixel(vec3(worldFromPart[i] * vec4(x, y, 0, 1))); };
+        const auto axis = [&](const vec2& to, const vec2& beside, const std::string& name, const vec4& color) {
+            overlay.above.arrow(at(0, 0), at(to.x, to.y), {color, 2.5});
+            overlay.above.textAround(at(beside.x, beside.y), name + number, {overlay.size(), color, vec4(0)});
+        };
+        axis({0, 0.5}, {0, 0.6}, "y", vec4(0.05, 0.45, 0.1, 1));
+        axis({0.5, 0}, {0.5, 0.17}, "x", robotRed);
+        overlay.above.textAround(at(0.6 * lengths.at(i), -0.3), "l" + number + " = " + meters(lengths.at(i)),
+                                 {overlay.size(), vec4(0.75 * thing.parts[i].color, 1), vec4(1, 1, 1, 0.6)});
     }
-    overlay.above.line(way, {robotRed, 1.5});
+}
+
+// What each matrix of two links does; where the angles are given, also the end as the slide's formula has it.
+Words aboutMatrices(const Settings& s, const vec3& end) {
+    const std::string l1 = meters(s.upper), l2 = meters(s.lower);
+    Words words{"turn by θ1", l1 + " m along x, then turn by θ2", "the product: turn by θ1 + θ2, from the elbow on"};
+    if (!isForward(s)) return words;
+    const auto line = [&](const std::string& name, const std::string& function, double value) {
+        words.push_back(name + " = " + l1 + " " + function + " θ1 + " + l2 + " " + function +
+                        "(θ1 + θ2) = " + shortNumber(value));
+    };
+    words.push_back("the end: worldFromLower * (" + l2 + ", 0, 1)");
+    line("x", "cos", end.x);
+    line("y", "sin", end.y);
+    return words;
 }
 
 // In closed form: all solutions, or some of infinitely many, and why there are so many.
@@ -84,7 +123,8 @@ void plotResiduals(JointedOverlay& overlay, const Settings& s, const Jointed& th
         const IkResult result = byIteration(thing, anglesAt(s, 0), targetOf(s), mostIterations, by);
         curves.push_back({nameOf(by), result.history, by == s.method});
     }
-    overlay.residuals(frame, curves, paneOf(s, frame).width, s.iterations, mostIterations);
+    const int left = frame.isUpright() ? frame.width() * 11 / 20 : paneOf(s, frame).width;
+    overlay.residuals(frame, curves, left, s.iterations, mostIterations);
 }
 
 Words showIterations(JointedOverlay& overlay, const Settings& s, const Jointed& thing, const IkResult& found,
@@ -130,13 +170,24 @@ void showLinks(JointedOverlay& overlay, const Settings& s, const Jointed& thing,
     words.push_back("end at " + place(s, end));
     for (const std::string& each : words) overlay.say(each);
     overlay.angles(thing, worldFromPart, found.degrees);
-    if (s.matrices) overlay.product(frame, thing, worldFromPart, found.degrees, overlay.pane().width, isLinks(s));
+    if (isLinks(s)) showAxes(overlay, s, thing, worldFromPart);
+    if (s.matrices)
+        overlay.product(frame, thing, worldFromPart, found.degrees, besideOf(s, frame), isLinks(s),
+                        isLinks(s) ? aboutMatrices(s, end) : Words());
 }
 
-// Left of the matrices and the plot, where these are shown.
+// Left of the matrices and the plot, where these are shown; above them in a picture that is higher than wide.
 Pane paneOf(const Settings& s, const FrameInfo& frame) {
     const bool besides = s.matrices || (iterates(s) && !isWalker(s));
-    return {0, 0, std::max(besides ? frame.width() * 3 / 5 : frame.width(), 1), frame.height()};
+    if (!besides) return {0, 0, std::max(frame.width(), 1), frame.height()};
+    const int high = std::max(frame.height() * 2 / 5, 1);
+    if (frame.isUpright()) return {0, frame.height() - high, frame.width(), high};
+    return {0, 0, std::max(frame.width() * 3 / 5, 1), frame.height()};
+}
+Pane besideOf(const Settings& s, const FrameInfo& frame) {
+    const Pane pane = paneOf(s, frame);
+    if (frame.isUpright()) return {0, 0, frame.width(), std::max(frame.height() - pane.height, 1)};
+    return {pane.width, 0, std::max(frame.width() - pane.width, 1), frame.height()};
 }
 
 }  // namespace mv::robot_arm

@@ -97,16 +97,24 @@ void JointedOverlay::angles(const Jointed& thing, const std::vector<mat4>& world
 }
 
 void JointedOverlay::product(const Frame& frame, const Jointed& thing, const std::vector<mat4>& worldFromPart,
-                             const std::vector<double>& degrees, int left, bool isInPlane) {
-    const int size = isInPlane ? size_ : size_ * 7 / 8;
+                             const std::vector<double>& degrees, const Pane& beside, bool isInPlane,
+                             const std::vector<std::string>& told) {
+    const int size = !told.empty() ? size_ * 9 / 8 : isInPlane ? size_ : std::max(leastWords, size_ * 7 / 8);
     const std::vector<int> rows = isInPlane ? std::vector{0, 1, 3} : std::vector{0, 1, 2, 3};
     const int from = 10 * size, to = from + static_cast<int>(rows.size()) * 7 * size / 2;
-    TextColumn column(left, size / 2, size);
+    const int left = beside.x;
+    TextColumn column(left, frame.height() - beside.y - beside.height + size / 2, size);
+    std::size_t written = 0;
+    const auto tell = [&](const vec4& color) {
+        if (written >= told.size()) return;
+        column.left(size / 2, told[written++], color);
+        column.next();
+    };
     above.in({0, 0, frame.width(), frame.height()});
     const auto bracket = [&](double x, double inwards, double high, double low) {
         above.line(std::vector<vec2>{{x + inwards, high}, {x, high}, {x, low}, {x + inwards, low}}, {grey, 1});
     };
-    const auto write = [&](const std::string& sign, const std::string& name, const mat4& matrix) {
+    const auto write = [&](const std::string& sign, const std::string& name, const mat4& matrix, const vec4& color) {
         frame.show(name, matrix);
         for (const int row : rows) {
             if (row == 1) column.left(size / 2, sign + name);
@@ -118,16 +126,20 @@ void JointedOverlay::product(const Frame& frame, const Jointed& thing, const std
         const double top = bottom + (size + 3.0) * double(rows.size());
         bracket(left + from, 0.4 * size, top, bottom);
         bracket(left + to + 0.4 * size, -0.4 * size, top, bottom);
+        if (!told.empty()) column.next(size / 4);
+        tell(color);
         column.next(size / 2);
     };
     std::string parent = "world", sign = "   ";
     for (const std::size_t i : thing.tree.pathTo(thing.end.joint)) {
         const std::string& name = thing.parts[i].name;
-        write(sign, parent.append("From").append(name), thing.tree.parentFromTurned(i, degrees[i]));
+        write(sign, parent.append("From").append(name), thing.tree.parentFromTurned(i, degrees[i]),
+              vec4(0.75 * thing.parts[i].color, 1));
         parent = withSmallLetter(name);
         sign = "* ";
     }
-    write("= ", "worldFrom" + thing.parts[thing.end.joint].name, worldFromPart[thing.end.joint]);
+    write("= ", "worldFrom" + thing.parts[thing.end.joint].name, worldFromPart[thing.end.joint], ink);
+    while (written < told.size()) tell(ink);
     for (const TextLine& line : column.lines) above.text({line.x, frame.height() - line.y}, line.text, line.style);
     above.in(pane_);
 }

@@ -33,6 +33,7 @@ class JointedOverlay {
     void look(const Pane& pane, const mat4& clipFromWorld);
     const Pane& pane() const { return pane_; }
     const mat4& clipFromWorld() const { return clipFromWorld_; }
+    int size() const { return size_; }  // of words
     // Pixels from the pane's lower left corner. Refused: a point on the eye's own plane.
     vec2 pixel(const vec3& world) const;
 
@@ -49,11 +50,13 @@ class JointedOverlay {
     // limit.
     void angles(const Jointed& thing, const std::vector<mat4>& worldFromPart, const std::vector<double>& degrees);
 
-    // Above, right of `left`: the factors of the joints from the root to the end and their product, under each other from
-    // the picture's top on, and shown to the frame by the same names: worldFromUpper, upperFromLower, worldFromLower. In a
-    // plane, z = 0, without rows and columns of z.
+    // Above, in that pane: the factors of the joints from the root to the end and their product, under each other from
+    // its top on, and shown to the frame by the same names: worldFromUpper, upperFromLower, worldFromLower. In a
+    // plane, z = 0, without rows and columns of z. Each has a line of `told` below it, in the colour of its part, and those
+    // that are left stand below all.
     void product(const Frame& frame, const Jointed& thing, const std::vector<mat4>& worldFromPart,
-                 const std::vector<double>& degrees, int left, bool isInPlane);
+                 const std::vector<double>& degrees, const Pane& beside, bool isInPlane,
+                 const std::vector<std::string>& told = {});
     // Above, in the lower right corner: on a logarithmic axis, what is below 1e-12 at its end; a line marks how many
     // iterations are allowed.
     void residuals(const Frame& frame, const std::vector<ResidualCurve>& curves, int left, int allowed, int most);

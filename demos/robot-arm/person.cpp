@@ -40,7 +40,7 @@ void drawPerson(Gpu& gpu, const Settings& s, const Frame& frame) {
 
     // Find the parts that are in each other. No curve through poses knows of them
     const Pane pane = paneOf(s, frame);
-    gpu.overlay.look(pane, clipFromPerson(s, pane));
+    gpu.overlay.look(paneOf(s, frame.inUnits()), clipFromPerson(s, pane));
     gpu.overlay.say(s.person.between == Between::spline ? "a spline through each angle of the poses"
                                                         : "straight from pose to pose");
     for (const auto& [one, other] : inEachOther(thing, worldFromPart)) {
@@ -56,7 +56,8 @@ void drawPerson(Gpu& gpu, const Settings& s, const Frame& frame) {
     gpu.program.set("color", vec3(robotEarth));
     gpu.program.set("worldFromModel", scale(legOf(s)) * translate(-0.9, -0.06, 0) * scale(1.8, 0.04, 1.2));
     gpu.box.draw();
-    if (s.matrices) gpu.overlay.product(frame, thing, worldFromPart, angles, pane.width, false);
+    if (s.matrices)
+        gpu.overlay.product(frame.inUnits(), thing, worldFromPart, angles, besideOf(s, frame.inUnits()), false);
     glViewport(0, 0, frame.width(), frame.height());
 }
 

@@ -76,6 +76,7 @@ void beginParts(Gpu& gpu, const Frame& frame);
 void drawParts(Gpu& gpu, const Pane& pane, const Jointed& thing, const std::vector<mat4>& worldFromPart);
 void drawTable(Gpu& gpu);
 Pane paneOf(const Settings& s, const FrameInfo& frame);
+Pane besideOf(const Settings& s, const FrameInfo& frame);
 mat4 clipFromWorldOf(const Settings& s, const Pane& pane);
 
 // The walker: walker.cpp. A step of its near foot: the place of the foot, and its target.

@@ -16,8 +16,9 @@ namespace {
 Walk walkOf(const Settings& s) { return {.upper = s.upper, .lower = s.lower, .poses = s.poses}; }
 Jointed legsAt(const Settings& s, double cycles) { return legs(s.upper, s.lower, walkOf(s).hip(cycles)); }
 Pane rowOf(const Settings& s, const FrameInfo& frame, int row, int rows) {
-    const int height = std::max(frame.height() / rows, 1);
-    return {0, frame.height() - height * (row + 1), paneOf(s, frame).width, height};
+    const Pane pane = paneOf(s, frame);
+    const int height = std::max(pane.height / rows, 1);
+    return {0, pane.y + pane.height - height * (row + 1), pane.width, height};
 }
 mat4 clipFromGround(const Settings& s, const Pane& pane, double hip) {
     const double wide = 1.6 * legOf(s) * pane.aspect();
@@ -72,7 +73,7 @@ void drawWalkers(Gpu& gpu, const Settings& s, const Frame& frame) {
         const std::vector<mat4> worldFromPart = worldFromParts(thing.tree, angles);
         drawParts(gpu, pane(row), thing, worldFromPart);
         if (s.matrices && row + 1 == methods.size())
-            gpu.overlay.product(frame.inUnits(), thing, worldFromPart, angles, inUnits(row).width, true);
+            gpu.overlay.product(frame.inUnits(), thing, worldFromPart, angles, besideOf(s, frame.inUnits()), true);
     }
     glViewport(0, 0, frame.width(), frame.height());
 }

@@ -8,6 +8,7 @@
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
 #include "shading.h"
+#include "shared/wide_lines.h"
 
 namespace mv::shading {
 
@@ -112,7 +113,7 @@ static void drawMatching(Gpu& gpu, const Settings& s, const FrameInfo& frame, do
 }
 
 // Draw a needle along the normal of each corner.
-static void drawNormals(Gpu& gpu, const Settings& s, const mat4& clipFromBody) {
+static void drawNormals(Gpu& gpu, const Settings& s, const Frame& frame) {
     if (gpu.needlesFor.changed(s.body, s.edges)) {
         const MeshData data = bodyOf(s);
         MeshData lines{.primitive = Primitive::lines};
@@ -123,13 +124,13 @@ static void drawNormals(Gpu& gpu, const Settings& s, const mat4& clipFromBody) {
         gpu.needles = Mesh(lines, "normals");
     }
     gpu.plain->use();
-    gpu.plain->set("clipFromBody", clipFromBody);
+    gpu.plain->set("clipFromBody", sceneOf(s, frame).clipFromWorld() * worldFromBody(s));
     gpu.plain->set("color", vec3(blue));
-    gpu.needles.draw();
+    drawWide(frame, [&] { gpu.needles.draw(); });
 }
 
 void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
-    if (s.normals) drawNormals(gpu, s, sceneOf(s, frame).clipFromWorld() * worldFromBody(s));
+    if (s.normals) drawNormals(gpu, s, frame);
     const double matching = matchingAt(gpu, s);
     gpu.drawing.begin(frame);
     drawDirections(gpu.drawing, s, frame);

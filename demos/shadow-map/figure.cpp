@@ -39,7 +39,7 @@ Scene overhead(int sides, double cord, double aspect) {
 void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
     const Scene scene = seen(sceneOf(s, frame), frame);
     const LightView light = lightView(s, scene);
-    if (s.showFrustum) gpu.overlay.drawFrustum(scene.clipFromWorld(), light);
+    if (s.showFrustum) gpu.overlay.drawFrustum(frame, scene.clipFromWorld(), light);
     if (s.showRays) drawSceneRays(gpu.drawing, scene, frame);
     if (s.showMap) gpu.overlay.drawMap(frame, gpu.map, light);
 }

@@ -10,6 +10,7 @@
 #include "mv/gl/state.h"
 #include "mv/gl/text.h"
 #include "mv/math/transform.h"
+#include "shared/wide_lines.h"
 
 namespace mv {
 namespace {
@@ -53,12 +54,12 @@ void LightOverlay::init() {
     square_ = Mesh(positionsOnly(square()), "map in the corner");
 }
 
-void LightOverlay::drawFrustum(const mat4& clipFromWorld, const LightView& light) {
+void LightOverlay::drawFrustum(const FrameInfo& frame, const mat4& clipFromWorld, const LightView& light) {
     lines_.use();
     lines_.set("color", vec3(1, 1, 1));
     // The edges of clip space's cube -1..1, taken back through the light's projection
     lines_.set("clipFromModel", clipFromWorld * glm::inverse(light.clipFromWorld()) * scale(2));
-    edges_.draw();
+    drawWide(frame, [&] { edges_.draw(); });
     if (light.atInfinity) return;
     lines_.set("color", vec3(1, 0.8, 0.2));
     lines_.set("clipFromModel", clipFromWorld * glm::inverse(light.viewFromWorld) * scale(0.08));

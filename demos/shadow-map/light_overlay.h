@@ -16,7 +16,7 @@ class LightOverlay {
     void init();
     // The edges of the light's view volume, white, and a yellow ball at a light that is a point. Depth-tested as the
     // state says. Changes the current program.
-    void drawFrustum(const mat4& clipFromWorld, const LightView& light);
+    void drawFrustum(const FrameInfo& frame, const mat4& clipFromWorld, const LightView& light);
     // The map in the lower left corner, up to 0.3 of the picture high and wide, in the shape of its window, with its size
     // above it: distances along the light's gaze, near dark and far bright. Changes the current program and the map's
     // sampling (DepthMap::bind) on unit 0, and switches depth test, culling and blending off.

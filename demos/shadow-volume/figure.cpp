@@ -8,6 +8,7 @@
 #include "mv/math/transform.h"
 #include "shadow-volume.h"
 #include "shared/scenes.h"
+#include "shared/wide_lines.h"
 
 namespace mv::shadow_volume {
 
@@ -65,7 +66,7 @@ static std::vector<Mesh> silhouettesOf(const CasterVolumes& volumes, const Scene
     return meshes;
 }
 
-static void drawSilhouettes(Gpu& gpu, const Settings& s, const Scene& scene) {
+static void drawSilhouettes(Gpu& gpu, const Settings& s, const Scene& scene, const Frame& frame) {
     if (gpu.silhouettesFor.changed(s.scene, s.shells, scene.lights[0].position))
         gpu.silhouettes = silhouettesOf(gpu.volumes, scene);
     gpu.volumeProgram.set("color", vec4(0.8, 0.05, 0.05, 1));
@@ -74,7 +75,7 @@ static void drawSilhouettes(Gpu& gpu, const Settings& s, const Scene& scene) {
         const SceneObject& object = scene.objects[gpu.volumes.casters()[i].object];
         gpu.volumeProgram.set("clipFromObject",
                               translate(0, 0, -5e-5) * (scene.clipFromWorld() * object.worldFromObject));
-        gpu.silhouettes[i].draw();
+        drawWide(frame, [&] { gpu.silhouettes[i].draw(); });
     }
 }
 
@@ -114,7 +115,7 @@ void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
     if (s.show != Show::volumes) return;
     const Scene scene = seen(sceneOf(s, frame), frame);
     drawGlass(gpu, scene);
-    drawSilhouettes(gpu, s, scene);
+    drawSilhouettes(gpu, s, scene, frame);
 }
 
 static std::size_t trianglesCounted(const Gpu& gpu, const Settings& s) {

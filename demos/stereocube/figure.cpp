@@ -70,7 +70,7 @@ void drawPlan(Gpu& gpu, const Settings& s, const FrameInfo& frame) {
     const vec3 corner = *std::ranges::max_element(points, [](const vec3& a, const vec3& b) { return a.z < b.z; });
     const double ahead = corner.z - s.zDist;
     if (ahead < near) return;
-    const double unit = 0.36 * frame.width() / std::max({ahead, s.convergence, 1.0});
+    const double unit = 0.36 * std::min(frame.width(), frame.height()) / std::max({ahead, s.convergence, 1.0});
     const int size = std::clamp(frame.height() / 46, 7, 16);
     const vec2 eyes(0.60 * frame.width(), 0.125 * frame.height());
     const auto place = [&](double x, double forwards) { return eyes + unit * vec2(forwards, x); };
@@ -105,10 +105,12 @@ void drawPlan(Gpu& gpu, const Settings& s, const FrameInfo& frame) {
     const Eye left = leftEye(s, lens), right = rightEye(s, lens);
     const auto parallax = mv::parallaxOf(only, left.clipFromEye * left.eyeFromWorld,
                                          right.clipFromEye * right.eyeFromWorld, frame.width(), frame.height(), near);
-    if (parallax)
-        above(place(0, std::max(ahead, s.convergence) / 2) - vec2(0, 0.115 * frame.height()),
-              "seen from above: parallax of a corner " + formatted("%.3g px", parallax->mostAcross),
-              {size, mark, vec4(0)});
+    if (!parallax) return;
+    const TextStyle style{size, mark, vec4(0)};
+    const std::string told = "seen from above: parallax of a corner " + formatted("%.3g px", parallax->mostAcross);
+    vec2 middle = place(0, std::max(ahead, s.convergence) / 2) - vec2(0, 0.115 * frame.height());
+    if (frame.isUpright()) middle.x = std::min(middle.x, frame.width() - textWidth(told, style) / 2.0 - 4);
+    above(middle, told, style);
 }
 
 }  // namespace mv::stereocube

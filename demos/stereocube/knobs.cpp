@@ -63,7 +63,9 @@ std::vector<Row<Settings>> rows() {
              "how the two pictures of lines become one")
             .when(hasOnePicture, apart)
             .when(isWire, solid),
-        oneOf("line-width", &Settings::lineWidth, {1, 3, 5}, "how many pixels wide the lines are").when(isWire, solid),
+        oneOf("line-width", &Settings::lineWidth, {1, 3, 5},
+              "how many pixels wide the lines are, more in a larger picture")
+            .when(isWire, solid),
         word("background", &Settings::background, {{"white"}, {"black"}}, "what the lines are drawn on"),
         word("eyes", &Settings::eyes,
              {{"both"},

@@ -8,6 +8,7 @@
 #include "mv/gl/functions.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
+#include "shared/wide_lines.h"
 
 namespace mv::stereocube {
 
@@ -76,7 +77,7 @@ void drawWire(Gpu& gpu, const Settings& s, const Eye& eye, const vec4& color, co
     gpu.program->set("color", color);
     // OpenGL's lines are one pixel wide: draw a wider one as several, side by side
     const Pane pane = paneOf(s, frame, 0);
-    for (const vec2& pixels : penOf(s.lineWidth)) {
+    for (const vec2& pixels : penOf(lineWidth(frame, s.lineWidth))) {
         const mat4 moved = translate(2 * pixels.x / pane.width, 2 * pixels.y / pane.height, 0);
         gpu.program->set("clipFromModel", moved * eye.clipFromEye * eye.eyeFromWorld * worldFromModelOf(s));
         gpu.wire.draw();

@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "mv/formatted.h"
@@ -59,6 +60,18 @@ void drawTexels(Gpu& gpu, const FrameInfo& frame, const Pane& pane, const Box& p
     drawing.line(plot.pixel(print.middle - 0.5 * axis), plot.pixel(print.middle + 0.5 * axis), {blue, 2});
 }
 
+// Above each other right of the floor; in a picture that is higher than wide beside each other, above it.
+std::pair<Pane, Pane> texelPanes(const FrameInfo& frame) {
+    const Pane floor = floorPane(frame);
+    if (frame.isUpright()) {
+        const int y = floor.height + 4, height = std::max(1, frame.height() - y),
+                  half = std::max(1, frame.width() / 2 - 2);
+        return {{0, y, half, height}, {frame.width() - half, y, half, height}};
+    }
+    const int x = floor.width + 4, width = std::max(1, frame.width() - x), half = std::max(1, frame.height() / 2 - 2);
+    return {{x, frame.height() - half, width, half}, {x, 0, width, half}};
+}
+
 void drawWords(Drawing& drawing, const std::string& title, const std::string& foot, int paneHeight) {
     const int height = std::clamp(paneHeight / 16, leastWords, 20);
     drawing.text({6, paneHeight - 6}, title, {.height = height});
@@ -79,7 +92,8 @@ void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
 
     // Show what the pixel covers, and below it what is read
     const Pane left = floorPane(frame);
-    const int x = left.width + 4, width = std::max(1, frame.width() - x), half = std::max(1, frame.height() / 2 - 2);
+    const auto [covered, readFrom] = texelPanes(frame);
+    const int width = readFrom.width, half = readFrom.height;
     const std::vector<vec2> corners = cornersOf(lookup);
     const Box part = partShown(lookup, corners, std::max(1, s.size >> read), double(width) / half);
     const Program& program = *gpu.texelProgram;
@@ -89,11 +103,11 @@ void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
     program.set("high", part.high - glm::floor(part.low));
     program.set("pixel", part.size() / (frame.scale() * vec2(width, half)));
     program.set("level", 0);
-    drawTexels(gpu, frame, {x, frame.height() - half, width, half}, part, s.size, lookup, corners);
+    drawTexels(gpu, frame, covered, part, s.size, lookup, corners);
     drawWords(drawing, "level 0: what the pixel covers",
               formatted("%.3g", lookup.longer) + formatted(" x %.3g texels", lookup.shorter), half);
     if (read > 0) program.set("level", read);
-    drawTexels(gpu, frame, {x, 0, width, half}, part, std::max(1, s.size >> read), lookup, corners);
+    drawTexels(gpu, frame, readFrom, part, std::max(1, s.size >> read), lookup, corners);
     drawWords(drawing, "level " + std::to_string(read) + ": what is read",
               between          ? formatted("and %.0f %% of the next", 100 * (clamped - read))
               : isMipmapped(s) ? formatted("the footprint's is %.2f", lookup.level)

@@ -7,7 +7,11 @@
 
 namespace mv::texture_filter {
 
-Pane floorPane(const FrameInfo& frame) { return {0, 0, std::max(1, frame.width() * 5 / 8), frame.height()}; }
+// The left part of the picture, and of one that is higher than wide the lower part.
+Pane floorPane(const FrameInfo& frame) {
+    if (frame.isUpright()) return {0, 0, frame.width(), std::max(1, frame.height() * 5 / 8)};
+    return {0, 0, std::max(1, frame.width() * 5 / 8), frame.height()};
+}
 // A measured picture is the floor alone, in the whole frame.
 Pane paneOf(const Frame& frame) {
     return frame.measuring() ? Pane{0, 0, frame.width(), frame.height()} : floorPane(frame);

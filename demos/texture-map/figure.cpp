@@ -40,9 +40,9 @@ void drawQuad(Drawing& drawing, const Settings& s, const Frame& frame, const Tex
     // Draw the slip over the divisions
     drawing.in({0, 0, frame.width(), frame.height()});
     const vec2 size(frame.width(), frame.height());
-    const Plot plot{{vec2(0.72, 0.2) * size, vec2(0.97, 0.86) * size},
-                    {1, 64, "divisions a side", true},
-                    {0.01, 1000, "largest slip, px", true}};
+    const Box box = frame.isUpright() ? Box{vec2(0.16, 0.71) * size, vec2(0.96, 0.90) * size}
+                                      : Box{vec2(0.72, 0.2) * size, vec2(0.97, 0.86) * size};
+    const Plot plot{box, {1, 64, "divisions a side", true}, {0.01, 1000, "largest slip, px", true}};
     drawing.axes(plot);
     std::vector<vec2> curve, square;
     for (int n = 1; n <= 64; ++n) {
@@ -96,7 +96,7 @@ std::vector<std::string> formulaOf(const Settings& s) {
 }
 
 void drawFormula(Drawing& drawing, const Settings& s, const FrameInfo& frame, const TextStyle& words) {
-    vec2 at(0.64 * frame.width(), 0.8 * frame.height());
+    vec2 at(frame.isUpright() ? 8 : 0.64 * frame.width(), (frame.isUpright() ? 0.95 : 0.8) * frame.height());
     for (const std::string& line : formulaOf(s)) {
         if (!line.empty()) drawing.text(at, line, words);
         at.y -= 2.0 * words.height;
@@ -105,7 +105,11 @@ void drawFormula(Drawing& drawing, const Settings& s, const FrameInfo& frame, co
 
 }  // namespace
 
-Pane leftPane(const FrameInfo& frame) { return {0, 0, std::max(1, frame.width() * 5 / 8), frame.height()}; }
+// The left part of the picture, and of one that is higher than wide the lower part.
+Pane leftPane(const FrameInfo& frame) {
+    if (frame.isUpright()) return {0, 0, frame.width(), std::max(1, frame.height() * 5 / 8)};
+    return {0, 0, std::max(1, frame.width() * 5 / 8), frame.height()};
+}
 Pane paneOf(const Frame& frame) {
     return frame.measuring() ? Pane{0, 0, frame.width(), frame.height()} : leftPane(frame);
 }

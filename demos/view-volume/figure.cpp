@@ -77,7 +77,7 @@ void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
     if (std::count(planes.begin(), planes.end(), vec4(0)) > 0)
         frame.say("A plane's normal has cancelled to 0 in float: that plane culls nothing.");
 
-    const std::vector<Pane> panes = frame.panes(2);
+    const std::vector<Pane> panes = panesOf(frame);
     const mat4 outside = outsideFromWorld(s, panes[0]);
     const std::size_t drawn = keptOf(gpu, s).things.size();
     glDisable(GL_SCISSOR_TEST);

@@ -93,7 +93,7 @@ std::vector<SettingsPreset<Settings>> presets() {
 
 // The pixel of the left pane for the middle of a plane across the view.
 std::optional<vec2> middleAt(const Settings& s, const FrameInfo& frame, double distance) {
-    const Pane pane = frame.panes(2)[0];
+    const Pane pane = panesOf(frame)[0];
     return pictureFromPane(pane, outsideFromWorld(s, pane) * glm::inverse(cameraFromWorld(s)), {0, 0, -distance});
 }
 std::optional<vec2> middleOfNear(const Settings& s, const FrameInfo& frame) { return middleAt(s, frame, s.nearUsed()); }

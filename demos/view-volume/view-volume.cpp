@@ -21,7 +21,7 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     glEnable(GL_SCISSOR_TEST);
 
     // Take the world to clip space by the camera's matrix. In the right pane one more matrix looks at the result
-    const std::vector<Pane> panes = frame.panes(2);
+    const std::vector<Pane> panes = panesOf(frame);
     const mat4 clipFromWorld = clipFromCamera(s) * cameraFromWorld(s);
     const mat4 stageFromWorld = stageFromCamera(s) * cameraFromWorld(s);
     const mat4 outside = outsideFromWorld(s, panes[0]), right = paneFromStage(s, panes[1]);
@@ -40,6 +40,13 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
         drawThings(gpu, kept, *gpu.houseOutline, *gpu.treeOutline);
     else
         drawThings(gpu, kept, gpu.house, gpu.tree);
+}
+
+// Divide the picture into two panes, side by side or, where it is higher than wide, above each other.
+std::vector<Pane> panesOf(const FrameInfo& frame) {
+    if (!frame.isUpright()) return frame.panes(2);
+    const int half = std::max(1, frame.height() / 2);
+    return {{0, frame.height() - half, frame.width(), half}, {0, 0, frame.width(), std::max(1, half - 1)}};
 }
 
 // Leave out each object that lies wholly outside one plane.

@@ -84,6 +84,7 @@ SixPlanes planesOfBox(const Settings& s);
 mat4 clipFromCamera(const Settings& s);
 mat4 cameraFromWorld(const Settings& s);
 mat4 turned(const Settings& s);
+std::vector<Pane> panesOf(const FrameInfo& frame);
 mat4 outsideFromWorld(const Settings& s, const Pane& pane);
 mat4 cubeFromClip(const Settings& s, const Pane& pane);
 void beginPane(const Gpu& gpu, const Pane& pane, const mat4& paneFromWorld, bool isCutOpen);

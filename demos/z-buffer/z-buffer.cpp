@@ -95,12 +95,16 @@ std::vector<Part> partsInOrder(Order order, const std::array<Plate, 3>& plates, 
 
 // The mappings differ in the third row of the matrix alone.
 mat4 clipFromView(const Settings& s, double aspect) {
-    if (s.mapping == Mapping::infinite) return infinitePerspective(50, aspect, s.near);
-    if (s.mapping == Mapping::reversed) return perspective(50, aspect, s.near, s.far, DepthRange::oneToZero);
-    if (s.mapping == Mapping::flipped) return perspective(50, aspect, s.near, s.far, DepthRange::oneToMinusOne);
-    if (s.mapping == Mapping::zeroToOne) return perspective(50, aspect, s.near, s.far, DepthRange::zeroToOne);
-    return perspective(50, aspect, s.near, s.far);
+    const double fovy = fovyFor(aspect);
+    if (s.mapping == Mapping::infinite) return infinitePerspective(fovy, aspect, s.near);
+    if (s.mapping == Mapping::reversed) return perspective(fovy, aspect, s.near, s.far, DepthRange::oneToZero);
+    if (s.mapping == Mapping::flipped) return perspective(fovy, aspect, s.near, s.far, DepthRange::oneToMinusOne);
+    if (s.mapping == Mapping::zeroToOne) return perspective(fovy, aspect, s.near, s.far, DepthRange::zeroToOne);
+    return perspective(fovy, aspect, s.near, s.far);
 }
+
+// 50 degrees across at least: a picture that is higher than wide gains above and below.
+double fovyFor(double aspect) { return aspect < 1 ? 2 * degrees(std::atan(std::tan(radians(25)) / aspect)) : 50; }
 
 // The depth that is written for a distance.
 float depthOf(const Settings& s, const mat4& clipFromView, float distance) {

@@ -58,6 +58,7 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame);
 void drawPlates(Gpu& gpu, const Settings& s, const mat4& clipFromView);
 std::vector<Part> partsInOrder(Order order, const std::array<Plate, 3>& plates, std::span<const double> cuts);
 mat4 clipFromView(const Settings& s, double aspect);
+double fovyFor(double aspect);  // degrees
 float depthOf(const Settings& s, const mat4& clipFromView, float distance);
 bool hasZeroToOne(const Settings& s);  // clip space has depths from 0 to 1, by glClipControl
 bool nearIsOne(const Settings& s);

@@ -3,6 +3,7 @@
 // - [right-ones-agree] After an hour, at an irrational speed, what is moved per second and what is a function of the time
 //   agree to 1e-12, whatever the display does; what goes in steps is where they were less than two steps before.
 // - [wrong-by-its-ratio] What is moved per picture goes display/60 times as fast, and slower where pictures are left out.
+// - [displays] Beside each other on three displays stands what the first way shows on each of them alone.
 // - [made-for-60] The first three ways look the same on a display of 60 Hz that keeps up.
 // - [hands-turn-backwards] The slide's positive angles turn the hands the wrong way.
 // - [bounces-come-closer] The slide's ball comes down at even times, and does not fall freely between them; the falling one does, and
@@ -81,6 +82,27 @@ TEST(FrameRate, wrong_by_its_ratio) {
     EXPECT_NEAR(offAfter(run.set("display", "144").set("load", 20), 0).perPicture, 3600 * (48 / 60.0 - 1), 0.1);
 }
 
+TEST(FrameRate, displays) {
+    DemoRun run("frame-rate", 960, 560);
+    run.set("jitter", 5).set("hours", 0.3);
+    const Picture beside = run.picture(90);
+    run.set("beside", "ways");
+    const std::vector<const char*> displays{"60", "144", "240"};
+    for (int column = 0; column < 3; ++column) {
+        const Picture alone = run.set("display", displays[std::size_t(column)]).picture(90);
+        long differing = 0, seen = 0;
+        for (int y = 90; y < 400; ++y) {  // below the name of the column, above the plot
+            for (int x = 0; x < 240; ++x) {
+                differing += alone.at(x, y) != beside.at(240 * column + x, y);
+                seen += alone.at(x, y) != alone.at(0, y);
+            }
+        }
+        // Places in another pane are rounded anew, which a pixel at an edge may tell; another display differs in thousands
+        EXPECT_LE(differing, 20) << displays[std::size_t(column)];
+        EXPECT_GT(seen, 5000);
+    }
+}
+
 TEST(FrameRate, made_for_60) {
     DemoRun run("frame-rate", 240, 140);
     run.preset("made-for-60");
@@ -97,7 +119,7 @@ TEST(FrameRate, made_for_60) {
 // After 15 minutes the long hand points at the three, or at the nine.
 TEST(FrameRate, hands_turn_backwards) {
     DemoRun run("frame-rate", 960, 560);
-    run.set("hours", 0.25).set("display", "60");
+    run.set("beside", "ways").set("hours", 0.25).set("display", "60");
     const auto blueOnSide = [&](bool isRight) {
         const Picture picture = run.picture(0);
         long count = 0;

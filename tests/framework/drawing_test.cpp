@@ -7,6 +7,7 @@
 #include "mv/gl/gl.h"
 #include "mv/gl/state.h"
 #include "mv/math/transform.h"
+#include "shared/wide_lines.h"
 #include "support/demo_run.h"
 
 using namespace mv;
@@ -269,4 +270,22 @@ TEST_F(DrawingTest, words_that_do_not_fit_are_smaller_or_left_out) {
     drawing.begin(frame);
     drawing.text({2, 58}, "This sentence is longer than 80 pixels.", plain);
     EXPECT_EQ(inkOf(), 0);
+}
+
+// OpenGL's lines are drawn once in the size that the demo declares, and in one of twice its sides as two pixels wide. The
+// green axis has then four times as many pixels, where lines of one pixel would have twice as many; ends and what the cube
+// hides leave a tenth of it open.
+TEST(WideLines, grow_with_the_picture) {
+    const auto greenIn = [](int side) {
+        const Picture picture = DemoRun("cube-cull", side, side).picture();
+        long count = 0;
+        for (int y = 0; y < side; ++y)
+            for (int x = 0; x < side; ++x) count += picture.at(x, y) == Pixel{0, 255, 0, 255};
+        return double(count);
+    };
+    const double declared = greenIn(600);
+    EXPECT_GT(declared, 100);
+    EXPECT_NEAR(greenIn(1200) / declared, 4, 0.4);
+    EXPECT_EQ(lineWidth(FrameInfo(1, 300, 300, 0.5)), 1) << "no less than a pixel";
+    EXPECT_EQ(lineWidth(FrameInfo(1, 1200, 1200, 2), 3), 6);
 }

@@ -144,6 +144,9 @@ TEST_F(Lectures, a_movie_has_every_picture) {
     ASSERT_EQ(swept.size(), 7U * 30 * 20 * 4);
     const std::size_t each = swept.size() / 7;
     EXPECT_FALSE(std::equal(swept.begin(), swept.begin() + long(each), swept.begin() + long(each))) << "it turns";
+    EXPECT_NE(
+        refusal(writeMovie, {"cube-cull", "--movie", file, "--frames", "1..3"}).find("needs something that moves"),
+        std::string::npos);
     standIn("cat >/dev/null; exit 1\n");
     EXPECT_EQ(refusal(writeMovie, {"viewpoints", "--movie", file, "--frames", "1..3"}),
               file + ": must be a film that this ffmpeg can make; it says why above");

@@ -209,5 +209,34 @@ TEST(DifferencePicture, ShinesExactlyWhereCompareCounts) {
     EXPECT_GT(shining, 0);
 }
 
+// A square of 4 pixels in one of 12: its rim of so many pixels is yellow, so many around it are black, and all else is clear. At the
+// picture's edge nothing lies without, and the yellow line runs along it.
+TEST(DifferenceOutline, RunsRoundWhatDiffers) {
+    for (const int width : {1, 2}) {
+        for (const int from : {4, 0}) {
+            Picture a(12, 12);
+            for (std::size_t i = 0; i < a.rgba.size(); ++i) a.rgba[i] = i % 4 == 3 ? 255 : 10;
+            Picture b = a;
+            for (int y = from; y < from + 4; ++y)
+                for (int x = from; x < from + 4; ++x) b.set(x, y, {11, 10, 10, 255});
+            const Picture line = differenceOutline(a, b, width);
+            for (int y = 0; y < 12; ++y) {
+                for (int x = 0; x < 12; ++x) {
+                    const auto isIn = [&](int low, int high) { return x >= low && y >= low && x < high && y < high; };
+                    const bool isYellow = isIn(from, from + 4) && !isIn(from + width, from + 4 - width);
+                    const bool isBlack = isIn(from - width, from + 4 + width) && !isIn(from, from + 4);
+                    EXPECT_EQ(line.at(x, y), isYellow  ? (Pixel{255, 210, 0, 255})
+                                             : isBlack ? (Pixel{0, 0, 0, 255})
+                                                       : (Pixel{0, 0, 0, 0}))
+                        << x << ", " << y << " of a line of " << width;
+                }
+            }
+        }
+    }
+    EXPECT_EQ(differenceOutline(Picture(3, 2), Picture(3, 2)), Picture(3, 2));
+    EXPECT_THROW((void)differenceOutline(Picture(3, 2), Picture(2, 3)), Error);
+    EXPECT_THROW((void)differenceOutline(Picture(3, 2), Picture(3, 2), 0), Error);
+}
+
 }  // namespace
 }  // namespace mv

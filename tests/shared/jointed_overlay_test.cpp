@@ -32,7 +32,7 @@ TEST(JointedOverlay, factors_are_shown_by_their_names_and_their_product_last) {
         const Frame frame(FrameInfo(1, 960, 560), notes, {});
         JointedOverlay overlay;
         overlay.begin(frame);
-        overlay.product(frame, thing, worldFromPart, degrees, 576, !isArm);
+        overlay.product(frame, thing, worldFromPart, degrees, {576, 0, 384, 560}, !isArm);
         std::vector<std::string> names;
         mat4 product(1);
         for (const auto& [name, matrix] : notes.matrices) {

@@ -30,6 +30,13 @@ opens() {
     equal "corner of the picture" "srgb(230,255,255)" "$(pixel "$state/screen.ppm" 3,3)"
     equal "middle of the picture" "srgb(0,0,255)" "$(pixel "$state/screen.ppm" 300,290)"
     equal "corner of the panel" "srgb(30,33,38)" "$(pixel "$state/screen.ppm" 603,3)"
+    press ctrl+l
+    screenshot "$state/light.ppm"
+    equal "corner of the light panel" "srgb(246,247,249)" "$(pixel "$state/light.ppm" 603,3)"
+    equal "the picture beside it" "srgb(230,255,255)" "$(pixel "$state/light.ppm" 3,3)"
+    clickOn "light panel"
+    screenshot "$state/dark.ppm"
+    equal "corner of the panel, dark again" "srgb(30,33,38)" "$(pixel "$state/dark.ppm" 603,3)"
     quit
     equal "picture's width" 600 "$(reported width)"
     equal "picture's height" 600 "$(reported height)"
@@ -157,6 +164,11 @@ keyboard() { # all of the panel without a mouse
     awaitReport hovered "far plane"
     press Tab
     await "the focus in the panel" isFocused Lesson
+    goTo "Step through the draws"
+    press space
+    awaitReport until 1 focused ">##draw"
+    press space
+    awaitReport until 2
     press F6
     awaitReport focused ""
     quit
@@ -295,6 +307,18 @@ slider() {
 
 preset() { # its button sets every knob, and the copied line makes the same picture
     start 'mvgl: cube-cull' "$cubeCull" --z-dist -6
+    at 300 300
+    screenshot "$state/unpointed.ppm"
+    # What is said about a widget stands beside the panel, and over no other widget
+    local x y
+    read -r x y <<<"$(place "preset front-culled")"
+    at "$x" "$y"
+    screenshot "$state/pointed.ppm"
+    for shown in unpointed pointed; do
+        convert "$state/$shown.ppm" -fill black -draw "rectangle 600,$((y - 14)) 960,$((y + 14))" -crop 358x600+602+0 +repage "$state/$shown-panel.ppm"
+    done
+    cmp "$state/unpointed-panel.ppm" "$state/pointed-panel.ppm" || fail "the tooltip covers what is not its own"
+    atLeast "pixels of the tooltip" "$(differing "$state/unpointed.ppm" "$state/pointed.ppm")" 2000
     clickOn "preset front-culled"
     awaitReport cull front z-dist -4
     press s
@@ -478,6 +502,11 @@ steps() { # by the panel, and what is saved and copied
     awaitReport until 0
     clickOn ">##draw"
     awaitReport until 1
+    # What the draw has changed is outlined: the cube's pixels, as many as differ from the picture before
+    for draws in 0 1; do
+        "$cubeCull" --size 600x960 --until $draws --headless --shot "$state/until$draws.png" >"$state/said" || fail "no picture of $draws draws"
+    done
+    equal "pixels outlined" "$(differing "$state/until0.png" "$state/until1.png")" "$(reported outlined)"
     press s
     awaitReport until 1
     quit

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "mv/error.h"
 
@@ -111,6 +112,46 @@ Difference compare(const FloatPicture& a, const FloatPicture& b, double threshol
         if (largest > threshold) ++beyond;
     }
     return summary(maximum, sum, squares, a.values.size(), beyond, a.values.size() / channels, peak);
+}
+
+Picture differenceOutline(const Picture& a, const Picture& b, int width) {
+    checkPair(a, b, "differenceOutline");
+    if (width < 1 || width > 16) throw Error("differenceOutline", "the width must be 1 .. 16", std::to_string(width));
+    const int w = a.width, h = a.height;
+    const auto place = [&](int x, int y) {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(w) + static_cast<std::size_t>(x);
+    };
+    std::vector<char> differs(a.rgba.size() / 4);
+    for (std::size_t i = 0; i < differs.size(); ++i) differs[i] = pixelDistance(a, b, 4 * i) > 0 ? 1 : 0;
+
+    // A pixel lies at the edge where another one within the width is of the other kind. Look along rows, and then along columns
+    // of what the rows found: a square of pixels
+    const auto near = [&](const std::vector<char>& of, bool along, char outside) {
+        std::vector<char> found(of.size());
+        for (int y = 0; y < h; ++y) {
+            for (int x = 0; x < w; ++x) {
+                for (int k = -width; k <= width; ++k) {
+                    const int i = along ? x + k : x, j = along ? y : y + k;
+                    const bool isIn = i >= 0 && j >= 0 && i < w && j < h;
+                    if ((isIn ? of[place(i, j)] : outside) != 0) found[place(x, y)] = 1;
+                }
+            }
+        }
+        return found;
+    };
+    std::vector<char> same;
+    for (const char one : differs) same.push_back(one == 0 ? 1 : 0);
+    const std::vector<char> nearSame = near(near(same, true, 1), false, 1),
+                            nearDiffering = near(near(differs, true, 0), false, 0);
+    Picture result(w, h);
+    for (int y = 0; y < h; ++y) {
+        for (int x = 0; x < w; ++x) {
+            const std::size_t i = place(x, y);
+            if (differs[i] != 0 && nearSame[i] != 0) result.set(x, y, {255, 210, 0, 255});
+            if (differs[i] == 0 && nearDiffering[i] != 0) result.set(x, y, {0, 0, 0, 255});
+        }
+    }
+    return result;
 }
 
 Picture differencePicture(const Picture& a, const Picture& b) {

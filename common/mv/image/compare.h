@@ -34,4 +34,9 @@ struct Difference {
 // Error if the sizes differ or a picture has no pixels.
 [[nodiscard]] Picture differencePicture(const Picture& a, const Picture& b);
 
+// A frame round the pixels in which b differs from a, to be laid over b: transparent but for a yellow line, `width` pixels wide,
+// within their edge, and a black one without. The picture's edge is none of theirs: there the yellow one runs along it.
+// Error if the sizes differ, a picture has no pixels, or the width is not 1 .. 16.
+[[nodiscard]] Picture differenceOutline(const Picture& a, const Picture& b, int width = 1);
+
 }  // namespace mv

@@ -47,11 +47,15 @@ Film::Film(const std::string& file, int width, int height, std::chrono::millisec
     std::vector<std::string> words{"ffmpeg", "-loglevel", "error", "-y", "-f", "rawvideo", "-pix_fmt", "rgba", "-s"};
     words.push_back(std::to_string(width) + "x" + std::to_string(height));
     for (const char* word : {"-r", "60", "-i", "-", "-vf"}) words.emplace_back(word);
-    // Video has half as many colours as pixels a side, and so even sides; a GIF has a palette of its own
+    // Video has half as many colours as pixels a side, and so even sides, and says by which matrix its colours are made, which players
+    // guess else; a GIF has a palette of its own
     if (extension == ".gif") {
         words.emplace_back("fps=30,split[a][b];[a]palettegen[p];[b][p]paletteuse");
     } else {
-        for (const char* word : {"pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p"}) words.emplace_back(word);
+        for (const char* word :
+             {"pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=out_color_matrix=bt709:out_range=tv", "-pix_fmt", "yuv420p",
+              "-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "bt709", "-color_range", "tv"})
+            words.emplace_back(word);
     }
     words.push_back(made_.string());
     start(std::move(words));

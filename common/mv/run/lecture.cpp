@@ -20,6 +20,8 @@ namespace mv {
 
 void writeMovie(const Command& command) {
     const DemoInfo& info = *command.demo;
+    if (command.vary.empty() && !info.animated && command.changes.empty())
+        throw Error("--movie", "needs something that moves: --vary KNOB=A..B:N, or --at N KNOB=VALUE", info.name);
     const int width = command.width ? command.width : info.width,
               height = command.height ? command.height : info.height;
     Film film(command.movie, width, height);

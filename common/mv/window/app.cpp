@@ -41,6 +41,8 @@ bool isOfTheWindow(Window& window, Gui& gui, const Event& event) {
         gui.setZoom(std::min(gui.zoom() * 1.125, 2.5));
     } else if (event.key == GLFW_KEY_KP_SUBTRACT || sign == "-") {
         gui.setZoom(std::max(gui.zoom() / 1.125, 0.6));
+    } else if (sign == "l") {
+        gui.setLight(!gui.light());
     } else {
         return false;
     }

@@ -56,7 +56,7 @@ DemoScreen::DemoScreen(Window& window, Gui& gui, Stage& stage, const Command& co
       fromMenu_(fromMenu),
       knobs_(gui, session_),
       study_(*command.demo, gui, stage.driver().renderer),
-      steps_(window, session_) {
+      steps_(window, stage, session_) {
     session_.setSamples(command.samples);
     const bool sizeGiven = command.width > 0;
     const int width = stage_.front().width(), height = stage_.front().height();
@@ -325,8 +325,14 @@ void DemoScreen::showPicture() {
 void DemoScreen::draw() {
     session_.setDensity(std::max({1.0, window_.contentScale(), density_}));
     if (pictureWidth() > 0 && session_.due(pictureWidth(), window_.size().pixelHeight())) redraw();
+    if (shownTarget())
+        steps_.outline(std::clamp(static_cast<int>(std::lround(2 * window_.size().pixelsPerUnit())), 1, 16));
     showPicture();
     gui_.begin();
+    if (const Target* shown = shownTarget(); shown && !comparison_.on()) {
+        const double units = 1 / window_.size().pixelsPerUnit();
+        steps_.showOutline(float(shown->width() * units), float(shown->height() * units));
+    }
     // Settings that make no picture: what is shown is another's
     if (!session_.error().empty() && shownTarget()) {
         const float wide = float(pictureWidth() / window_.size().pixelsPerUnit());
@@ -501,6 +507,10 @@ void DemoScreen::showFile() {
         ImGui::EndDisabled();
         tooltip("four samples for each pixel (--multisample 4); a frame that is stopped after a draw has one");
     }
+    bool light = gui_.light();
+    if (ImGui::Checkbox("light panel", &light)) gui_.setLight(light);
+    notePlace("light panel");
+    tooltip("dark words on a light ground, as a beamer wants them (Ctrl+L)");
     char text[96];
     const int width = stage_.front().width(), height = stage_.front().height();
     if (comparison_.on()) {

@@ -33,6 +33,7 @@ void DemoScreen::report(const WindowState& state) {
     }
     window["playing"] = session_.playback().playing();
     window["hovered"] = handled_;
+    if (steps_.outlined()) window["outlined"] = *steps_.outlined();
     window["focused"] = gui_.focused();
     if (study_.any()) {
         window["study"] = study_.origin();

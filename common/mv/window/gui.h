@@ -14,14 +14,9 @@ namespace mv {
 // in window coordinates.
 using Places = std::map<std::string, ImVec4>;
 
-// Colours of words that mean something.
+// Colours of words that mean something, as Gui::setLight() has them.
 namespace color {
-inline const ImVec4 dim{0.62F, 0.66F, 0.72F, 1};
-inline const ImVec4 heading{0.55F, 0.78F, 1.00F, 1};
-inline const ImVec4 note{1.00F, 0.80F, 0.35F, 1};
-inline const ImVec4 error{1.00F, 0.52F, 0.48F, 1};
-inline const ImVec4 noteBack{0.26F, 0.20F, 0.07F, 1};
-inline const ImVec4 errorBack{0.33F, 0.09F, 0.09F, 1};
+inline ImVec4 dim, heading, note, error, noteBack, errorBack;
 }  // namespace color
 
 class Gui {
@@ -44,6 +39,9 @@ class Gui {
     // Words and widgets as many times as large as the screen's density has them.
     void setZoom(double zoom) { zoom_ = zoom; }
     double zoom() const { return zoom_; }
+    // Dark words on a light ground; else light ones on a dark.
+    void setLight(bool light) { light_ = light; }
+    bool light() const { return light_; }
     // The keys go from widget to widget: arrows and Tab, Space presses, Enter types. Else they are the screen's.
     void setNavigation(bool on);
     bool navigating() const { return navigating_; }
@@ -72,7 +70,8 @@ class Gui {
     float scale_ = 1;
     double contentScale_ = 0, pixelsPerUnit_ = 0;  // what the looks were made for
     bool popupOpen_ = false, closePopup_ = false;
-    double zoom_ = 1, zoomed_ = 0;  // asked for; what the looks were made for
+    double zoom_ = 1, zoomed_ = 0;      // asked for; what the looks were made for
+    bool light_ = false, lit_ = false;  // likewise
     bool navigating_ = false;
     int tabAs_ = 0;                   // the key that Tab went down as
     std::string focused_, focusing_;  // of the last frame, and of this one so far
@@ -84,7 +83,7 @@ void notePlace(const std::string& name);
 void notePlace(const std::string& name, const ImVec4& place);
 // A button whose place is noted under its label.
 bool button(const char* label, ImVec2 size = {0, 0});
-// Words under the last widget while the mouse is on it, also where it is disabled.
+// Words about the last widget while the mouse is on it, also where it is disabled: left of the panel, or under the widget.
 void tooltip(const std::string& text);
 // The widget that the keys are at is framed from now on, also where the mouse has just moved.
 void showFocus();

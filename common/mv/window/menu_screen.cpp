@@ -142,7 +142,8 @@ void MenuScreen::draw() {
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glViewport(0, 0, window_.size().pixelWidth(), window_.size().pixelHeight());
-    glClearColor(0.118F, 0.129F, 0.149F, 1);
+    const ImVec4 ground = ImGui::GetStyleColorVec4(ImGuiCol_WindowBg);
+    glClearColor(ground.x, ground.y, ground.z, 1);
     glClear(GL_COLOR_BUFFER_BIT);
 
     gui_.begin();

@@ -336,6 +336,7 @@ void showControls(const Demo& demo, bool animated, bool menu, bool fromMenu, boo
     lines.emplace_back("Ctrl+Z", "undo a setting (with Shift: redo)");
     lines.emplace_back("F11", "full screen");
     lines.emplace_back("Ctrl + and -", "larger and smaller words (Ctrl+0: as they were)");
+    lines.emplace_back("Ctrl+L", "a light panel, or a dark one");
     lines.emplace_back("Esc", menu && fromMenu ? "back to the menu" : "quit");
     lines.emplace_back("Ctrl+click", "type the value of a slider");
     float width = 0;

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "mv/image/compare.h"
 #include "mv/window/gui.h"
 
 namespace mv {
@@ -24,6 +26,7 @@ bool StepSection::show(const std::optional<glm::ivec2>& pixel) {
         if (pressed) {
             session_.setSamples(0);
             session_.stopAfter(1);
+            begins_ = true;
         }
         return pressed;
     }
@@ -45,6 +48,28 @@ bool StepSection::show(const std::optional<glm::ivec2>& pixel) {
     return moved;
 }
 
+void StepSection::outline(int width) {
+    if (outlinedPicture_ == session_.picturesDrawn()) return;
+    outlinedPicture_ = session_.picturesDrawn();
+    outlined_.reset();
+    line_.reset();
+    if (!session_.until() || !session_.steps() || !session_.error().empty()) return;
+    const int until = session_.steps()->until;
+    if (until == 0 || !session_.steps()->draws[static_cast<std::size_t>(until) - 1].inPicture) return;
+    // Draw what was there before, and then again what is shown
+    const Picture after = stage_.picture();
+    stage_.stopAfter(session_.drawnFrame(), until - 1);
+    const Picture before = stage_.picture();
+    stage_.stopAfter(session_.drawnFrame(), until);
+    outlined_ = compare(before, after).beyond;
+    if (*outlined_ > 0) line_.emplace(context_, differenceOutline(before, after, width));
+}
+
+void StepSection::showOutline(float wide, float high) const {
+    if (line_ && outlined_ && session_.until())
+        ImGui::GetBackgroundDrawList()->AddImage(line_->imguiId(), {0, 0}, {wide, high});
+}
+
 bool StepSection::showSlider(const FrameSteps& steps) {
     const int all = static_cast<int>(steps.draws.size());
     int until = *session_.until();
@@ -63,6 +88,8 @@ bool StepSection::showSlider(const FrameSteps& steps) {
     notePlace("until");
     tooltip("the frame stops after this draw; what comes later is left out, clears and copies, too");
     ImGui::SameLine(0, gap);
+    // The keys that were at the button which is gone go on here
+    if (std::exchange(begins_, false)) ImGui::SetKeyboardFocusHere();
     step(">##draw", "one draw more", 1);
     if (until == *session_.until()) return false;
     session_.stopAfter(until);
@@ -78,6 +105,9 @@ void StepSection::showDraw(const FrameSteps& steps) const {
     wrapped("Draw " + std::to_string(steps.until) + ": " + draw.mesh + "\nprogram " + draw.program + "\n" +
             std::to_string(draw.count) + (draw.indexed ? " indices" : " vertices") + " as " + draw.primitive +
             "\ninto " + (draw.inPicture ? "the picture" : draw.target + ", " + sizeText(draw.width, draw.height)));
+    if (outlined_)
+        wrapped(*outlined_ > 0 ? "It changes " + std::to_string(*outlined_) + " pixels, which have a line round them."
+                               : "It changes no pixel of the picture.");
     wrapped(color::heading, "State that is not the initial one");
     if (draw.state.empty()) wrapped(color::dim, "none");
     for (const std::string& call : draw.state) wrapped(color::dim, call);

@@ -15,7 +15,7 @@ namespace {
 // ---- The looks of the lines, as mv/study/look.h has them
 
 ImU32 colorOf(const SeriesLook& look) {
-    const Rgb rgb = look.on(whiteInk);
+    const Rgb rgb = look.on(ImGui::GetStyleColorVec4(ImGuiCol_Text).x > 0.5F ? whiteInk : blackInk);
     return IM_COL32(rgb >> 16U & 0xFFU, rgb >> 8U & 0xFFU, rgb & 0xFFU, 255);
 }
 
