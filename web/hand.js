@@ -9,13 +9,12 @@ const notches = 4; // of the wheel, for two fingers that move twice as far apart
 export function handIn(view, canvas, demo, what, after) {
   const rings = tag('div', { class: 'rings', 'aria-hidden': 'true' });
   view.append(rings);
-  const scale = () => canvas.width / canvas.clientWidth;
-  // Whole pixels of the picture: a knob that goes by so much a pixel keeps its few digits, however small the picture is shown.
+  // Whole pixels of the page: a knob that goes by so much a pixel keeps its few digits, however dense the screen is.
   const at = (event) => {
     const place = canvas.getBoundingClientRect();
-    return [event.clientX - place.left, event.clientY - place.top].map((length) => Math.round(length * scale()));
+    return [event.clientX - place.left, event.clientY - place.top].map(Math.round);
   };
-  const reachOf = (event) => (reach[event.pointerType] ?? fine) * scale();
+  const reachOf = (event) => reach[event.pointerType] ?? fine;
   function show() {
     if (!what.handles) return;
     rings.replaceChildren(...demo.tells('Handles').map(({ name, x, y, active }) => {

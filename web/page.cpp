@@ -44,8 +44,11 @@ Session& session() { return *page()->session; }
 Demo& demo() { return session().demo(); }
 
 FrameInfo shownFrame() { return page()->stage.frame(session().playback().frame()); }
-// From a place in pixels from the picture's upper left corner.
-vec2 placeOf(double x, double y) { return {x, page()->stage.front().height() - y}; }
+// Of a place in the page's pixels from the picture's upper left corner, that in the picture's own from its lower left one.
+vec2 placeOf(double x, double y) {
+    const Stage& stage = page()->stage;
+    return {x * stage.density(), stage.front().height() - y * stage.density()};
+}
 
 std::string answer;
 const char* say(std::string words) {
@@ -222,9 +225,9 @@ EMSCRIPTEN_KEEPALIVE bool mvPress(const char* name) {
     }
     return false;
 }
-// Places are in pixels of the picture from its upper left corner, `reach` is how near to a handle the pointer takes it.
+// Places are in the page's pixels from the picture's upper left corner, `reach` is how near to a handle the pointer takes it.
 EMSCRIPTEN_KEEPALIVE void mvPointerDown(double x, double y, double reach) {
-    if (page()->hand.press(demo(), shownFrame(), placeOf(x, y), reach)) {
+    if (page()->hand.press(demo(), shownFrame(), placeOf(x, y), reach * page()->stage.density())) {
         session().pointerUp();
     } else {
         session().pointerDown(x, y);
@@ -240,7 +243,8 @@ EMSCRIPTEN_KEEPALIVE void mvPointerUp() {
 }
 // Where the pointer is while nothing is dragged; a negative reach: not over the picture.
 EMSCRIPTEN_KEEPALIVE void mvHover(double x, double y, double reach) {
-    page()->hand.hover(demo(), shownFrame(), reach < 0 ? std::nullopt : std::optional(placeOf(x, y)), reach);
+    page()->hand.hover(demo(), shownFrame(), reach < 0 ? std::nullopt : std::optional(placeOf(x, y)),
+                       reach * page()->stage.density());
 }
 // What a key of that name does to what can be dragged. Whether it was for this.
 EMSCRIPTEN_KEEPALIVE bool mvHandKey(const char* name, bool far) {
@@ -255,7 +259,7 @@ EMSCRIPTEN_KEEPALIVE bool mvHandKey(const char* name, bool far) {
     if (moved) session().touch();
     return taken;
 }
-// [{"name", "x", "y", "active"}] of what can be dragged, in pixels from the upper left corner.
+// [{"name", "x", "y", "active"}] of what can be dragged, in the picture's pixels from its upper left corner.
 EMSCRIPTEN_KEEPALIVE const char* mvHandles() {
     JsonText json;
     json.array();
@@ -309,12 +313,12 @@ EMSCRIPTEN_KEEPALIVE const char* mvReport() {
     return say(reportJson(page()->stage, session().drawnFrame(), session().times()));
 }
 
-// The line that makes this picture by the native program; `knob` is compared with its value `other`, or "" for none.
+// The line that makes this picture by the native program, in the size of its canvas there: that of this one is the page's and the
+// screen's. `knob` is compared with its value `other`, or "" for none.
 EMSCRIPTEN_KEEPALIVE const char* mvCommand(const char* knob, const char* other) {
-    const Target& target = page()->stage.front();
-    return say(copyableCommand("./run " + session().info().name, session().info(), demo(), session().drawnFrame(),
-                               target.width(), target.height(), {knob, other}, &page()->stage.timeline(),
-                               *knob ? std::nullopt : session().until(), page()->stage.density()));
+    const DemoInfo& info = session().info();
+    return say(copyableCommand("./run " + info.name, info, demo(), session().drawnFrame(), info.width, info.height,
+                               {knob, other}, &page()->stage.timeline(), *knob ? std::nullopt : session().until()));
 }
 
 // The last picture's bytes, red, green, blue, alpha, the upper row first; as many as its size says.

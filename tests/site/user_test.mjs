@@ -15,15 +15,15 @@ const opened = (where, view) => openedIn(browser, address, where, view);
 // A canvas out of sight is not drawn.
 const settled = (page) => page.evaluate(async () => {
   document.querySelector('.view').scrollIntoView({ behavior: 'instant' });
-  const { demo, what, state } = document.querySelector('.live').live;
-  do await new Promise(requestAnimationFrame); while (demo.does('IsDue', what.width, what.height) && !state().playing);
+  const { demo, size, state } = document.querySelector('.live').live;
+  do await new Promise(requestAnimationFrame); while (demo.does('IsDue', size().width, size().height) && !state().playing);
   await new Promise(requestAnimationFrame);
 });
 const sumOf = async (page, which = 'first') => {
   await settled(page);
   return page.evaluate((which) => {
-    const { demo, what, compare } = document.querySelector('.live').live;
-    const pixels = (which === 'first' ? demo : compare.second()).pixels(what.width * what.height);
+    const { demo, size, compare } = document.querySelector('.live').live;
+    const pixels = (which === 'first' ? demo : compare.second()).pixels(size().width * size().height);
     return pixels.reduce((sum, byte) => Math.imul(sum ^ byte, 16777619), 2166136261) >>> 0;
   }, which);
 };
@@ -453,6 +453,73 @@ for (const [width, height] of [[390, 700], [1366, 641]]) {
     await page.close();
   }
 }
+
+// On a dense screen, and on a phone, the canvas has the screen's pixels, and nothing else is other than on an ordinary one: a drag goes as
+// far, a handle to where the pointer is, and link and command are the same
+const seenOn = async (deviceScaleFactor, where, act, view) => {
+  page = await opened(where, { ...view, deviceScaleFactor });
+  const at = await (await page.$('#canvas')).boundingBox();
+  await act?.(at);
+  await settled(page);
+  const found = await page.evaluate(() => ({
+    canvas: ['#canvas', 'canvas.second'].map((one) => document.querySelector(one)).filter(Boolean).map(({ width, height, clientWidth, clientHeight }) => [width, height, clientWidth, clientHeight].join()),
+    command: document.querySelector('.command code').textContent,
+    handles: document.querySelector('.live').live.demo.tells('Handles').map(({ x, y }) => [x, y]),
+  }));
+  if (act) await page.waitForFunction(() => location.hash !== ''); // once it rests
+  found.hash = await page.evaluate(() => location.hash);
+  await page.close();
+  return found;
+};
+const dragged = (from, to) => async (at) => {
+  await page.mouse.move(at.x + from[0], at.y + from[1]);
+  await page.mouse.down();
+  await page.mouse.move(at.x + to[0], at.y + to[1], { steps: 4 });
+  await page.mouse.up();
+};
+for (const [where, act] of [['cube-cull.html', dragged([200, 200], [261, 223])], ['shadow-map.html#compare=filter,pcf7', dragged([100, 300], [140, 310])]]) {
+  const [ordinary, dense] = [await seenOn(1, where, act), await seenOn(2, where, act)];
+  equal(ordinary.canvas[0], '600,600,600,600', `${where}: the canvas on an ordinary screen`);
+  for (const one of dense.canvas) equal(one, '1200,1200,600,600', `${where}: the canvas on a dense screen`);
+  equal(dense.canvas.length, ordinary.canvas.length, `${where}: pictures`);
+  equal(dense.command, ordinary.command, `${where}: the command line on a dense screen`);
+  equal(dense.hash, ordinary.hash, `${where}: the link on a dense screen`);
+  expect(!/--size|--density/.test(dense.command) && dense.command.includes('spin-y'), `${where}: the command line has the drag and no size: ${dense.command}`);
+}
+const { handles: [here] } = await seenOn(1, 'clipping.html');
+const there = [Math.round(here[0]) + 40, Math.round(here[1]) + 30];
+const moved = await seenOn(2, 'clipping.html', dragged(here, there));
+expect(moved.handles.some(([x, y]) => Math.hypot(x / 2 - there[0], y / 2 - there[1]) <= 1), `a handle that is dragged from ${here} to ${there} on a dense screen: ${JSON.stringify(moved.handles)}`);
+equal((await seenOn(3, 'keyframes.html', undefined, { width: 390, height: 844 })).canvas[0].split(',')[0], `${3 * 358}`, "the canvas' width on a phone");
+// Words are twice as many pixels high there: the same rows of the picture hold them
+const wordRows = async (deviceScaleFactor) => {
+  page = await opened('gpu-stages.html', { deviceScaleFactor });
+  await settled(page);
+  const rows = await page.evaluate(() => {
+    const { demo, size } = document.querySelector('.live').live, { width, height } = size(), pixels = demo.pixels(width * height);
+    // The table's head: dark on light, from three quarters of the width on
+    const isDark = (row) => { for (let x = Math.round(0.75 * width); x < width; ++x) if (pixels[4 * (row * width + x)] < 100) return true; return false; };
+    let first = 0, last;
+    while (!isDark(first)) ++first;
+    for (last = first; isDark(last); ++last);
+    return last - first;
+  });
+  await page.close();
+  return rows;
+};
+const rows = [await wordRows(1), await wordRows(2)];
+expect(rows[0] >= 6 && Math.abs(rows[1] - 2 * rows[0]) <= 2, `rows of a word on an ordinary screen and a dense one: ${rows}`);
+// Where frames take long, the picture is coarser, and a line says so
+page = await opened('springs.html', { deviceScaleFactor: 2 });
+await page.evaluate(() => { // a processor that has other work
+  const work = () => {
+    for (const end = performance.now() + 40; performance.now() < end;);
+    if (document.querySelector('.coarse').hidden) requestAnimationFrame(work);
+  };
+  work();
+});
+await page.waitForFunction(() => !document.querySelector('.coarse').hidden && document.querySelector('#canvas').width === document.querySelector('#canvas').clientWidth);
+await page.close();
 
 // Narrow and wide: nothing is cut off, nothing moves sideways
 for (const width of [360, 800, 1600]) {
