@@ -25,6 +25,11 @@ export function handIn(view, canvas, demo, what, after) {
     }));
   }
 
+  // The wheel is the original's; two fingers that spread come nearer in any demo: where the eye's distance is what the wheel moves,
+  // they make it smaller.
+  const [[wheeled, amount] = []] = Object.entries(what.wheels);
+  const nearer = () => (/^(distance|z-dist)$/.test(wheeled) && demo.tells('Knobs')[wheeled] * amount > 0 ? -1 : 1);
+
   const fingers = new Map(); // by their pointers, where they are
   const spread = () => {
     const [one, other] = fingers.values();
@@ -45,7 +50,7 @@ export function handIn(view, canvas, demo, what, after) {
     const before = fingers.size === 2 ? spread() : 0;
     fingers.set(event.pointerId, at(event));
     if (fingers.size === 1) demo.does('PointerMove', ...at(event));
-    if (before > 0) demo.does('Wheel', notches * Math.log2(spread() / before));
+    if (before > 0) demo.does('Wheel', nearer() * notches * Math.log2(spread() / before));
     after();
   });
   for (const kind of ['pointerup', 'pointercancel']) {
@@ -63,7 +68,7 @@ export function handIn(view, canvas, demo, what, after) {
   // A mouse gives a notch at once, a trackpad a hundred small ways that make one.
   let turned = 0;
   canvas.addEventListener('wheel', (event) => {
-    if (!what.wheels || document.activeElement !== canvas) return;
+    if (!wheeled || document.activeElement !== canvas) return;
     event.preventDefault();
     turned -= event.deltaY / [notch, notch / 40, 1][event.deltaMode];
     const whole = Math.trunc(turned);

@@ -2,7 +2,7 @@
 import openModule from './mvgl.js';
 import { comparison } from './compare.js';
 import { knobRows, matrixTables, presetButtons, readoutTable, tag } from './controls.js';
-import { shaderEditor } from './edit.js';
+import { endless, shaderEditor } from './edit.js';
 import { handIn } from './hand.js';
 import { fetched, isNamedAs, provide, take } from './pictures.js';
 import { fromAddress, fromCommand, toAddress, typedNumber } from './settings.js';
@@ -40,10 +40,13 @@ function translated(what) {
 
 // The module's functions, by their names in web/page.cpp. Texts come as texts, JSON as what it says.
 async function open(canvas) {
-  const opening = openModule({ canvas });
-  // The browser makes its context while the module is on its way, which then asks for the same one.
+  // The browser makes its context while the module is being compiled, which then asks for the same one.
   canvas.getContext('webgl2', { alpha: false, depth: false, stencil: false, antialias: false });
-  const module = await opening;
+  const compiled = await globalThis.compiled;
+  const module = await (compiled ? new Promise((resolve, reject) => openModule({ canvas, instantiateWasm(imports, made) {
+    WebAssembly.instantiate(compiled, imports).then(made, reject);
+    return {};
+  } }).then(resolve, reject)) : openModule({ canvas }));
   const kinds = { string: 'string', number: 'number', boolean: 'boolean' };
   const call = (answer) => (name, ...given) => {
     const passed = given.map((one) => (typeof one === 'object' ? lines(one) : one));
@@ -96,9 +99,13 @@ export async function live(box) {
   if (given) {
     await fetched(what, given.settings);
     provide(demo, what, given.settings);
-    const words = demo.says('SetAll', given.settings);
+    const words = setAll(given);
     if (given.frame !== undefined) goTo(given.frame);
     setBy = words || unknown(given.unknown);
+  }
+  // The knobs, and what is changed at later frames. Why not, or "".
+  function setAll({ settings, changes = [] }) {
+    return demo.says('SetAll', settings) || (changes.length ? demo.says('SetChanges', changes.map(({ frame, knob, value }) => `${frame} ${knob} ${value.replaceAll('\n', '\u21b5')}\n`).join('')) : '');
   }
   // A frame at once, but where it is far.
   function goTo(frame) {
@@ -216,9 +223,9 @@ export async function live(box) {
   // What is shown, as an address. (The shaders are in what is copied: an address that changes with each letter is none.)
   // It asks the demo: what was set a moment ago is not drawn yet.
   function addressNow(shaders = []) {
-    const { knobs: set } = demo.tells('Report');
-    return toAddress(what.knobs.map((knob) => ({ ...knob, value: set[knob.name] })), {
-      frame: what.animated && !state.playing && state.frame !== 1 ? state.frame : undefined, compared: compare.compared(), until: steps.until(), shaders,
+    const { knobs: set } = demo.tells('Report'), { beginning, changes } = demo.tells('Timeline');
+    return toAddress(what.knobs.map((knob) => ({ ...knob, value: beginning ? beginning[knob.name] ?? knob.initial : set[knob.name] })), {
+      changes, frame: what.animated && !state.playing && state.frame !== 1 ? state.frame : undefined, compared: compare.compared(), until: steps.until(), shaders,
     });
   }
   // Once nothing has changed for a while, the address says what there is: browsers allow a hundred changes in half a minute. And the
@@ -263,9 +270,9 @@ export async function live(box) {
     const waits = fetched(what, settings);
     return waits ? waits.then(ready) : ready();
   }
-  const settle = ({ settings, frame, compared, until, shaders: edited = {}, unknown: names }) => withPictures(settings, () => {
+  const settle = ({ settings, changes, frame, compared, until, shaders: edited = {}, unknown: names }) => withPictures(settings, () => {
     steps.show(until);
-    const words = demo.says('SetAll', settings);
+    const words = setAll({ settings, changes });
     if (frame !== undefined && !words) goTo(frame);
     after(words || unknown(names));
     shaders.apply(edited);
@@ -413,6 +420,7 @@ export async function live(box) {
     event.preventDefault();
     lost = true;
     say(refused, word('memoryLost'));
+    forget();
     canvas.addEventListener('webglcontextrestored', () => location.reload(), { once: true });
   });
 
@@ -422,6 +430,8 @@ export async function live(box) {
     sources.filter((file) => file.name.startsWith('shaders/')).map(({ name: file, text }) => ({ name: file.slice('shaders/'.length), text })),
     (file, text) => {
       if (text.length > mostShader) return word('shaderLong', { most: mostShader, value: text.length });
+      const loop = endless(text);
+      if (loop) return word('shaderEndless', { file, line: loop });
       const mistakes = demo.says('WriteShader', file, text);
       compare.writeShader(file, text);
       compare.touch();
@@ -438,6 +448,13 @@ export async function live(box) {
     try {
       sessionStorage.setItem(place, JSON.stringify(Object.fromEntries(shaders.changed())));
     } catch {} // a browser that keeps nothing
+  }
+  // Where the memory is lost again within a minute, what was edited is likely why: it is not drawn a third time.
+  function forget() {
+    try {
+      if (Date.now() - Number(sessionStorage.getItem(`${place} lost`)) < 60_000) sessionStorage.removeItem(place);
+      sessionStorage.setItem(`${place} lost`, Date.now());
+    } catch {}
   }
   function kept() {
     try {

@@ -105,8 +105,8 @@ EMSCRIPTEN_KEEPALIVE const char* mvOpen(const char* demo, const char* settings, 
 EMSCRIPTEN_KEEPALIVE const char* mvKnobsAndPresets() { return say(knobsJson(session().info(), demo())); }
 
 // "widgets", "width", "height", "animated", what each of the "readouts" says, and "controls": what is done and what that does; "drags"
-// and "wheels" where the pointer moves a knob by itself, "handles" where things are dragged in the picture, "remembers" where a frame
-// follows from the one before.
+// where the pointer moves a knob by itself, "wheels", which knobs the wheel moves, and by how much a notch, "handles" where things are
+// dragged in the picture, "remembers" where a frame follows from the one before.
 EMSCRIPTEN_KEEPALIVE const char* mvDescribe() {
     JsonText json;
     const DemoInfo& info = session().info();
@@ -118,12 +118,13 @@ EMSCRIPTEN_KEEPALIVE const char* mvDescribe() {
     json.end().array("controls");
     for (const auto& [does, to] : controlsOf(demo())) json.array().add({}, does).add({}, to).end();
     json.end();
-    bool drags = false, wheels = false;
+    bool drags = false;
+    json.object("wheels");
     for (const Binding& binding : demo().bindings()) {
-        wheels |= binding.gesture == Gesture::wheel;
+        if (binding.gesture == Gesture::wheel) json.add(binding.knob->name(), binding.amount);
         drags |= binding.gesture == Gesture::dragAcross || binding.gesture == Gesture::dragDown;
     }
-    json.add("drags", drags).add("wheels", wheels).add("remembers", demo().memory() != nullptr);
+    json.end().add("drags", drags).add("remembers", demo().memory() != nullptr);
     json.add("handles", !demo().handles().empty());
     return say(json.end().text());
 }
@@ -147,6 +148,37 @@ EMSCRIPTEN_KEEPALIVE const char* mvSetAll(const char* settings) {
         session().touch();  // also where one is refused: those before it are set
         for (Knob* knob : demo().knobs()) knob->reset();
         applyKnobs(demo(), settingsOf(settings));
+    });
+}
+
+// "beginning" and "changes" since, { "frame", "knob", "value" } each, where there are any: the picture follows from them. Else {}.
+EMSCRIPTEN_KEEPALIVE const char* mvTimeline() {
+    const Timeline& timeline = page()->stage.timeline();
+    const std::vector<TimedChange> changes = timeline.changesUntil(session().drawnFrame());
+    JsonText json;
+    json.object();
+    if (!changes.empty()) {
+        json.object("beginning");
+        for (const KnobSetting& knob : timeline.beginning()) json.add(knob.name, knob.text);
+        json.end().array("changes");
+        for (const TimedChange& change : changes)
+            json.object().add("frame", change.frame).add("knob", change.knob).add("value", change.text).end();
+        json.end();
+    }
+    return say(json.end().text());
+}
+
+// The present settings are a beginning, and these changes come, a line for each: a frame, a space, a knob, a space and its value.
+EMSCRIPTEN_KEEPALIVE const char* mvSetChanges(const char* lines) {
+    return attempt([&] {
+        std::vector<TimedChange> changes;
+        for (const KnobSetting& line : settingsOf(lines)) {
+            const KnobSetting change = settingsOf(line.text + "\n").front();
+            demo().knob(change.name);  // Error: none of that name
+            changes.push_back({std::stoi(line.name), change.name, change.text});
+        }
+        session().restart();
+        page()->stage.timeline().setChanges(std::move(changes));
     });
 }
 

@@ -4,6 +4,7 @@ import { spawnSync } from 'node:child_process';
 import fs from 'node:fs';
 import path from 'node:path';
 import { pathToFileURL } from 'node:url';
+import { endless } from '../../web/edit.js';
 import { formula } from '../../web/formula.mjs';
 import { anchorOf, fold } from '../../web/lesson.mjs';
 import { formulasOf, wordsIn } from '../../web/prose.mjs';
@@ -119,6 +120,11 @@ const inText = [...pages].filter(([file]) => file.startsWith('demos/')).flatMap(
 expect(inText.length > 300, `formulas in the words of all lessons: ${inText.length}`);
 const names = new Set(inText.flatMap((one) => all(one, /<mi>(.*?)<\/mi>/g)));
 for (const word of ['the', 'is', 'has', 'of', 'and', 'a point', 'with', 'for', 'it']) expect(!names.has(word), `'${word}' is no name of a formula`);
+
+// Loops that surely have no end, and those that may have one; of the lessons' shaders none has such
+for (const [shader, line] of [['while (true) x += 1.0;', 1], ['\nfor (;;) { f(); }', 2], ['for (int i = 0; i < 4;) a[i] = 1.0;', 1], ['while (x < 3.0) { y += 1.0; }', 1], ['for (int i = 0; i < 4;) { ++i; }'], ['for (int i = 0; i < 4;) { g(i); }'],
+  ['while (true) { if (x > 1.0) break; }'], ['do { x += 1.0; } while (x < 3.0);'], ['while (p.x < 3.0) p.x += 1.0;'], ['// while (true) x;'], ['while (f() < 3.0) y += 1.0;']]) equal(endless(shader), line, `a loop without an end in ${shader}`);
+for (const file of fs.readdirSync(path.join(source, 'shaders'), { recursive: true }).filter((one) => path.extname(one))) equal(endless(fs.readFileSync(path.join(source, 'shaders', file), 'utf8')), undefined, `${file}: a loop without an end`);
 
 // What a matrix is made of
 globalThis.word = word;

@@ -3,7 +3,7 @@
 import fs from 'node:fs';
 import path from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { browserOf, counted, equal, expect, largestAllowed, largestFunction, loadedBy, made, mostLoaded, opened as openedIn, served, skipUnlessBuilt } from './support.mjs';
+import { browserOf, counted, demosOf, equal, expect, largestAllowed, largestFunction, loadedBy, made, mostLoaded, opened as openedIn, served, skipUnlessBuilt } from './support.mjs';
 
 const [source, program, build] = process.argv.slice(2);
 skipUnlessBuilt(build);
@@ -85,6 +85,7 @@ await page.evaluate(() => document.querySelector('.live').live.settle({ settings
 await settled(page);
 equal(await text(page, '.command code'), './run shadow-map --compare filter=none,pcf7', 'the line of a comparison');
 equal(await text(page, '.label.is-b'), 'filter pcf7', 'what the other picture is');
+equal(await page.evaluate(() => performance.getEntriesByType('resource').filter((one) => one.name.endsWith('mvgl.wasm')).length), 1, 'times that the module of both is loaded');
 equal(await sumOf(page), first, 'the one picture');
 equal(await sumOf(page, 'second'), alone, 'the other picture');
 await page.select('#knob-resolution', '64');
@@ -196,6 +197,12 @@ await page.waitForFunction(() => !document.querySelector('.mistakes').textConten
 expect((await sumOf(page)) !== unedited, 'a shader that compiles is seen');
 await page.evaluate(() => [...document.querySelectorAll('.shaders button')].find((button) => button.textContent === 'Put back').click());
 equal(await sumOf(page), unedited, 'the shader put back');
+// A loop without an end would hold all the browser's pictures: it is told at its line, and not drawn
+await edit('void main() {', 'void main() {\n    for (int i = 0; i < 3;) ;');
+await page.waitForSelector('.mistakes button');
+expect(/^shaders\/cube-cull\/cube-cull\.frag:\d+: this loop has no end/.test(await text(page, '.mistakes button')), `a loop without an end: ${await text(page, '.mistakes')}`);
+equal(await sumOf(page), unedited, 'the picture beside it');
+await page.evaluate(() => [...document.querySelectorAll('.shaders button')].find((button) => button.textContent === 'Put back').click());
 // Another file is chosen before what was typed is compiled
 await page.$eval('.shaders textarea', (area) => {
   area.value = area.value.replace('vertexColor.rgb', 'vertexColor.brg');
@@ -299,6 +306,40 @@ expect((await page.$$('.steps figure canvas')).length > 0, 'the buffers of the p
 await unfold(page, '.steps', false);
 await page.waitForFunction(() => document.querySelector('.command code').textContent === './run shadow-map');
 equal(await sumOf(page), complete, 'the picture when the steps are closed');
+await page.close();
+
+// Two fingers that spread come nearer in each demo, whichever way the wheel goes there
+for (const [demo, knob] of [['cube-cull', 'z-dist'], ['pipeline', 'distance'], ['shadow-map', 'distance'], ['stereocube', 'z-dist'], ['procedural', 'zoom']]) {
+  page = await opened(`${demo}.html`);
+  const away = () => page.evaluate((knob) => Math.abs(document.querySelector('.live').live.demo.tells('Knobs')[knob]), knob);
+  const apart = await away(), { x: left, y: up } = await (await page.$('#canvas')).boundingBox(), touches = await page.createCDPSession();
+  const touch = (type, spread) => touches.send('Input.dispatchTouchEvent', { type, touchPoints: spread ? [-spread, spread].map((far, id) => ({ x: left + 200 + far, y: up + 200, id })) : [] });
+  await touch('touchStart', 50);
+  for (const spread of [70, 90, 110]) await touch('touchMove', spread);
+  await touch('touchEnd');
+  await settled(page);
+  expect(knob === 'zoom' ? (await away()) > apart : (await away()) < apart, `${demo}: ${knob} after two fingers were spread: ${apart} to ${await away()}`);
+  await page.close();
+}
+
+// A demo that remembers: what was changed on the way is in the link, and the linked picture is the one that was shown
+page = await opened('springs.html');
+await page.focus('#canvas');
+await page.keyboard.press(' ');
+await page.waitForFunction(() => !document.querySelector('.live').live.demo.tells('State').playing);
+for (const [field, value] of [['.time input[type="number"]', '30'], ['#knob-substeps', '9'], ['#knob-damping', '0.7'], ['.time input[type="number"]', '50']]) {
+  await type(page, field, value);
+  await settled(page);
+}
+await page.waitForFunction(() => location.hash === '#at=30,substeps=9&at=30,damping=0.7&frame=50');
+const [changed, told] = [await sumOf(page), await text(page, '.command code')];
+equal(told, './run springs --at 30 substeps=9 --at 30 damping=0.7 --frame 50', 'the line of changes on the way');
+const again = await opened('springs.html#at=30,substeps=9&at=30,damping=0.7&frame=50');
+equal(await sumOf(again), changed, 'the picture of a link with changes on the way');
+equal(await text(again, '.command code'), told, 'and its line');
+await again.evaluate(() => (location.hash = '#at=30,substeps=many&frame=50'));
+await again.waitForFunction(() => document.querySelector('.refused').textContent.includes("'many'"));
+await again.close();
 await page.close();
 
 // A point that is dragged in the picture
@@ -509,6 +550,18 @@ const wordRows = async (deviceScaleFactor) => {
 };
 const rows = [await wordRows(1), await wordRows(2)];
 expect(rows[0] >= 6 && Math.abs(rows[1] - 2 * rows[0]) <= 2, `rows of a word on an ordinary screen and a dense one: ${rows}`);
+// Where there is less room, a table of numbers is smaller and not cut off, and where nobody could read it there is none
+for (const [width, isThere] of [[700, true], [390, false]]) {
+  page = await opened('pipeline.html', { width });
+  await settled(page);
+  const ink = await page.evaluate(() => {
+    const { demo, size } = document.querySelector('.live').live, { width, height } = size(), pixels = demo.pixels(width * height);
+    const dark = (from, to, low, high) => { for (let y = low; y < high; ++y) for (let x = from; x < to; ++x) if (pixels[4 * (y * width + x)] < 150 && pixels[4 * (y * width + x) + 2] < 190) return true; return false; };
+    return [dark(Math.round(0.88 * width), width - 2, 0, height), dark(width - 2, width, 0, height) || dark(Math.round(0.6 * width), width, height - 2, height)];
+  });
+  equal(ink.join(), `${isThere},false`, `pipeline on ${width} pixels: its numbers, and any that are cut off`);
+  await page.close();
+}
 // Where frames take long, the picture is coarser, and a line says so
 page = await opened('springs.html', { deviceScaleFactor: 2 });
 await page.evaluate(() => { // a processor that has other work
@@ -522,6 +575,15 @@ await page.waitForFunction(() => !document.querySelector('.coarse').hidden && do
 await page.close();
 
 // Narrow and wide: nothing is cut off, nothing moves sideways
+page = await browser.newPage();
+await page.setViewport({ width: 320, height: 700 });
+for (const demo of demosOf(program)) {
+  await page.goto(`${address}demos/${demo}.html`);
+  await page.waitForSelector('.live.is-live');
+  const beyond = await page.evaluate(() => document.scrollingElement.scrollWidth - innerWidth);
+  expect(beyond <= 0, `${demo} on 320 pixels: ${beyond} beyond the edge`);
+}
+await page.close();
 for (const width of [360, 800, 1600]) {
   for (const demo of ['shadow-map', 'springs', 'cube-cull']) {
     page = await opened(`${demo}.html`, { width, height: 900 });
