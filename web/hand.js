@@ -25,10 +25,11 @@ export function handIn(view, canvas, demo, what, after) {
     }));
   }
 
-  // The wheel is the original's; two fingers that spread come nearer in any demo: where the eye's distance is what the wheel moves,
-  // they make it smaller.
+  // The wheel is the original's; two fingers that spread come nearer in any demo: they make the eye's distance smaller, and z-dist, where
+  // the eye stands on the z axis, nearer to 0.
   const [[wheeled, amount] = []] = Object.entries(what.wheels);
-  const nearer = () => (/^(distance|z-dist)$/.test(wheeled) && demo.tells('Knobs')[wheeled] * amount > 0 ? -1 : 1);
+  const away = () => ({ distance: 1, 'z-dist': Number(demo.tells('Knobs')['z-dist']) })[wheeled] ?? 0;
+  const nearer = () => (away() * amount > 0 ? -1 : 1);
 
   const fingers = new Map(); // by their pointers, where they are
   const spread = () => {

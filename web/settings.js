@@ -30,7 +30,7 @@ export function toAddress(knobs, { changes = [], frame, compared, until, shaders
   if (compared?.knob) names.set('compare', `${compared.knob},${compared.other}`);
   if (until !== undefined) names.set('until', until);
   for (const [name, text] of shaders) names.set(`shader.${name}`, text);
-  return `#${names.toString().replaceAll('%2C', ',').replaceAll('%2F', '/').replace(/(?<=[#&]at=[^&]*)%3D/g, '=')}`;
+  return `#${names.toString().replaceAll('%2C', ',').replaceAll('%2F', '/').replace(/(?<=(?:^|&)at=[^&]*)%3D/g, '=')}`;
 }
 
 // A number as it is typed in any country: blanks around it do not count, and the comma is a point.

@@ -311,7 +311,7 @@ await page.close();
 // Two fingers that spread come nearer in each demo, whichever way the wheel goes there
 for (const [demo, knob] of [['cube-cull', 'z-dist'], ['pipeline', 'distance'], ['shadow-map', 'distance'], ['stereocube', 'z-dist'], ['procedural', 'zoom']]) {
   page = await opened(`${demo}.html`);
-  const away = () => page.evaluate((knob) => Math.abs(document.querySelector('.live').live.demo.tells('Knobs')[knob]), knob);
+  const away = () => page.evaluate((knob) => document.querySelector('.live').live.demo.tells('Knobs')[knob] * (knob === 'z-dist' ? -1 : 1), knob); // z-dist is negative
   const apart = await away(), { x: left, y: up } = await (await page.$('#canvas')).boundingBox(), touches = await page.createCDPSession();
   const touch = (type, spread) => touches.send('Input.dispatchTouchEvent', { type, touchPoints: spread ? [-spread, spread].map((far, id) => ({ x: left + 200 + far, y: up + 200, id })) : [] });
   await touch('touchStart', 50);
