@@ -120,7 +120,7 @@ function sequence(tokens, from, end) {
       parts.push('<mo>×</mo>');
       ++factors;
       ++at;
-    } else if (token.text === '/') {
+    } else if (token.text === '/' && !token.isInWords) {
       if (!factors) throw new NoFormula('a fraction without what stands above');
       ++at;
       const above = parts.splice(parts.length - factors), below = factor(false);
@@ -193,7 +193,7 @@ function barred(lines, names) {
       parts.push(gap, table(said.map((one) => [cell(one, names)]), 'lines'));
     } else if (said.length) {
       const [outside] = said;
-      parts.push(...columnsOf(outside).map((one, column) => (column || (i === bars.length && /^[\w(]/.test(one)) ? gap : '') + cell(one, names) + (prose.test(one) ? gap : '')));
+      parts.push(...columnsOf(outside).map((one, column) => (column || (i > 0 && (i === bars.length || one.includes('=')) && /^[\w(]/.test(one)) ? gap : '') + cell(one, names) + (prose.test(one) ? gap : '')));
     }
   }
   return row(parts);
@@ -228,10 +228,12 @@ export function formula(block, names = []) {
   }
 }
 
-// The MathML of a formula among words, or undefined where it is none.
+// The MathML of a formula among words, or undefined where it is none. A fraction is no higher than a line there.
 export function inWords(text) {
   try {
-    return `<math>${row(sequence(tokensOf(text, []), 0).parts)}</math>`;
+    const tokens = tokensOf(text, []);
+    for (const token of tokens) token.isInWords = true;
+    return `<math>${row(sequence(tokens, 0).parts)}</math>`;
   } catch (error) {
     if (error instanceof NoFormula) return undefined;
     throw error;

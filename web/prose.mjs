@@ -108,6 +108,7 @@ function written(html) {
   return at ? made + escaped(text.slice(at)) : html;
 }
 
-// A lesson's HTML with the formulas of its words so; code, headings and what is MathML already stay.
+// A lesson's HTML with the formulas of its words so; code, headings (also of columns, which screen readers want as words) and what is
+// MathML already stay.
 export const wordsIn = (html) =>
-  html.replace(/<(pre|code|math|svg|script|h[1-6]|figcaption)\b.*?<\/\1>|<!--.*?-->|<[^>]*>|[^<]+/gs, (part) => (part.startsWith('<') ? part : written(part)));
+  html.replace(/<(pre|code|math|svg|script|h[1-6]|th|figcaption)\b.*?<\/\1>|<!--.*?-->|<[^>]*>|[^<]+/gs, (part) => (part.startsWith('<') ? part : written(part)));

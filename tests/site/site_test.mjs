@@ -115,6 +115,7 @@ for (const [words, expected] of [
   ['The near plane - or the far one - is left/right, 4x4 or B-spline, 3 * n and 12.5 % of C++', ''],
 ]) equal(found(words), expected, `formulas in: ${words}`);
 equal(wordsIn('<p>At z = 2e-4 <code>w = 1</code>, <a href="x">x &lt; y²</a> &amp; so.</p>'), '<p>At <math><mrow><mi>z</mi><mo>=</mo><mn>2e-4</mn></mrow></math> <code>w = 1</code>, <a href="x"><math><mrow><mi>x</mi><mo>&lt;</mo><msup><mi>y</mi><mn>2</mn></msup></mrow></math></a> &amp; so.</p>', 'among tags, and not in code');
+equal(wordsIn('<p>x/(2 y) = 1</p><th>w = 1</th>'), '<p><math><mrow><mi>x</mi><mo>/</mo><mrow><mo stretchy="false">(</mo><mn>2</mn><mspace width="0.2em"></mspace><mi>y</mi><mo stretchy="false">)</mo></mrow><mo>=</mo><mn>1</mn></mrow></math></p><th>w = 1</th>', 'a fraction in a line, and a heading of a column');
 equal(wordsIn('<h2>w = 1</h2><pre><code>a = 1</code></pre>&quot;so&quot;'), '<h2>w = 1</h2><pre><code>a = 1</code></pre>&quot;so&quot;', 'what stays');
 const inText = [...pages].filter(([file]) => file.startsWith('demos/')).flatMap(([, html]) => all(html, /<math>(.*?)<\/math>/gs));
 expect(inText.length > 300, `formulas in the words of all lessons: ${inText.length}`);
