@@ -25,8 +25,9 @@
   const shown = box.querySelector('.shown');
   if (!shown.complete) await new Promise((come) => ['load', 'error'].forEach((event) => shown.addEventListener(event, come, { once: true })));
   const early = (given) => document.head.append(Object.assign(document.createElement('link'), given));
-  for (const file of parts.split(' ')) early({ rel: 'modulepreload', href: up + file });
-  early({ rel: 'preload', href: `${up}mvgl.wasm`, as: 'fetch', type: 'application/wasm', crossOrigin: '' });
+  for (const file of ['live.js', ...parts.split(' ')]) early({ rel: 'modulepreload', href: up + file });
+  // The browser compiles the module while it comes, beside all else. Where it may not, live.js is told why.
+  globalThis.compiled = WebAssembly.compileStreaming?.(fetch(`${up}mvgl.wasm`)).catch(() => undefined);
   await shown.decode().catch(() => {});
   await new Promise((painted) => requestAnimationFrame(() => setTimeout(painted)));
   import(`${up}live.js`).catch((error) => still(error.message));

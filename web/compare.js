@@ -101,6 +101,7 @@ export function comparison(name, what, view, open, changed, edits) {
       begun = refused ? '' : key;
       if (!refused) {
         if (!anew) second.does('GoTo', frame);
+        second.does('Density', size.density);
         second.does('Draw', size.width, size.height, false);
         refused = second.tells('State').error;
         if (!refused && !placed) place(first, size);

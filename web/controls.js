@@ -192,7 +192,7 @@ export function matrixTables() {
       if (!element.open) return;
       box.replaceChildren(...Object.entries(matrices).map(([name, rows]) => {
         const { product, takes, entry } = madeOf(name, matrices);
-        return tag('table', {}, tag('caption', { title: takes }, product || name),
+        return tag('table', { tabindex: 0 }, tag('caption', { title: takes }, product || name),
           ...rows.map((row, i) => tag('tr', {}, ...row.map((value, j) => tag('td', { title: entry(i, j) }, number(value))))));
       }));
     },

@@ -4,6 +4,28 @@ import { tag } from './controls.js';
 
 const quiet = 300; // milliseconds without a key before what is typed is compiled
 
+// The line of a loop that surely has no end, or undefined: such a shader would hold all the browser's pictures.
+export function endless(text) {
+  const plain = text.replace(/\/\*[^]*?\*\/|\/\/.*/g, (one) => one.replace(/[^\n]/g, ' '));
+  const end = (from, open, close) => {
+    let depth = 0, at = from;
+    do depth += (plain[at] === open) - (plain[at] === close); while (depth && ++at < plain.length);
+    return at;
+  };
+  for (const { 0: head, 1: kind, index } of plain.matchAll(/\b(for|while)\s*\(/g)) {
+    if (kind === 'while' && /\}\s*$/.test(plain.slice(0, index)) && /^\s*;/.test(plain.slice(end(index + head.length - 1, '(', ')') + 1))) continue; // the end of a do
+    const from = index + head.length, to = end(from - 1, '(', ')'), inside = plain.slice(from, to);
+    const [start] = plain.slice(to + 1).match(/^\s*/), at = to + 1 + start.length;
+    const body = plain.slice(at, plain[at] === '{' ? end(at, '{', '}') : plain.indexOf(';', at) + 1);
+    if (/\b(?:break|return|discard)\b/.test(body)) continue;
+    const [, goesOn = '', step = ''] = kind === 'for' ? inside.split(';') : ['', inside];
+    const names = [...goesOn.matchAll(/[A-Za-z_]\w*/g)].map(([name]) => name).filter((name) => name !== 'true');
+    const isMoved = (name) => new RegExp(`\\b${name}\\b\\s*(?:\\.\\w+\\s*)?(?:\\+\\+|--|[-+*/%&|^]?=(?!=)|<<=|>>=)|(?:\\+\\+|--)\\s*${name}\\b|\\w\\s*\\([^;]*\\b${name}\\b`).test(`${goesOn};${step};${body}`);
+    if (!names.some(isMoved) && !/\w\s*\(/.test(goesOn)) return plain.slice(0, index).split('\n').length;
+  }
+  return undefined;
+}
+
 // `files`: [{ name, text }], `write(name, text)` returns the mistakes, a line each: "shaders/x.frag:7: message"; `inUse()` are the names
 // of the files that the picture is drawn with. What comes back: `element`; `changed()`, the files that are edited, [name, text] each; and
 // `apply({ name: text })`, which edits them.

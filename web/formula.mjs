@@ -5,7 +5,8 @@
 // a lower index, p' a prime; a x b is a cross product between two names, <a, b> and n . v are inner products; |..| bounds a length.
 // Lines of as many columns, none with a relation, are the rows of a matrix; so is what stands between bars that lie below each other.
 
-const greek = { alpha: 'α', beta: 'β', eta: 'η', phi: 'φ', pi: 'π', rho: 'ρ', theta: 'θ' };
+export const greek = { alpha: 'α', beta: 'β', delta: 'δ', eta: 'η', gamma: 'γ', lambda: 'λ', phi: 'φ', Phi: 'Φ', pi: 'π', rho: 'ρ', theta: 'θ' };
+const withIndex = new RegExp(`^(\\p{L}|${Object.keys(greek).join('|')})_(\\w+)$`, 'u');
 const written = { '->': '→', '*': '·', '<=': '≤', '>=': '≥', '-+': '∓', '-': '−', '..': '..', ' . ': '·' };
 const relations = ['=', '<', '>', ':']; // and labels: no entry of a matrix has one
 const closing = { '(': ')', '|(': '|', '<(': '>' };
@@ -36,7 +37,7 @@ function tokensOf(text, names) {
     };
     const begins = !before || before.kind === 'operator' || before.kind === 'open';
     const name = hyphened.find((one) => rest.startsWith(one) && !/^[\w-]/.test(rest.slice(one.length))) ?? rest.match(/^\p{L}\w*'?/u)?.[0];
-    const number = rest.match(/^\d+(?:\.\d+)?°?/)?.[0], operator = rest.match(/^(?: \. |<=|>=|->|-\+|--+|\.\.\.?|[-=+*/^,;·.×]|[:<>](?= |$))/)?.[0];
+    const number = rest.match(/^\d+(?:\.\d+)?(?:e-?\d+)?°?/)?.[0], operator = rest.match(/^(?: \. |<=|>=|->|-\+|--+|\.\.\.?|[-=+*/^,;·.×]|[:<>](?= |$))/)?.[0];
     if (name) add('name', name);
     else if (number) add('number', number);
     else if (rest[0] === '(') bounds.push('('), add('open', '(');
@@ -55,7 +56,7 @@ function tokensOf(text, names) {
 // A name: in a Greek letter, with its lower index and its prime.
 function nameOf(text) {
   const [, whole, prime] = text.match(/^(.*?)('?)$/), letter = (one) => greek[one] ?? one;
-  const [, base, index] = whole.match(/^(\p{L}|alpha|beta|eta|phi|rho|theta)_(\w+)$/u) ?? whole.match(/^(\p{L}+?)(\d+)$/u) ?? [];
+  const [, base, index] = whole.match(withIndex) ?? whole.match(/^(\p{L}+?)(\d+)$/u) ?? [];
   const mi = (one) => `<mi>${letter(one)}</mi>`, lower = index && (/^\d+$/.test(index) ? `<mn>${index}</mn>` : mi(index));
   const made = index ? `<msub>${mi(base)}${lower}</msub>` : mi(whole);
   return prime ? `<mrow>${made}<mo lspace="0" rspace="0">′</mo></mrow>` : made;
@@ -101,8 +102,10 @@ function sequence(tokens, from, end) {
       throw new NoFormula(`'${token.text}' where a number or a name is to stand`);
     }
     if (tokens[at]?.text === '^') {
-      ++at;
-      made = `<msup>${made}${factor(false)}</msup>`;
+      const isNegative = tokens[++at]?.text === '-';
+      if (isNegative) ++at;
+      const power = factor(false);
+      made = `<msup>${made}${isNegative ? `<mrow>${operatorOf('-')}${power}</mrow>` : power}</msup>`;
     }
     return made;
   }
@@ -117,7 +120,7 @@ function sequence(tokens, from, end) {
       parts.push('<mo>×</mo>');
       ++factors;
       ++at;
-    } else if (token.text === '/') {
+    } else if (token.text === '/' && !token.isInWords) {
       if (!factors) throw new NoFormula('a fraction without what stands above');
       ++at;
       const above = parts.splice(parts.length - factors), below = factor(false);
@@ -190,7 +193,7 @@ function barred(lines, names) {
       parts.push(gap, table(said.map((one) => [cell(one, names)]), 'lines'));
     } else if (said.length) {
       const [outside] = said;
-      parts.push(...columnsOf(outside).map((one, column) => (column || (i === bars.length && /^[\w(]/.test(one)) ? gap : '') + cell(one, names) + (prose.test(one) ? gap : '')));
+      parts.push(...columnsOf(outside).map((one, column) => (column || (i > 0 && (i === bars.length || one.includes('=')) && /^[\w(]/.test(one)) ? gap : '') + cell(one, names) + (prose.test(one) ? gap : '')));
     }
   }
   return row(parts);
@@ -219,6 +222,18 @@ export function formula(block, names = []) {
     const made = paragraphs.map((paragraph) => partOf(paragraph.split('\n'), names));
     if (made.every((one) => !one)) return undefined;
     return made.map((one, i) => `<math display="block"><semantics><mrow>${one ?? words(paragraphs[i])}</mrow><annotation encoding="text/plain">${escaped(paragraphs[i])}</annotation></semantics></math>`).join('\n');
+  } catch (error) {
+    if (error instanceof NoFormula) return undefined;
+    throw error;
+  }
+}
+
+// The MathML of a formula among words, or undefined where it is none. A fraction is no higher than a line there.
+export function inWords(text) {
+  try {
+    const tokens = tokensOf(text, []);
+    for (const token of tokens) token.isInWords = true;
+    return `<math>${row(sequence(tokens, 0).parts)}</math>`;
   } catch (error) {
     if (error instanceof NoFormula) return undefined;
     throw error;

@@ -9,13 +9,12 @@ const notches = 4; // of the wheel, for two fingers that move twice as far apart
 export function handIn(view, canvas, demo, what, after) {
   const rings = tag('div', { class: 'rings', 'aria-hidden': 'true' });
   view.append(rings);
-  const scale = () => canvas.width / canvas.clientWidth;
-  // Whole pixels of the picture: a knob that goes by so much a pixel keeps its few digits, however small the picture is shown.
+  // Whole pixels of the page: a knob that goes by so much a pixel keeps its few digits, however dense the screen is.
   const at = (event) => {
     const place = canvas.getBoundingClientRect();
-    return [event.clientX - place.left, event.clientY - place.top].map((length) => Math.round(length * scale()));
+    return [event.clientX - place.left, event.clientY - place.top].map(Math.round);
   };
-  const reachOf = (event) => (reach[event.pointerType] ?? fine) * scale();
+  const reachOf = (event) => reach[event.pointerType] ?? fine;
   function show() {
     if (!what.handles) return;
     rings.replaceChildren(...demo.tells('Handles').map(({ name, x, y, active }) => {
@@ -25,6 +24,12 @@ export function handIn(view, canvas, demo, what, after) {
       return ring;
     }));
   }
+
+  // The wheel is the original's; two fingers that spread come nearer in any demo: they make the eye's distance smaller, and z-dist, where
+  // the eye stands on the z axis, nearer to 0.
+  const [[wheeled, amount] = []] = Object.entries(what.wheels);
+  const away = () => ({ distance: 1, 'z-dist': Number(demo.tells('Knobs')['z-dist']) })[wheeled] ?? 0;
+  const nearer = () => (away() * amount > 0 ? -1 : 1);
 
   const fingers = new Map(); // by their pointers, where they are
   const spread = () => {
@@ -46,7 +51,7 @@ export function handIn(view, canvas, demo, what, after) {
     const before = fingers.size === 2 ? spread() : 0;
     fingers.set(event.pointerId, at(event));
     if (fingers.size === 1) demo.does('PointerMove', ...at(event));
-    if (before > 0) demo.does('Wheel', notches * Math.log2(spread() / before));
+    if (before > 0) demo.does('Wheel', nearer() * notches * Math.log2(spread() / before));
     after();
   });
   for (const kind of ['pointerup', 'pointercancel']) {
@@ -64,7 +69,7 @@ export function handIn(view, canvas, demo, what, after) {
   // A mouse gives a notch at once, a trackpad a hundred small ways that make one.
   let turned = 0;
   canvas.addEventListener('wheel', (event) => {
-    if (!what.wheels || document.activeElement !== canvas) return;
+    if (!wheeled || document.activeElement !== canvas) return;
     event.preventDefault();
     turned -= event.deltaY / [notch, notch / 40, 1][event.deltaMode];
     const whole = Math.trunc(turned);

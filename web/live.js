@@ -2,7 +2,7 @@
 import openModule from './mvgl.js';
 import { comparison } from './compare.js';
 import { knobRows, matrixTables, presetButtons, readoutTable, tag } from './controls.js';
-import { shaderEditor } from './edit.js';
+import { endless, shaderEditor } from './edit.js';
 import { handIn } from './hand.js';
 import { fetched, isNamedAs, provide, take } from './pictures.js';
 import { fromAddress, fromCommand, toAddress, typedNumber } from './settings.js';
@@ -13,6 +13,8 @@ const pause = 100; // milliseconds between two looks at the readouts of what mov
 const quiet = 250; // milliseconds after which the address is written
 const mostShader = 100_000; // letters of a shader: what the module is handed at once has room in its memory
 const near = 2000; // so many frames are computed at once
+const densest = 3; // pixels of the canvas for each of the page's: more of them nobody sees
+const slowest = 1000 / 30, slowFrames = 30; // milliseconds of a frame; after so many that took longer there are fewer pixels
 
 // The demo may be asked for while the page is still being read; once it is read, all of it is there, its words too.
 const isRead = performance.getEntriesByType('navigation')[0].domContentLoadedEventStart > 0;
@@ -38,10 +40,13 @@ function translated(what) {
 
 // The module's functions, by their names in web/page.cpp. Texts come as texts, JSON as what it says.
 async function open(canvas) {
-  const opening = openModule({ canvas });
-  // The browser makes its context while the module is on its way, which then asks for the same one.
+  // The browser makes its context while the module is being compiled, which then asks for the same one.
   canvas.getContext('webgl2', { alpha: false, depth: false, stencil: false, antialias: false });
-  const module = await opening;
+  const compiled = await globalThis.compiled;
+  const module = await (compiled ? new Promise((resolve, reject) => openModule({ canvas, instantiateWasm(imports, made) {
+    WebAssembly.instantiate(compiled, imports).then(made, reject);
+    return {};
+  } }).then(resolve, reject)) : openModule({ canvas }));
   const kinds = { string: 'string', number: 'number', boolean: 'boolean' };
   const call = (answer) => (name, ...given) => {
     const passed = given.map((one) => (typeof one === 'object' ? lines(one) : one));
@@ -77,7 +82,7 @@ export async function live(box) {
     throw new Error(opening);
   }
   const what = translated({ ...demo.tells('KnobsAndPresets'), ...demo.tells('Describe') });
-  let values = {}, state = demo.tells('State'), size = { width: what.width, height: what.height };
+  let values = {}, state = demo.tells('State'), size, slow = 0, drawnAt = 0, isCoarse = false;
   let beside = '', comparing = false; // what is said of the picture that is compared; whether it is to be drawn anew
   let shaders = { changed: () => [], apply() {} }, goal; // the editor of shaders, once there is one; a frame that is far
   let scheduled = false, told = 0, last = performance.now(), visible = true, wanted = false, lost = false, setBy = '';
@@ -94,9 +99,13 @@ export async function live(box) {
   if (given) {
     await fetched(what, given.settings);
     provide(demo, what, given.settings);
-    const words = demo.says('SetAll', given.settings);
+    const words = setAll(given);
     if (given.frame !== undefined) goTo(given.frame);
     setBy = words || unknown(given.unknown);
+  }
+  // The knobs, and what is changed at later frames. Why not, or "".
+  function setAll({ settings, changes = [] }) {
+    return demo.says('SetAll', settings) || (changes.length ? demo.says('SetChanges', changes.map(({ frame, knob, value }) => `${frame} ${knob} ${value.replaceAll('\n', '\u21b5')}\n`).join('')) : '');
   }
   // A frame at once, but where it is far.
   function goTo(frame) {
@@ -104,11 +113,21 @@ export async function live(box) {
     if (what.remembers && frame > near) goal = frame;
     else demo.does('GoTo', frame);
   }
+  // The canvas has the screen's pixels, of as many of the page's as there is room for.
+  function measure() {
+    const full = document.fullscreenElement === box, room = view.getBoundingClientRect().width || what.width;
+    const density = isCoarse ? 1 : Math.min(densest, Math.max(1, devicePixelRatio)), pixels = (length) => Math.max(1, Math.round(length * density));
+    size = { width: pixels(room), height: pixels(full ? innerHeight : (room * what.height) / what.width), density };
+    demo.does('Density', density);
+  }
   function unknown(names = []) {
     return names.length ? word('unknownNames', { names: names.join(', ') }) : '';
   }
   const calm = matchMedia('(prefers-reduced-motion: reduce)').matches;
   if (calm && state.playing) demo.does('Toggle');
+  view.style.setProperty('--wide', what.width);
+  view.style.setProperty('--high', what.height);
+  measure();
   demo.does('Draw', size.width, size.height, true);
   state = demo.tells('State');
   performance.mark('first-picture');
@@ -129,6 +148,11 @@ export async function live(box) {
   }
   function tick(now) {
     scheduled = wanted = false;
+    if (drawnAt) {
+      slow = now - drawnAt > slowest ? slow + 1 : 0;
+      drawnAt = 0;
+      if (slow === slowFrames) coarsen();
+    }
     demo.does('Advance', Math.min(0.1, (now - last) / 1000));
     last = now;
     const before = state.error;
@@ -139,12 +163,23 @@ export async function live(box) {
       more = demo.does('Draw', size.width, size.height, true) || more;
       state = demo.tells('State');
       comparing = false;
+      // How long it takes says the next frame. (A picture in passes may take its time: it is shown meanwhile.)
+      if (drawn && size.density > 1 && !state.passes) {
+        drawnAt = now;
+        more = true;
+      }
       if (drawn) beside = compare.on() ? compare.draw(demo.tells('Knobs'), state.frame, size, demo) : '';
       if (compare.on()) more = compare.more(size) || more;
       if (drawn && (!state.playing || now - told > pause || state.error !== before)) tellAll(now);
     } finally {
       if (more || state.playing) schedule(); // the clock goes on, whatever failed
     }
+  }
+  // As many pixels as the page's, where more of them take too long.
+  function coarsen() {
+    isCoarse = true;
+    coarse.hidden = false;
+    measure();
   }
   // A demo that remembers is at a far frame after all those before it: some of them at a time, so that the page answers.
   function travel() {
@@ -188,9 +223,9 @@ export async function live(box) {
   // What is shown, as an address. (The shaders are in what is copied: an address that changes with each letter is none.)
   // It asks the demo: what was set a moment ago is not drawn yet.
   function addressNow(shaders = []) {
-    const { knobs: set } = demo.tells('Report');
-    return toAddress(what.knobs.map((knob) => ({ ...knob, value: set[knob.name] })), {
-      frame: what.animated && !state.playing && state.frame !== 1 ? state.frame : undefined, compared: compare.compared(), until: steps.until(), shaders,
+    const { knobs: set } = demo.tells('Report'), { beginning, changes } = demo.tells('Timeline');
+    return toAddress(what.knobs.map((knob) => ({ ...knob, value: beginning ? beginning[knob.name] ?? knob.initial : set[knob.name] })), {
+      changes, frame: what.animated && !state.playing && state.frame !== 1 ? state.frame : undefined, compared: compare.compared(), until: steps.until(), shaders,
     });
   }
   // Once nothing has changed for a while, the address says what there is: browsers allow a hundred changes in half a minute. And the
@@ -235,9 +270,9 @@ export async function live(box) {
     const waits = fetched(what, settings);
     return waits ? waits.then(ready) : ready();
   }
-  const settle = ({ settings, frame, compared, until, shaders: edited = {}, unknown: names }) => withPictures(settings, () => {
+  const settle = ({ settings, changes, frame, compared, until, shaders: edited = {}, unknown: names }) => withPictures(settings, () => {
     steps.show(until);
-    const words = demo.says('SetAll', settings);
+    const words = setAll({ settings, changes });
     if (frame !== undefined && !words) goTo(frame);
     after(words || unknown(names));
     shaders.apply(edited);
@@ -304,13 +339,14 @@ export async function live(box) {
     goal = undefined;
     after();
   } }, word('stop')));
+  const coarse = tag('p', { class: 'coarse', hidden: true, role: 'status' }, word('coarse'));
   const progress = tag('progress', { 'aria-label': word('passes'), hidden: true });
   const command = box.closest('.stage').querySelector('.command code');
   const pictureRow = tag('div', { class: 'row' },
     tag('button', { type: 'button', onclick: () => settle({ settings: {}, frame: what.animated ? 1 : undefined }) }, word('reset')),
     document.fullscreenEnabled ? tag('button', { type: 'button', onclick: () => (document.fullscreenElement ? document.exitFullscreen() : box.requestFullscreen()) }, word('fullScreen')) : '',
     ...shareButtons({
-      name, canvas, demo, compare, isWide, isEmbedded, frame: () => state.frame, redraw: () => after(void demo.does('Touch')),
+      name, canvas, demo, compare, isWide, isEmbedded, frame: () => state.frame, density: () => size.density, redraw: () => after(void demo.does('Touch')),
       address: (search) => location.origin + location.pathname + search + addressNow(shaders.changed()),
     }));
 
@@ -368,18 +404,23 @@ export async function live(box) {
     if (visible) schedule();
   }).observe(view);
   function fit() {
-    const full = document.fullscreenElement === box, room = view.getBoundingClientRect();
-    size = full ? { width: Math.round(room.width * devicePixelRatio), height: Math.round(innerHeight * devicePixelRatio) } : { width: what.width, height: what.height };
     // Where the controls stand below the picture, it stays in sight above them, and small enough to leave them room.
-    box.classList.toggle('is-stacked', !full && panel.offsetTop > view.offsetTop);
+    box.classList.remove('is-stacked');
+    box.classList.toggle('is-stacked', document.fullscreenElement !== box && panel.offsetTop > view.offsetTop);
+    resized();
+  }
+  function resized() {
+    measure();
     schedule();
   }
+  new ResizeObserver(resized).observe(view);
   box.addEventListener('fullscreenchange', fit);
   addEventListener('resize', fit);
   canvas.addEventListener('webglcontextlost', (event) => {
     event.preventDefault();
     lost = true;
     say(refused, word('memoryLost'));
+    forget();
     canvas.addEventListener('webglcontextrestored', () => location.reload(), { once: true });
   });
 
@@ -389,6 +430,8 @@ export async function live(box) {
     sources.filter((file) => file.name.startsWith('shaders/')).map(({ name: file, text }) => ({ name: file.slice('shaders/'.length), text })),
     (file, text) => {
       if (text.length > mostShader) return word('shaderLong', { most: mostShader, value: text.length });
+      const loop = endless(text);
+      if (loop) return word('shaderEndless', { file, line: loop });
       const mistakes = demo.says('WriteShader', file, text);
       compare.writeShader(file, text);
       compare.touch();
@@ -406,6 +449,13 @@ export async function live(box) {
       sessionStorage.setItem(place, JSON.stringify(Object.fromEntries(shaders.changed())));
     } catch {} // a browser that keeps nothing
   }
+  // Where the memory is lost again within a minute, what was edited is likely why: it is not drawn a third time.
+  function forget() {
+    try {
+      if (Date.now() - Number(sessionStorage.getItem(`${place} lost`)) < 60_000) sessionStorage.removeItem(place);
+      sessionStorage.setItem(`${place} lost`, Date.now());
+    } catch {}
+  }
   function kept() {
     try {
       return JSON.parse(sessionStorage.getItem(place)) ?? {};
@@ -421,7 +471,7 @@ export async function live(box) {
     ...hand.keys,
     ...(what.animated ? [[word('keySpace'), word('keySpaceDoes')]] : []),
   ].map(([does, to]) => tag('tr', {}, tag('th', { scope: 'row' }, does), tag('td', {}, to)))), tag('p', {}, word('keysWhen')));
-  panel.replaceChildren(presets.element, refused, notes, progress, knobs.element, time, travelling, readouts.element, pictureRow, compare.element, matrices.element, steps.element, shaders.element, controls);
+  panel.replaceChildren(presets.element, refused, notes, coarse, progress, knobs.element, time, travelling, readouts.element, pictureRow, compare.element, matrices.element, steps.element, shaders.element, controls);
   shaders.apply({ ...kept(), ...given?.shaders });
   if (given?.until !== undefined) steps.show(given.until);
   if (given?.compared) compare.compare(given.compared);
@@ -431,7 +481,7 @@ export async function live(box) {
   fit();
   schedule();
   box.classList.add('is-live');
-  return { demo, settle, what, compare, withPictures, state: () => state };
+  return { demo, settle, what, compare, withPictures, state: () => state, size: () => size };
 }
 
 const box = document.querySelector('.live');

@@ -9,6 +9,7 @@ import { folded } from './fold.mjs';
 import { formulasIn } from './formula.mjs';
 import { fold, imagesIn, linksIn, numbered, quotations, wide } from './lesson.mjs';
 import { demoPage, inLanguage, liveParts, page, startPage, wordsOf } from './pages.mjs';
+import { wordsIn } from './prose.mjs';
 import { language, languages, scriptOf, speak, word } from './words.mjs';
 
 const root = path.dirname(path.dirname(fileURLToPath(import.meta.url)));
@@ -192,6 +193,7 @@ function lesson(file) {
   let html = formulasIn(run('cmark-gfm', ['--extension', 'table', '--unsafe'], markdown), markdown)
     .replace(/<!-- code (\w+) -->/g, (all, name) => quoted(file, name))
     .replace(/<!--.*?-->/gs, '');
+  html = wordsIn(html);
   html = linksIn(html, (link) => {
     const [target, anchor] = link.split('#');
     const to = path.posix.join(here, target);

@@ -44,8 +44,11 @@ Session& session() { return *page()->session; }
 Demo& demo() { return session().demo(); }
 
 FrameInfo shownFrame() { return page()->stage.frame(session().playback().frame()); }
-// From a place in pixels from the picture's upper left corner.
-vec2 placeOf(double x, double y) { return {x, page()->stage.front().height() - y}; }
+// Of a place in the page's pixels from the picture's upper left corner, that in the picture's own from its lower left one.
+vec2 placeOf(double x, double y) {
+    const Stage& stage = page()->stage;
+    return {x * stage.density(), stage.front().height() - y * stage.density()};
+}
 
 std::string answer;
 const char* say(std::string words) {
@@ -102,8 +105,8 @@ EMSCRIPTEN_KEEPALIVE const char* mvOpen(const char* demo, const char* settings, 
 EMSCRIPTEN_KEEPALIVE const char* mvKnobsAndPresets() { return say(knobsJson(session().info(), demo())); }
 
 // "widgets", "width", "height", "animated", what each of the "readouts" says, and "controls": what is done and what that does; "drags"
-// and "wheels" where the pointer moves a knob by itself, "handles" where things are dragged in the picture, "remembers" where a frame
-// follows from the one before.
+// where the pointer moves a knob by itself, "wheels", which knobs the wheel moves, and by how much a notch, "handles" where things are
+// dragged in the picture, "remembers" where a frame follows from the one before.
 EMSCRIPTEN_KEEPALIVE const char* mvDescribe() {
     JsonText json;
     const DemoInfo& info = session().info();
@@ -115,12 +118,13 @@ EMSCRIPTEN_KEEPALIVE const char* mvDescribe() {
     json.end().array("controls");
     for (const auto& [does, to] : controlsOf(demo())) json.array().add({}, does).add({}, to).end();
     json.end();
-    bool drags = false, wheels = false;
+    bool drags = false;
+    json.object("wheels");
     for (const Binding& binding : demo().bindings()) {
-        wheels |= binding.gesture == Gesture::wheel;
+        if (binding.gesture == Gesture::wheel) json.add(binding.knob->name(), binding.amount);
         drags |= binding.gesture == Gesture::dragAcross || binding.gesture == Gesture::dragDown;
     }
-    json.add("drags", drags).add("wheels", wheels).add("remembers", demo().memory() != nullptr);
+    json.end().add("drags", drags).add("remembers", demo().memory() != nullptr);
     json.add("handles", !demo().handles().empty());
     return say(json.end().text());
 }
@@ -144,6 +148,37 @@ EMSCRIPTEN_KEEPALIVE const char* mvSetAll(const char* settings) {
         session().touch();  // also where one is refused: those before it are set
         for (Knob* knob : demo().knobs()) knob->reset();
         applyKnobs(demo(), settingsOf(settings));
+    });
+}
+
+// "beginning" and "changes" since, { "frame", "knob", "value" } each, where there are any: the picture follows from them. Else {}.
+EMSCRIPTEN_KEEPALIVE const char* mvTimeline() {
+    const Timeline& timeline = page()->stage.timeline();
+    const std::vector<TimedChange> changes = timeline.changesUntil(session().drawnFrame());
+    JsonText json;
+    json.object();
+    if (!changes.empty()) {
+        json.object("beginning");
+        for (const KnobSetting& knob : timeline.beginning()) json.add(knob.name, knob.text);
+        json.end().array("changes");
+        for (const TimedChange& change : changes)
+            json.object().add("frame", change.frame).add("knob", change.knob).add("value", change.text).end();
+        json.end();
+    }
+    return say(json.end().text());
+}
+
+// The present settings are a beginning, and these changes come, a line for each: a frame, a space, a knob, a space and its value.
+EMSCRIPTEN_KEEPALIVE const char* mvSetChanges(const char* lines) {
+    return attempt([&] {
+        std::vector<TimedChange> changes;
+        for (const KnobSetting& line : settingsOf(lines)) {
+            const KnobSetting change = settingsOf(line.text + "\n").front();
+            demo().knob(change.name);  // Error: none of that name
+            changes.push_back({std::stoi(line.name), change.name, change.text});
+        }
+        session().restart();
+        page()->stage.timeline().setChanges(std::move(changes));
     });
 }
 
@@ -222,9 +257,9 @@ EMSCRIPTEN_KEEPALIVE bool mvPress(const char* name) {
     }
     return false;
 }
-// Places are in pixels of the picture from its upper left corner, `reach` is how near to a handle the pointer takes it.
+// Places are in the page's pixels from the picture's upper left corner, `reach` is how near to a handle the pointer takes it.
 EMSCRIPTEN_KEEPALIVE void mvPointerDown(double x, double y, double reach) {
-    if (page()->hand.press(demo(), shownFrame(), placeOf(x, y), reach)) {
+    if (page()->hand.press(demo(), shownFrame(), placeOf(x, y), reach * page()->stage.density())) {
         session().pointerUp();
     } else {
         session().pointerDown(x, y);
@@ -240,7 +275,8 @@ EMSCRIPTEN_KEEPALIVE void mvPointerUp() {
 }
 // Where the pointer is while nothing is dragged; a negative reach: not over the picture.
 EMSCRIPTEN_KEEPALIVE void mvHover(double x, double y, double reach) {
-    page()->hand.hover(demo(), shownFrame(), reach < 0 ? std::nullopt : std::optional(placeOf(x, y)), reach);
+    page()->hand.hover(demo(), shownFrame(), reach < 0 ? std::nullopt : std::optional(placeOf(x, y)),
+                       reach * page()->stage.density());
 }
 // What a key of that name does to what can be dragged. Whether it was for this.
 EMSCRIPTEN_KEEPALIVE bool mvHandKey(const char* name, bool far) {
@@ -255,7 +291,7 @@ EMSCRIPTEN_KEEPALIVE bool mvHandKey(const char* name, bool far) {
     if (moved) session().touch();
     return taken;
 }
-// [{"name", "x", "y", "active"}] of what can be dragged, in pixels from the upper left corner.
+// [{"name", "x", "y", "active"}] of what can be dragged, in the picture's pixels from its upper left corner.
 EMSCRIPTEN_KEEPALIVE const char* mvHandles() {
     JsonText json;
     json.array();
@@ -309,12 +345,12 @@ EMSCRIPTEN_KEEPALIVE const char* mvReport() {
     return say(reportJson(page()->stage, session().drawnFrame(), session().times()));
 }
 
-// The line that makes this picture by the native program; `knob` is compared with its value `other`, or "" for none.
+// The line that makes this picture by the native program, in the size of its canvas there: that of this one is the page's and the
+// screen's. `knob` is compared with its value `other`, or "" for none.
 EMSCRIPTEN_KEEPALIVE const char* mvCommand(const char* knob, const char* other) {
-    const Target& target = page()->stage.front();
-    return say(copyableCommand("./run " + session().info().name, session().info(), demo(), session().drawnFrame(),
-                               target.width(), target.height(), {knob, other}, &page()->stage.timeline(),
-                               *knob ? std::nullopt : session().until(), page()->stage.density()));
+    const DemoInfo& info = session().info();
+    return say(copyableCommand("./run " + info.name, info, demo(), session().drawnFrame(), info.width, info.height,
+                               {knob, other}, &page()->stage.timeline(), *knob ? std::nullopt : session().until()));
 }
 
 // The last picture's bytes, red, green, blue, alpha, the upper row first; as many as its size says.

@@ -1,33 +1,36 @@
 // Settings as texts: of the address, of a command line, of a knob's slider.
 
-// What the address says: #view=4&height=20&frame=30&compare=view,2&until=3&shader.lights.frag=TEXT. Knobs as `settings`, the comparison
-// as `compared`, the draws of a stopped frame as `until`, edited shaders by their names as `shaders`, and what is none of these as
-// `unknown`. null: it says nothing of a picture.
+// What the address says: #view=4&height=20&at=12,view=5&frame=30&compare=view,2&until=3&shader.lights.frag=TEXT. Knobs as `settings`, what is
+// changed at a frame as `changes`, { frame, knob, value } each, the comparison as `compared`, the draws of a stopped frame as `until`,
+// edited shaders by their names as `shaders`, and what is none of these as `unknown`. null: it says nothing of a picture.
 export function fromAddress(hash, knobs) {
-  const settings = {}, shaders = {}, unknown = [];
+  const settings = {}, shaders = {}, unknown = [], changes = [];
   let frame, compared, until;
   for (const [name, value] of new URLSearchParams(hash.slice(1))) {
+    const [, at, moved, to] = name === 'at' ? value.match(/^(\d{1,9}),([^=]*)=(.*)$/s) ?? [] : [];
     const isCount = /^\d{1,9}$/.test(value), [, knob, other] = name === 'compare' ? value.match(/^([^,]*),(.*)$/s) ?? [] : [];
     if (knobs.some((one) => one.name === name)) settings[name] = value;
     else if (name === 'frame' && isCount) frame = Number(value);
     else if (name === 'until' && isCount) until = Number(value);
+    else if (knobs.some((one) => one.name === moved)) changes.push({ frame: Number(at), knob: moved, value: to });
     else if (knobs.some((one) => one.name === knob)) compared = { knob, other };
     else if (name.startsWith('shader.')) shaders[name.slice('shader.'.length)] = value;
     else if (value !== '') unknown.push(`${name}=${value}`); // without a value it is a heading of the lesson
   }
-  const says = frame ?? compared ?? until ?? Object.keys({ ...settings, ...shaders })[0] ?? unknown[0];
-  return says === undefined ? null : { settings, frame, compared, until, shaders, unknown };
+  const says = frame ?? compared ?? until ?? Object.keys({ ...settings, ...shaders })[0] ?? changes[0] ?? unknown[0];
+  return says === undefined ? null : { settings, changes, frame, compared, until, shaders, unknown };
 }
 
 // The same address again: of the knobs those that are not at their initial values, and the frame of what moves.
-export function toAddress(knobs, { frame, compared, until, shaders = [] }) {
+export function toAddress(knobs, { changes = [], frame, compared, until, shaders = [] }) {
   const names = new URLSearchParams();
   for (const knob of knobs) if (knob.value !== knob.initial) names.set(knob.name, knob.value);
+  for (const { frame: at, knob, value } of changes) names.append('at', `${at},${knob}=${value}`);
   if (frame !== undefined) names.set('frame', frame);
   if (compared?.knob) names.set('compare', `${compared.knob},${compared.other}`);
   if (until !== undefined) names.set('until', until);
   for (const [name, text] of shaders) names.set(`shader.${name}`, text);
-  return `#${names.toString().replaceAll('%2C', ',').replaceAll('%2F', '/')}`;
+  return `#${names.toString().replaceAll('%2C', ',').replaceAll('%2F', '/').replace(/(?<=(?:^|&)at=[^&]*)%3D/g, '=')}`;
 }
 
 // A number as it is typed in any country: blanks around it do not count, and the comma is a point.

@@ -14,28 +14,29 @@ function handOver(blob, file) {
 }
 
 // Both pictures of a comparison as they are seen, with the line and what each is.
-function besides(picture, second, at, labels) {
+function besides(picture, second, at, labels, density) {
   const { width, height } = picture, pen = picture.getContext('2d'), line = Math.round(width * at);
   if (line < width) pen.drawImage(second, line, 0, width - line, height, line, 0, width - line, height);
   pen.fillStyle = '#fff';
-  pen.fillRect(line - 1, 0, 2, height);
+  pen.fillRect(line - density, 0, 2 * density, height);
+  pen.scale(density, density);
   pen.font = '16px sans-serif';
   labels.forEach((label, i) => {
-    const wide = pen.measureText(label).width + 16, left = i ? width - wide : 0;
+    const wide = pen.measureText(label).width + 16, left = i ? width / density - wide : 0, low = height / density;
     pen.fillStyle = '#000a';
-    pen.fillRect(left, height - 26, wide, 26);
+    pen.fillRect(left, low - 26, wide, 26);
     pen.fillStyle = '#fff';
-    pen.fillText(label, left + 8, height - 8);
+    pen.fillText(label, left + 8, low - 8);
   });
   return picture;
 }
 
-// Its buttons. `frame()` is the number of the frame that is shown, `address(search)` where all of it is found again, `redraw()` draws the
+// Its buttons. `frame()` is the number of the frame that is shown, `density()` the picture's pixels for each of the page's, `address(search)` where all of it is found again, `redraw()` draws the
 // picture once more.
-export function shareButtons({ name, canvas, demo, compare, frame, address, redraw, isWide, isEmbedded }) {
+export function shareButtons({ name, canvas, demo, compare, frame, density, address, redraw, isWide, isEmbedded }) {
   function save() {
     const { width, height } = canvas, size = width * height, picture = asCanvas(width, height, demo.pixels(size));
-    if (compare.on()) besides(picture, asCanvas(width, height, compare.second().pixels(size)), compare.at(), compare.labels());
+    if (compare.on()) besides(picture, asCanvas(width, height, compare.second().pixels(size)), compare.at(), compare.labels(), density());
     picture.toBlob((blob) => handOver(blob, `${name}-${frame()}.png`));
   }
 

@@ -88,18 +88,21 @@ void drawCross(Drawing& drawing, const mat4& clipFromWorld, const vec3& at, cons
     drawing.edge(clipFromWorld, at - vec3(0, -0.003, 0.1), at + vec3(0, 0.003, 0.1), {color, 3});
 }
 
-// A table of what each light gives to the mark.
+// A table of what each light gives to the mark; above the graph there may be room for those alone that are on.
 void drawTable(Drawing& drawing, const Settings& s, const Pane& pane, double unit) {
+    const double line = std::max(20 * unit, leastWords + 3.0);
+    const bool isRoomForAll = (lightCount + 2) * line < pane.height / 2.0;
     double y = pane.height - 8 * unit;
     const auto say = [&](const std::string& words, const vec4& color) {
         drawing.text({12 * unit, y}, words, style(unit, color));
-        y -= std::max(20 * unit, leastWords + 3.0);
+        y -= line;
     };
     say("Light at the red mark", red);
     for (std::size_t i = 0; i < lightCount; ++i) {
         const vec3 light = arriving(s, i, marked(s), {0, 1, 0});
         std::string words = std::to_string(i + 1) + " " + nameOf(s.kinds[i]);
         if (isLamp(s.kinds[i])) words += formatted(", %.2f m", glm::distance(placeOf(s, i), marked(s)));
+        if (s.kinds[i] == Kind::off && !isRoomForAll) continue;
         if (s.kinds[i] != Kind::off) words += formatted(": %.3f", (light.x + light.y + light.z) / 3);
         say(words, s.kinds[i] == Kind::off ? grey : ink);
     }

@@ -98,7 +98,7 @@ static void writePixel(Drawing& drawing, TextColumn& text, const Settings& s, co
 
 static std::vector<TextLine> scaled(std::vector<TextLine> lines, double scale) {
     if (scale == 1) return lines;
-    if (!(scale >= 0.5)) return {};  // nobody could read them; and a pane of no height has no scale
+    if (scale == 0) return {};
     for (TextLine& line : lines) {
         line.x = int(line.x * scale);
         line.y = int(line.y * scale);
@@ -113,10 +113,11 @@ void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
     const Pane pane = viewIn(frame);
     gpu.drawing.begin(frame);
     gpu.drawing.in(pane);
-    TextColumn text(numbersBeside(frame) ? pane.width + 14 : 14, 6, 15);
+    const double scale = numbersScale(frame);
+    TextColumn text(numbersBeside(frame) && scale > 0 ? int(pane.width / scale) + 14 : 14, 6, 15);
     writeProducts(text, s, pane.aspect());
     writePixel(gpu.drawing, text, s, frame);
-    drawText(frame, scaled(text.lines, numbersScale(frame)));
+    drawText(frame, scaled(text.lines, scale));
     gpu.drawing.draw(frame);
 }
 

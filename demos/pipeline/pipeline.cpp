@@ -100,17 +100,19 @@ bool numbersBeside(const FrameInfo& units) {
     return left >= 280 || left >= units.height() - numbersHeight;
 }
 double numbersScale(const FrameInfo& units) {
-    return numbersBeside(units) ? 1 : std::min(1.0, double(units.width()) / numbersWidth);
+    const double width = units.width(), height = units.height();
+    const double room = numbersBeside(units) ? std::min(width * 3 / 5 / numbersWidth, height / numbersHeight)
+                                             : std::min(width / numbersWidth, height * 3 / 4 / numbersHeight);
+    return room < 0.5 ? 0 : std::min(1.0, room);  // nobody could read them
 }
 Pane viewIn(const FrameInfo& frame) {
     const FrameInfo units = frame.inUnits();
-    if (numbersBeside(units)) {
-        const int width = std::max({1, units.width() * 2 / 5, units.width() - numbersWidth});
-        return frame.fromUnits(
-            {0, 0, width, std::min(units.height(), width)});  // in a higher one the cube would be cut
-    }
-    const int below = units.height() - int(numbersHeight * numbersScale(units));
-    return frame.fromUnits({0, 0, units.width(), std::max({1, units.height() / 4, below})});
+    const double scale = numbersScale(units);
+    const int numbersAcross = int(numbersWidth * scale), numbersUp = int(numbersHeight * scale);
+    const bool beside = numbersBeside(units) || scale == 0;
+    const int width = beside ? std::max(1, units.width() - numbersAcross) : units.width();
+    const int height = beside ? units.height() : std::max(1, units.height() - numbersUp);
+    return frame.fromUnits({0, 0, width, std::min(height, width)});  // in a higher one the cube would be cut
 }
 
 vec3 corner(int i) { return half * (2.0 * vec3(i & 1, i >> 1 & 1, i >> 2 & 1) - 1.0); }

@@ -53,7 +53,7 @@ mat4 cameraFromWorld(const Settings& s);
 mat4 clipFromCamera(const Settings& s, double aspect);
 constexpr int numbersWidth = 600, numbersHeight = 500;  // units
 bool numbersBeside(const FrameInfo& units);
-double numbersScale(const FrameInfo& units);  // less than 1 where they would be cut off
+double numbersScale(const FrameInfo& units);  // less than 1 where they would be cut off, 0 where there is no room
 Pane viewIn(const FrameInfo& frame);
 
 // OpenGL's steps after the vertex shader: it clips, divides by w, and maps to the pixels of the view.

@@ -4,8 +4,10 @@ import { spawnSync } from 'node:child_process';
 import fs from 'node:fs';
 import path from 'node:path';
 import { pathToFileURL } from 'node:url';
+import { endless } from '../../web/edit.js';
 import { formula } from '../../web/formula.mjs';
 import { anchorOf, fold } from '../../web/lesson.mjs';
+import { formulasOf, wordsIn } from '../../web/prose.mjs';
 import { keysOf, languages, speak, word } from '../../web/words.mjs';
 import { all, chromium, counted, demosOf, equal, expect, made, scratch, served } from './support.mjs';
 
@@ -97,6 +99,33 @@ expect(formula('a < b').includes('<annotation encoding="text/plain">a &lt; b</an
 const shownAsMath = [...pages.values()].reduce((count, html) => count + all(html, /(<math )/g).length, 0);
 expect(shownAsMath > 80, `formulas of all lessons: ${shownAsMath}`);
 expect(/<pre tabindex="0"><code>glEnable\(GL_CULL_FACE\)/.test(pages.get('demos/cube-cull.html')), 'code stays code');
+
+// In running words: a run of names, numbers and signs with a relation, a power, an index or a function in it, all of it or nothing
+const found = (text) => formulasOf(text).map(({ from, to }) => text.slice(from, to)).join(' | ');
+for (const [words, expected] of [
+  ['goes from z = -near to z = -far, with w = 1 (a point).', 'z = -near | z = -far | w = 1'],
+  ['A point is at d^2/(n 2^24): near = 1.6, in\nthe picture', 'd^2/(n 2^24) | near = 1.6'],
+  ['(a matrix with w = 1) and a (the x axis)', 'w = 1'],
+  ["the lecture's v_r = v - 2 n (n.v) is the same for", 'v_r = v - 2 n (n.v)'],
+  ['what have <n, q - q0> = 0, or |p - c|^2 = r^2, and |x| < 1', '<n, q - q0> = 0 | |p - c|^2 = r^2 | |x| < 1'],
+  ['culled = 12 - 2 * facing. What lies', 'culled = 12 - 2 * facing'],
+  ['a third at d = 4 m, or 3 m/s^2', 'd = 4 | 3 m/s^2'],
+  ['as max(1, n / 2) or sin a = eta has it', 'max(1, n / 2) | sin a = eta'],
+  ['x = a point, A > 0 að, and y = E + sum of all, W = 2 tan(25 deg) c', 'A > 0'], // what goes on in words is none
+  ['The near plane - or the far one - is left/right, 4x4 or B-spline, 3 * n and 12.5 % of C++', ''],
+]) equal(found(words), expected, `formulas in: ${words}`);
+equal(wordsIn('<p>At z = 2e-4 <code>w = 1</code>, <a href="x">x &lt; y²</a> &amp; so.</p>'), '<p>At <math><mrow><mi>z</mi><mo>=</mo><mn>2e-4</mn></mrow></math> <code>w = 1</code>, <a href="x"><math><mrow><mi>x</mi><mo>&lt;</mo><msup><mi>y</mi><mn>2</mn></msup></mrow></math></a> &amp; so.</p>', 'among tags, and not in code');
+equal(wordsIn('<p>x/(2 y) = 1</p><th>w = 1</th>'), '<p><math><mrow><mi>x</mi><mo>/</mo><mrow><mo stretchy="false">(</mo><mn>2</mn><mspace width="0.2em"></mspace><mi>y</mi><mo stretchy="false">)</mo></mrow><mo>=</mo><mn>1</mn></mrow></math></p><th>w = 1</th>', 'a fraction in a line, and a heading of a column');
+equal(wordsIn('<h2>w = 1</h2><pre><code>a = 1</code></pre>&quot;so&quot;'), '<h2>w = 1</h2><pre><code>a = 1</code></pre>&quot;so&quot;', 'what stays');
+const inText = [...pages].filter(([file]) => file.startsWith('demos/')).flatMap(([, html]) => all(html, /<math>(.*?)<\/math>/gs));
+expect(inText.length > 300, `formulas in the words of all lessons: ${inText.length}`);
+const names = new Set(inText.flatMap((one) => all(one, /<mi>(.*?)<\/mi>/g)));
+for (const word of ['the', 'is', 'has', 'of', 'and', 'a point', 'with', 'for', 'it']) expect(!names.has(word), `'${word}' is no name of a formula`);
+
+// Loops that surely have no end, and those that may have one; of the lessons' shaders none has such
+for (const [shader, line] of [['while (true) x += 1.0;', 1], ['\nfor (;;) { f(); }', 2], ['for (int i = 0; i < 4;) a[i] = 1.0;', 1], ['while (x < 3.0) { y += 1.0; }', 1], ['for (int i = 0; i < 4;) { ++i; }'], ['for (int i = 0; i < 4;) { g(i); }'],
+  ['while (true) { if (x > 1.0) break; }'], ['do { x += 1.0; } while (x < 3.0);'], ['while (p.x < 3.0) p.x += 1.0;'], ['// while (true) x;'], ['while (f() < 3.0) y += 1.0;']]) equal(endless(shader), line, `a loop without an end in ${shader}`);
+for (const file of fs.readdirSync(path.join(source, 'shaders'), { recursive: true }).filter((one) => path.extname(one))) equal(endless(fs.readFileSync(path.join(source, 'shaders', file), 'utf8')), undefined, `${file}: a loop without an end`);
 
 // What a matrix is made of
 globalThis.word = word;

@@ -104,8 +104,8 @@ export function browserOf(build, flags = throughMesa) {
 }
 
 // The page of a demo, once it is alive; what the console says fails the test. page.asked() is page.evaluate(), and fails when the page
-// crashes.
-export async function opened(browser, address, where, { width = 1280, height = 900 } = {}) {
+// crashes. (In a window as large as this each demo has its canvas' own size.)
+export async function opened(browser, address, where, { width = 1700, height = 900, deviceScaleFactor = 1 } = {}) {
   const page = await browser.newPage();
   page.on('console', (message) => expect(false, `${where}: the console says ${message.text()}`));
   page.on('pageerror', (error) => expect(false, `${where}: ${error.message}`));
@@ -113,7 +113,7 @@ export async function opened(browser, address, where, { width = 1280, height = 9
   const crash = new Promise((never, reject) => page.once('error', reject));
   crash.catch(() => {});
   page.asked = (...question) => Promise.race([page.evaluate(...question), crash]);
-  await page.setViewport({ width, height });
+  await page.setViewport({ width, height, deviceScaleFactor });
   await page.goto(`${address}demos/${where}`);
   await page.waitForSelector('.live.is-live, .live.is-still', { timeout: 120_000 });
   equal(await page.$eval('.panel', (panel) => panel.closest('.is-still')?.textContent ?? ''), '', `${where}: why it is not alive`);

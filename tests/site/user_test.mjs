@@ -3,7 +3,7 @@
 import fs from 'node:fs';
 import path from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { browserOf, counted, equal, expect, largestAllowed, largestFunction, loadedBy, made, mostLoaded, opened as openedIn, served, skipUnlessBuilt } from './support.mjs';
+import { browserOf, counted, demosOf, equal, expect, largestAllowed, largestFunction, loadedBy, made, mostLoaded, opened as openedIn, served, skipUnlessBuilt } from './support.mjs';
 
 const [source, program, build] = process.argv.slice(2);
 skipUnlessBuilt(build);
@@ -15,15 +15,15 @@ const opened = (where, view) => openedIn(browser, address, where, view);
 // A canvas out of sight is not drawn.
 const settled = (page) => page.evaluate(async () => {
   document.querySelector('.view').scrollIntoView({ behavior: 'instant' });
-  const { demo, what, state } = document.querySelector('.live').live;
-  do await new Promise(requestAnimationFrame); while (demo.does('IsDue', what.width, what.height) && !state().playing);
+  const { demo, size, state } = document.querySelector('.live').live;
+  do await new Promise(requestAnimationFrame); while (demo.does('IsDue', size().width, size().height) && !state().playing);
   await new Promise(requestAnimationFrame);
 });
 const sumOf = async (page, which = 'first') => {
   await settled(page);
   return page.evaluate((which) => {
-    const { demo, what, compare } = document.querySelector('.live').live;
-    const pixels = (which === 'first' ? demo : compare.second()).pixels(what.width * what.height);
+    const { demo, size, compare } = document.querySelector('.live').live;
+    const pixels = (which === 'first' ? demo : compare.second()).pixels(size().width * size().height);
     return pixels.reduce((sum, byte) => Math.imul(sum ^ byte, 16777619), 2166136261) >>> 0;
   }, which);
 };
@@ -85,6 +85,7 @@ await page.evaluate(() => document.querySelector('.live').live.settle({ settings
 await settled(page);
 equal(await text(page, '.command code'), './run shadow-map --compare filter=none,pcf7', 'the line of a comparison');
 equal(await text(page, '.label.is-b'), 'filter pcf7', 'what the other picture is');
+equal(await page.evaluate(() => performance.getEntriesByType('resource').filter((one) => one.name.endsWith('mvgl.wasm')).length), 1, 'times that the module of both is loaded');
 equal(await sumOf(page), first, 'the one picture');
 equal(await sumOf(page, 'second'), alone, 'the other picture');
 await page.select('#knob-resolution', '64');
@@ -196,6 +197,12 @@ await page.waitForFunction(() => !document.querySelector('.mistakes').textConten
 expect((await sumOf(page)) !== unedited, 'a shader that compiles is seen');
 await page.evaluate(() => [...document.querySelectorAll('.shaders button')].find((button) => button.textContent === 'Put back').click());
 equal(await sumOf(page), unedited, 'the shader put back');
+// A loop without an end would hold all the browser's pictures: it is told at its line, and not drawn
+await edit('void main() {', 'void main() {\n    for (int i = 0; i < 3;) ;');
+await page.waitForSelector('.mistakes button');
+expect(/^shaders\/cube-cull\/cube-cull\.frag:\d+: this loop has no end/.test(await text(page, '.mistakes button')), `a loop without an end: ${await text(page, '.mistakes')}`);
+equal(await sumOf(page), unedited, 'the picture beside it');
+await page.evaluate(() => [...document.querySelectorAll('.shaders button')].find((button) => button.textContent === 'Put back').click());
 // Another file is chosen before what was typed is compiled
 await page.$eval('.shaders textarea', (area) => {
   area.value = area.value.replace('vertexColor.rgb', 'vertexColor.brg');
@@ -299,6 +306,40 @@ expect((await page.$$('.steps figure canvas')).length > 0, 'the buffers of the p
 await unfold(page, '.steps', false);
 await page.waitForFunction(() => document.querySelector('.command code').textContent === './run shadow-map');
 equal(await sumOf(page), complete, 'the picture when the steps are closed');
+await page.close();
+
+// Two fingers that spread come nearer in each demo, whichever way the wheel goes there
+for (const [demo, knob] of [['cube-cull', 'z-dist'], ['pipeline', 'distance'], ['shadow-map', 'distance'], ['stereocube', 'z-dist'], ['procedural', 'zoom']]) {
+  page = await opened(`${demo}.html`);
+  const away = () => page.evaluate((knob) => document.querySelector('.live').live.demo.tells('Knobs')[knob] * (knob === 'z-dist' ? -1 : 1), knob); // z-dist is negative
+  const apart = await away(), { x: left, y: up } = await (await page.$('#canvas')).boundingBox(), touches = await page.createCDPSession();
+  const touch = (type, spread) => touches.send('Input.dispatchTouchEvent', { type, touchPoints: spread ? [-spread, spread].map((far, id) => ({ x: left + 200 + far, y: up + 200, id })) : [] });
+  await touch('touchStart', 50);
+  for (const spread of [70, 90, 110]) await touch('touchMove', spread);
+  await touch('touchEnd');
+  await settled(page);
+  expect(knob === 'zoom' ? (await away()) > apart : (await away()) < apart, `${demo}: ${knob} after two fingers were spread: ${apart} to ${await away()}`);
+  await page.close();
+}
+
+// A demo that remembers: what was changed on the way is in the link, and the linked picture is the one that was shown
+page = await opened('springs.html');
+await page.focus('#canvas');
+await page.keyboard.press(' ');
+await page.waitForFunction(() => !document.querySelector('.live').live.demo.tells('State').playing);
+for (const [field, value] of [['.time input[type="number"]', '30'], ['#knob-substeps', '9'], ['#knob-damping', '0.7'], ['.time input[type="number"]', '50']]) {
+  await type(page, field, value);
+  await settled(page);
+}
+await page.waitForFunction(() => location.hash === '#at=30,substeps=9&at=30,damping=0.7&frame=50');
+const [changed, told] = [await sumOf(page), await text(page, '.command code')];
+equal(told, './run springs --at 30 substeps=9 --at 30 damping=0.7 --frame 50', 'the line of changes on the way');
+const again = await opened('springs.html#at=30,substeps=9&at=30,damping=0.7&frame=50');
+equal(await sumOf(again), changed, 'the picture of a link with changes on the way');
+equal(await text(again, '.command code'), told, 'and its line');
+await again.evaluate(() => (location.hash = '#at=30,substeps=many&frame=50'));
+await again.waitForFunction(() => document.querySelector('.refused').textContent.includes("'many'"));
+await again.close();
 await page.close();
 
 // A point that is dragged in the picture
@@ -454,7 +495,95 @@ for (const [width, height] of [[390, 700], [1366, 641]]) {
   }
 }
 
+// On a dense screen, and on a phone, the canvas has the screen's pixels, and nothing else is other than on an ordinary one: a drag goes as
+// far, a handle to where the pointer is, and link and command are the same
+const seenOn = async (deviceScaleFactor, where, act, view) => {
+  page = await opened(where, { ...view, deviceScaleFactor });
+  const at = await (await page.$('#canvas')).boundingBox();
+  await act?.(at);
+  await settled(page);
+  const found = await page.evaluate(() => ({
+    canvas: ['#canvas', 'canvas.second'].map((one) => document.querySelector(one)).filter(Boolean).map(({ width, height, clientWidth, clientHeight }) => [width, height, clientWidth, clientHeight].join()),
+    command: document.querySelector('.command code').textContent,
+    handles: document.querySelector('.live').live.demo.tells('Handles').map(({ x, y }) => [x, y]),
+  }));
+  if (act) await page.waitForFunction(() => location.hash !== ''); // once it rests
+  found.hash = await page.evaluate(() => location.hash);
+  await page.close();
+  return found;
+};
+const dragged = (from, to) => async (at) => {
+  await page.mouse.move(at.x + from[0], at.y + from[1]);
+  await page.mouse.down();
+  await page.mouse.move(at.x + to[0], at.y + to[1], { steps: 4 });
+  await page.mouse.up();
+};
+for (const [where, act] of [['cube-cull.html', dragged([200, 200], [261, 223])], ['shadow-map.html#compare=filter,pcf7', dragged([100, 300], [140, 310])]]) {
+  const [ordinary, dense] = [await seenOn(1, where, act), await seenOn(2, where, act)];
+  equal(ordinary.canvas[0], '600,600,600,600', `${where}: the canvas on an ordinary screen`);
+  for (const one of dense.canvas) equal(one, '1200,1200,600,600', `${where}: the canvas on a dense screen`);
+  equal(dense.canvas.length, ordinary.canvas.length, `${where}: pictures`);
+  equal(dense.command, ordinary.command, `${where}: the command line on a dense screen`);
+  equal(dense.hash, ordinary.hash, `${where}: the link on a dense screen`);
+  expect(!/--size|--density/.test(dense.command) && dense.command.includes('spin-y'), `${where}: the command line has the drag and no size: ${dense.command}`);
+}
+const { handles: [here] } = await seenOn(1, 'clipping.html');
+const there = [Math.round(here[0]) + 40, Math.round(here[1]) + 30];
+const moved = await seenOn(2, 'clipping.html', dragged(here, there));
+expect(moved.handles.some(([x, y]) => Math.hypot(x / 2 - there[0], y / 2 - there[1]) <= 1), `a handle that is dragged from ${here} to ${there} on a dense screen: ${JSON.stringify(moved.handles)}`);
+equal((await seenOn(3, 'keyframes.html', undefined, { width: 390, height: 844 })).canvas[0].split(',')[0], `${3 * 358}`, "the canvas' width on a phone");
+// Words are twice as many pixels high there: the same rows of the picture hold them
+const wordRows = async (deviceScaleFactor) => {
+  page = await opened('gpu-stages.html', { deviceScaleFactor });
+  await settled(page);
+  const rows = await page.evaluate(() => {
+    const { demo, size } = document.querySelector('.live').live, { width, height } = size(), pixels = demo.pixels(width * height);
+    // The table's head: dark on light, from three quarters of the width on
+    const isDark = (row) => { for (let x = Math.round(0.75 * width); x < width; ++x) if (pixels[4 * (row * width + x)] < 100) return true; return false; };
+    let first = 0, last;
+    while (!isDark(first)) ++first;
+    for (last = first; isDark(last); ++last);
+    return last - first;
+  });
+  await page.close();
+  return rows;
+};
+const rows = [await wordRows(1), await wordRows(2)];
+expect(rows[0] >= 6 && Math.abs(rows[1] - 2 * rows[0]) <= 2, `rows of a word on an ordinary screen and a dense one: ${rows}`);
+// Where there is less room, a table of numbers is smaller and not cut off, and where nobody could read it there is none
+for (const [width, isThere] of [[700, true], [390, false]]) {
+  page = await opened('pipeline.html', { width });
+  await settled(page);
+  const ink = await page.evaluate(() => {
+    const { demo, size } = document.querySelector('.live').live, { width, height } = size(), pixels = demo.pixels(width * height);
+    const dark = (from, to, low, high) => { for (let y = low; y < high; ++y) for (let x = from; x < to; ++x) if (pixels[4 * (y * width + x)] < 150 && pixels[4 * (y * width + x) + 2] < 190) return true; return false; };
+    return [dark(Math.round(0.88 * width), width - 2, 0, height), dark(width - 2, width, 0, height) || dark(Math.round(0.6 * width), width, height - 2, height)];
+  });
+  equal(ink.join(), `${isThere},false`, `pipeline on ${width} pixels: its numbers, and any that are cut off`);
+  await page.close();
+}
+// Where frames take long, the picture is coarser, and a line says so
+page = await opened('springs.html', { deviceScaleFactor: 2 });
+await page.evaluate(() => { // a processor that has other work
+  const work = () => {
+    for (const end = performance.now() + 40; performance.now() < end;);
+    if (document.querySelector('.coarse').hidden) requestAnimationFrame(work);
+  };
+  work();
+});
+await page.waitForFunction(() => !document.querySelector('.coarse').hidden && document.querySelector('#canvas').width === document.querySelector('#canvas').clientWidth);
+await page.close();
+
 // Narrow and wide: nothing is cut off, nothing moves sideways
+page = await browser.newPage();
+await page.setViewport({ width: 320, height: 700 });
+for (const demo of demosOf(program)) {
+  await page.goto(`${address}demos/${demo}.html`);
+  await page.waitForSelector('.live.is-live');
+  const beyond = await page.evaluate(() => document.scrollingElement.scrollWidth - innerWidth);
+  expect(beyond <= 0, `${demo} on 320 pixels: ${beyond} beyond the edge`);
+}
+await page.close();
 for (const width of [360, 800, 1600]) {
   for (const demo of ['shadow-map', 'springs', 'cube-cull']) {
     page = await opened(`${demo}.html`, { width, height: 900 });

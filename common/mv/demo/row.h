@@ -220,17 +220,33 @@ auto file(Literal name, Member member, Literal sample, Literal help) {
                                     .sample = sample}};
 }
 
+namespace row_detail {
+
+template <class Settings>
+void append(std::vector<Row<Settings>>& all, Row<Settings>&& row) {
+    all.push_back(std::move(row));
+}
+template <class Settings>
+void append(std::vector<Row<Settings>>& all, std::vector<Row<Settings>>&& rows) {
+    for (Row<Settings>& row : rows) all.push_back(std::move(row));
+}
+template <class Settings, class... Rows>
+std::vector<Row<Settings>> joined(Rows&&... rows) {
+    std::vector<Row<Settings>> all;
+    (append(all, std::move(rows)), ...);
+    return all;
+}
+
+}  // namespace row_detail
+
 // Rows, and lists of rows, one after the other.
 template <class Settings, class... Rows>
 std::vector<Row<Settings>> together(Row<Settings> first, Rows... rest) {
-    return together(std::vector<Row<Settings>>{std::move(first)}, std::move(rest)...);
+    return row_detail::joined<Settings>(std::move(first), std::move(rest)...);
 }
 template <class Settings, class... Rows>
 std::vector<Row<Settings>> together(std::vector<Row<Settings>> first, Rows... rest) {
-    if constexpr (sizeof...(rest) > 0) {
-        for (Row<Settings>& row : together(std::move(rest)...)) first.push_back(std::move(row));
-    }
-    return first;
+    return row_detail::joined<Settings>(std::move(first), std::move(rest)...);
 }
 
 // The rows of a part of a lesson, whose settings are a member of the whole's. Each changes nothing where `holds` is false.
