@@ -7,6 +7,7 @@
 #include "mv/gl/functions.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
+#include "shared/narrow_view.h"
 
 namespace mv::frame_rate {
 
@@ -89,8 +90,7 @@ double stepTime(const Settings& s) { return 1.0 / s.steps; }
 mat4 clipFromCube(double turn, double aspect) {
     const mat4 viewFromWorld = lookAt(vec3(0, 1.6, 2.6), vec3(0, 0, 0), vec3(0, 1, 0));
     // In a narrow pane from farther away, as it were: all of the cube is seen
-    const double fovy = aspect < 1 ? 2 * degrees(std::atan(std::tan(radians(20)) / aspect)) : 40;
-    return perspective(fovy, aspect, 1, 10) * viewFromWorld * rotateY(turn);
+    return perspective(fovyAcross(40, aspect), aspect, 1, 10) * viewFromWorld * rotateY(turn);
 }
 
 }  // namespace mv::frame_rate

@@ -12,6 +12,7 @@
 #include "mv/gl/word_size.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
+#include "shared/narrow_view.h"
 
 namespace mv {
 namespace {
@@ -57,8 +58,7 @@ Scene MirrorRoom::scene(double aspect) const {
     scene.lights = {{.position = vec4(3, 5, 2, 0)}};
     scene.viewFromWorld = lookAt(eye, lookedAt(), vec3(0, 1, 0));
     // The frame of the mirror is seen in a narrow picture, too
-    const double fovy = aspect < 1.2 ? 2 * degrees(std::atan(std::tan(radians(25)) * 1.2 / aspect)) : 50;
-    scene.clipFromView = translate(-0.3, 0, 0) * perspective(fovy, aspect, 0.1, 200);
+    scene.clipFromView = translate(-0.3, 0, 0) * perspective(fovyAcross(50, aspect, 1.2), aspect, 0.1, 200);
     return scene;
 }
 

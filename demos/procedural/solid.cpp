@@ -43,7 +43,7 @@ TextureObject solidTexture(const Settings& s, double side) {
     const int n = s.texels;
     const PatternPlace place = placeOf(s);
     std::vector<std::uint8_t> texels;
-    texels.resize(static_cast<std::size_t>(n) * n * n);
+    texels.resize(static_cast<std::size_t>(n * n * n));
     const auto middle = [&](int i) { return side * ((i + 0.5) / n - 0.5); };
     inRows(n, 0, [&](int layer) {
         std::vector<vec3> offsets;

@@ -8,6 +8,7 @@
 #include "mv/gl/functions.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
+#include "shared/narrow_view.h"
 #include "shared/wide_lines.h"
 
 namespace mv::stereocube {
@@ -113,8 +114,8 @@ Eye eyeAt(double x, Eyes which, const Settings& s, const Lens& lens) {
 
 // The vertical angle of view is 50 degrees. A narrow half has these 50 degrees across, and so more upwards.
 Lens lensOf(const Settings& s, const FrameInfo& frame) {
-    const double aspect = paneOf(s, frame, 0).aspect(), narrow = isBeside(s) ? std::min(aspect, 1.0) : 1;
-    return {narrow < 1 ? 2 * degrees(std::atan(std::tan(radians(25.0)) / narrow)) : 50, aspect};
+    const double aspect = paneOf(s, frame, 0).aspect();
+    return {isBeside(s) ? fovyAcross(50, aspect) : 50, aspect};
 }
 
 bool isBeside(const Settings& s) { return s.eyes == Eyes::sideBySide || s.eyes == Eyes::crossed; }

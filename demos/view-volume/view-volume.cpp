@@ -12,6 +12,7 @@
 #include "mv/gl/functions.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
+#include "shared/narrow_view.h"
 
 namespace mv::view_volume {
 
@@ -110,9 +111,8 @@ mat4 turned(const Settings& s) { return rotateX(s.tilt) * rotateY(-s.turn); }
 
 mat4 outsideFromWorld(const Settings& s, const Pane& pane) {
     // As far to the sides as the eye and the far plane are, in a narrow pane too
-    const double narrow = std::max(1.0, 0.99 / pane.aspect());
-    const double angle = narrow > 1 ? 2 * degrees(std::atan(narrow * std::tan(radians(20)))) : 40;
-    return perspective(angle, pane.aspect(), 1, 200) * translate(0, 0, -68) * turned(s) * translate(0, -2, 19);
+    return perspective(fovyAcross(40, pane.aspect(), 0.99), pane.aspect(), 1, 200) * translate(0, 0, -68) * turned(s) *
+           translate(0, -2, 19);
 }
 
 // Clip space counts depth away from the camera, so the cube is mirrored before it is turned.
