@@ -24,7 +24,8 @@ void drawFlight(Gpu& gpu, const Settings& s, const Frame& frame) {
     drawStreet(gpu, pane, clipFromView * viewFromWorld, frame);
     glDisable(GL_DEPTH_TEST);
 
-    showFlight(gpu.drawing, s, now, pane, frame);
+    const FrameInfo units = frame.inUnits();
+    showFlight(gpu.drawing, s, now, shapedPane(leftPane(units), camera.aspect), units);
 }
 
 // The keys are two seconds apart; the last is the first again.

@@ -128,10 +128,12 @@ static void drawSphere(Gpu& gpu, const Settings& s, const Box& box) {
 
 // Show a cell for each pair: a row for each receiver, a column for each caster.
 static void drawPairs(const Gpu& gpu, const FrameInfo& frame, const Pane& pane, const Box& box) {
-    const int count = int(gpu.polygons.size()), cell = std::max(1, int(box.size().x) / count), side = cell * count;
+    const double pixels = frame.scale().x;
+    const int count = int(gpu.polygons.size()), cell = std::max(1, int(box.size().x * pixels) / count),
+              side = cell * count;
     Picture picture(side, side);
     const auto fill = [&](std::size_t row, std::size_t column, const vec3& color) {
-        const int gap = cell > 4 ? 1 : 0;
+        const int gap = cell > 4 ? std::max(1, int(std::lround(pixels))) : 0;
         for (int y = int(row) * cell; y < (int(row) + 1) * cell - gap; ++y) {
             for (int x = int(column) * cell; x < (int(column) + 1) * cell - gap; ++x)
                 picture.set(x, y,

@@ -218,7 +218,7 @@ void declareFlags(CLI::App& app, Flags& flags, bool launcher) {
         ->type_name("KNOB=A,B");
     app.add_option(
            "--strip", flags.strip,
-           "a row of pictures, each under its label; a second one has a row for each of its values\n(with --shot)")
+           "a row of pictures, each under its label; a second --strip has a row for each of its values\n(with --shot)")
         ->type_name("KNOB=A,B,C")
         ->allow_extra_args(false);
     app.add_option("--movie", flags.movie,
