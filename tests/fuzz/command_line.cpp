@@ -66,12 +66,15 @@ std::vector<std::string> split(const std::string& text, char separator) {
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
     Command command;
+    std::string words(reinterpret_cast<const char*>(data), size);
+    std::replace(words.begin(), words.end(), '\0', '\n');  // no argument can have one
     try {
-        std::string words(reinterpret_cast<const char*>(data), size);
-        std::replace(words.begin(), words.end(), '\0', '\n');  // no argument can have one
         command = parseCommandLine(split(words, '\n'));
     } catch (const UsageError& error) {
         require(std::string(error.what()).find(": ") != std::string::npos, error.what());
+        return 0;
+    } catch (const Error& error) {  // what --from reads is a file, or none
+        require(words.find("--from") != std::string::npos, error.what());
         return 0;
     }
     if (command.action == Action::help || !command.demo) return 0;

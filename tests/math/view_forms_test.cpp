@@ -136,6 +136,19 @@ TEST(UnProject, comes_back_from_every_pixel) {
     }
 }
 
+TEST(UnProject, takes_other_ranges_as_their_header_says) {
+    for (const DepthRange range : {DepthRange::zeroToOne, DepthRange::oneToZero}) {
+        const mat4 clip = perspective(50, 1.5, 0.5, 50, range);
+        for (const double z : {0.5, 1.0, 7.0, 50.0}) {
+            const vec4 drawn = clip * vec4(0.1, -0.2, -z, 1);
+            const vec2 pixel = (vec2(drawn) / drawn.w + 1.0) * vec2(30, 20);
+            const vec3 back = unProject(pixel, (1 + drawn.z / drawn.w) / 2, clip, 60, 40);
+            // Some times 1e-16 far/near of the distance: by the way back, and by the rounding of the depth that is given
+            EXPECT_LE(glm::distance(back, vec3(0.1, -0.2, -z)), 8 * 1e-16 * 100 * z) << z;
+        }
+    }
+}
+
 TEST(UnProject, corners_of_the_view_volume) {
     const mat4 clip = perspective(50, 1.5, 0.1, 1e6) * lookAt(vec3(1, 2, 3), vec3(-4, 1, 0), vec3(0, 1, 0));
     const auto corners = viewVolumeCorners(clip);

@@ -6,13 +6,6 @@
 
 namespace mv {
 
-std::optional<HostKind> hostNamed(std::string_view name) {
-    if (name == "osmesa") return HostKind::osmesa;
-    if (name == "egl") return HostKind::egl;
-    if (name == "egl-device") return HostKind::eglDevice;
-    return {};
-}
-
 std::unique_ptr<Context> openHeadless(HostKind kind, ContextRequest request, std::vector<std::string>& notes) {
     // No host's fault, so it is said once and by itself.
     if (!request.es) (void)versionsToAskFor(request.version);

@@ -4,6 +4,8 @@
 // The other ranges are those of Direct3D, Metal, Vulkan and WebGPU, and of OpenGL after glClipControl(GL_LOWER_LEFT,
 // GL_ZERO_TO_ONE). Each third row is computed by itself: taken from OpenGL's by z' = (w - z)/2 a reversed one has lost
 // near/far to a rounding of 1, and with it what it is for.
+// Trap: planesFromClip(), clipVolume() and unProject() take OpenGL's range, and have near and far wrong of another one. The planes
+// are those of projection.h's matrix of the same arguments; to unProject() the depth d of zeroToOne or oneToZero is (1 + d)/2.
 #pragma once
 #include "mv/math/types.h"
 
