@@ -553,7 +553,7 @@ const wordRows = async (deviceScaleFactor) => {
 };
 const rows = [await wordRows(1), await wordRows(2)];
 expect(rows[0] >= 6 && Math.abs(rows[1] - 2 * rows[0]) <= 2, `rows of a word on an ordinary screen and a dense one: ${rows}`);
-page = await opened('gpu-stages.html#compare=show,stages', { deviceScaleFactor: 2 });
+page = await opened('gpu-stages.html#compare=show,stages', { width: 390, deviceScaleFactor: 2 }); // where words have their least size
 await page.waitForFunction(() => document.querySelector('.label.is-b')?.textContent === 'show stages');
 equal(await sumOf(page, 'second'), await sumOf(page), 'the other picture of the same settings, on a dense screen');
 await page.close();
