@@ -228,12 +228,22 @@ export function formula(block, names = []) {
   }
 }
 
-// The MathML of a formula among words, or undefined where it is none. A fraction is no higher than a line there.
+const longest = 24; // letters of a formula among words that stays in one line
+
+// The MathML of a formula among words, or undefined where it is none. A fraction is no higher than a line there, and a long formula may go
+// on in the next line after a sign or between factors.
 export function inWords(text) {
   try {
     const tokens = tokensOf(text, []);
     for (const token of tokens) token.isInWords = true;
-    return `<math>${row(sequence(tokens, 0).parts)}</math>`;
+    const { parts } = sequence(tokens, 0), lines = [[]];
+    for (const part of parts) {
+      lines.at(-1).push(part);
+      if (text.length > longest && part !== parts.at(-1) && (part === thin || part.startsWith('<mo>')) && lines.at(-1).length > 1) lines.push([]);
+    }
+    const made = lines.map(row);
+    if (made.some((line) => plain(line.replace(/<[^>]*>/g, '')).length > longest)) return undefined; // wider than a phone
+    return made.map((line) => `<math>${line}</math>`).join('<wbr>');
   } catch (error) {
     if (error instanceof NoFormula) return undefined;
     throw error;

@@ -507,7 +507,10 @@ const seenOn = async (deviceScaleFactor, where, act, view) => {
     command: document.querySelector('.command code').textContent,
     handles: document.querySelector('.live').live.demo.tells('Handles').map(({ x, y }) => [x, y]),
   }));
-  if (act) await page.waitForFunction(() => location.hash !== ''); // once it rests
+  if (act) await page.waitForFunction((opened) => { // once it rests
+    const knobs = document.querySelector('.live').live.demo.tells('Knobs');
+    return location.hash !== opened && [...new URLSearchParams(location.hash.slice(1))].every(([name, value]) => !(name in knobs) || knobs[name] === value);
+  }, {}, where.replace(/^[^#]*/, ''));
   found.hash = await page.evaluate(() => location.hash);
   await page.close();
   return found;
@@ -550,6 +553,10 @@ const wordRows = async (deviceScaleFactor) => {
 };
 const rows = [await wordRows(1), await wordRows(2)];
 expect(rows[0] >= 6 && Math.abs(rows[1] - 2 * rows[0]) <= 2, `rows of a word on an ordinary screen and a dense one: ${rows}`);
+page = await opened('gpu-stages.html#compare=show,stages', { width: 390, deviceScaleFactor: 2 }); // where words have their least size
+await page.waitForFunction(() => document.querySelector('.label.is-b')?.textContent === 'show stages');
+equal(await sumOf(page, 'second'), await sumOf(page), 'the other picture of the same settings, on a dense screen');
+await page.close();
 // Where there is less room, a table of numbers is smaller and not cut off, and where nobody could read it there is none
 for (const [width, isThere] of [[700, true], [390, false]]) {
   page = await opened('pipeline.html', { width });
