@@ -603,6 +603,7 @@ desktop() { # the lesson and the shader go to the user's own programs; where non
 lastOpened() { [ "$(tail -n 1 opened 2>/dev/null)" = "$1" ]; }
 error() {
     start 'mvgl: cube-cull' "$cubeCull" --z-dist -0.2
+    at 300 300 # what is said about a widget would cover the picture
     screenshot "$state/before.ppm"
     press Up
     awaitReport error "--z-dist: must not be 0: the eye would stand on the point it looks at"
