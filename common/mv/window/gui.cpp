@@ -65,19 +65,19 @@ void setDark(ImGuiStyle& style) {
     color::errorBack = {0.33F, 0.09F, 0.09F, 1};
 }
 
-// Words have a contrast of 4.5 and more to what is behind them, as in the dark.
+// Words have a contrast of 4.5 and more to what is behind them (WCAG 2.1), by the least 4.6: dim ones on a button.
 void setLight(ImGuiStyle& style) {
     ImGui::StyleColorsLight(&style);
     for (const auto& [which, value] : {Colors{ImGuiCol_WindowBg, {0.965F, 0.969F, 0.976F, 1}},
                                        {ImGuiCol_PopupBg, {1, 1, 1, 1}},
                                        {ImGuiCol_Text, {0.10F, 0.12F, 0.15F, 1}},
-                                       {ImGuiCol_TextDisabled, {0.40F, 0.43F, 0.48F, 1}},
+                                       {ImGuiCol_TextDisabled, {0.34F, 0.37F, 0.42F, 1}},
                                        {ImGuiCol_Border, {0.72F, 0.75F, 0.79F, 1}},
                                        {ImGuiCol_FrameBg, {0.875F, 0.890F, 0.914F, 1}},
                                        {ImGuiCol_FrameBgHovered, {0.82F, 0.85F, 0.89F, 1}},
                                        {ImGuiCol_FrameBgActive, {0.77F, 0.82F, 0.88F, 1}},
-                                       {ImGuiCol_SliderGrab, {0.26F, 0.51F, 0.83F, 1}},
-                                       {ImGuiCol_SliderGrabActive, {0.22F, 0.48F, 0.80F, 1}},
+                                       {ImGuiCol_SliderGrab, {0.47F, 0.69F, 0.95F, 1}},
+                                       {ImGuiCol_SliderGrabActive, {0.38F, 0.62F, 0.91F, 1}},
                                        {ImGuiCol_CheckMark, {0.10F, 0.33F, 0.63F, 1}},
                                        {ImGuiCol_Button, {0.78F, 0.86F, 0.95F, 1}},
                                        {ImGuiCol_ButtonHovered, {0.69F, 0.81F, 0.94F, 1}},
