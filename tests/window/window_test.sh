@@ -842,7 +842,7 @@ memory() {
     case $(reported command) in *"--at 35"*) fail "what came later is still there: $(reported command)" ;; esac
     clickOn Restart
     awaitReport frame 1 display 60
-    equal "command" "$(dirname "$cubeCull")/frame-rate --display 60 --hours 0 --size 500x980" "$(reported command)"
+    equal "command" "$(dirname "$cubeCull")/frame-rate --beside ways --display 60 --hours 0 --size 500x980" "$(reported command)"
     quit
 }
 
