@@ -91,7 +91,7 @@ struct Wasteful final : DemoOf<Wasting> {
         labelObject(GL_TEXTURE, made.id(), "solid");
         const std::vector<std::uint8_t> texels(2 * 3 * 4 * 4);
         glTexImage3D(GL_TEXTURE_3D, 0, GL_RGBA8, 2, 3, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
-        for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+        for (const GLenum filter : {GLenum(GL_TEXTURE_MIN_FILTER), GLenum(GL_TEXTURE_MAG_FILTER)})
             glTexParameteri(GL_TEXTURE_3D, filter, GL_NEAREST);
         return made;
     }
