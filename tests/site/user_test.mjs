@@ -187,12 +187,12 @@ const edit = (from, to) => page.$eval('.shaders textarea', (area, a, b) => {
   area.value = area.value.replace(a, b);
   area.dispatchEvent(new Event('input'));
 }, from, to);
-await edit('vertexColor.rgb', 'vertexColour.rgb');
+await edit('= vertexColor;', '= vertexColour;');
 await page.waitForSelector('.mistakes button');
-expect(/^shaders\/cube-cull\/cube-cull\.frag:5: .*vertexColour/.test(await text(page, '.mistakes button')), `a typo at its line: ${await text(page, '.mistakes')}`);
-equal(await text(page, '.numbers .is-wrong'), '5\n', 'its line is marked');
+expect(/^shaders\/cube-cull\/cube-cull\.frag:4: .*vertexColour/.test(await text(page, '.mistakes button')), `a typo at its line: ${await text(page, '.mistakes')}`);
+equal(await text(page, '.numbers .is-wrong'), '4\n', 'its line is marked');
 equal(await sumOf(page), unedited, 'the last good shader stays');
-await edit('vertexColour.rgb', 'vertexColor.brg');
+await edit('= vertexColour;', '= vertexColor.brga;');
 await page.waitForFunction(() => !document.querySelector('.mistakes').textContent);
 expect((await sumOf(page)) !== unedited, 'a shader that compiles is seen');
 await page.evaluate(() => [...document.querySelectorAll('.shaders button')].find((button) => button.textContent === 'Put back').click());
@@ -205,7 +205,7 @@ equal(await sumOf(page), unedited, 'the picture beside it');
 await page.evaluate(() => [...document.querySelectorAll('.shaders button')].find((button) => button.textContent === 'Put back').click());
 // Another file is chosen before what was typed is compiled
 await page.$eval('.shaders textarea', (area) => {
-  area.value = area.value.replace('vertexColor.rgb', 'vertexColor.brg');
+  area.value = area.value.replace('= vertexColor;', '= vertexColor.brga;');
   area.dispatchEvent(new Event('input'));
   const choice = document.querySelector('.shaders select');
   choice.value = 'cube-cull/cube-cull.vert';
@@ -217,7 +217,7 @@ equal(await sumOf(page), unedited, 'it is put back from the other file');
 await page.select('.shaders select', 'cube-cull/cube-cull.frag');
 equal(await page.evaluate(() => location.hash), before, 'shaders are not in the address');
 // What was typed outlives a reload, and is in the link that is copied; a shader that is not in use says so, and is compiled
-await edit('vertexColor.rgb', 'vec3(0.0, 0.6, 0.2)');
+await edit('= vertexColor;', '= vec4(0.0, 0.6, 0.2, 1.0);')
 await page.waitForFunction(() => sessionStorage.getItem('mvgl cube-cull').includes('0.6, 0.2'));
 const flat = await sumOf(page);
 expect(flat !== unedited, 'a shader of one colour is seen');
