@@ -13,7 +13,7 @@ const median = (values) => ((sorted) => (sorted.length % 2 ? sorted[(sorted.leng
 const spread = (values) => median(values.map((value) => Math.abs(value - median(values))));
 
 const files = loadedBy(site);
-const count = fs.readdirSync(path.join(site, 'demos')).filter((file) => file.endsWith('.html')).length;
+const count = fs.readdirSync(path.join(site, 'demos')).filter((file) => /^[^.]+\.html$/.test(file)).length;
 const sum = files.reduce((total, { brotli }) => total + brotli, 0);
 
 // The page of a course that ours are measured beside, and the least form of it: the same in one file, begun as soon as it is read.
@@ -102,7 +102,7 @@ as soon as it is read. Times of these three are of ${comparedRounds} rounds, and
 
 | page | stands | deviation | drawn | deviation |
 |---|---:|---:|---:|---:|
-${demos.map((demo) => `| [${demo}](../demos/${demo}.md) | ${row(demo)} |`).join('\n')}
+${demos.map((demo) => `| [${demo}](../demos/${demo}/${demo}.md) | ${row(demo)} |`).join('\n')}
 | a page of a course | ${row('course')} |
 | the least page | ${row('least')} |`);
 process.exit(0);
