@@ -98,8 +98,8 @@ void showMatrix(const FrameNotes& notes, const std::string& name, const mat4& ma
 // A button of several of which one is chosen; its place is noted under `place`.
 bool choiceButton(const char* label, const std::string& place, bool chosen) {
     if (chosen) {
-        ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_CheckMark));
-        ImGui::PushStyleColor(ImGuiCol_ButtonHovered, ImGui::GetStyleColorVec4(ImGuiCol_CheckMark));
+        ImGui::PushStyleColor(ImGuiCol_Button, color::heading);
+        ImGui::PushStyleColor(ImGuiCol_ButtonHovered, color::heading);
         ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_WindowBg));
     }
     const bool pressed = ImGui::Button(label);
