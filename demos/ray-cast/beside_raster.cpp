@@ -7,29 +7,27 @@
 #include "exact_rays.h"
 #include "mv/demo/lesson.h"
 #include "mv/image/picture.h"
-#include "ray-cast.h"
 
 namespace mv::ray_cast {
 namespace {
 
 // The objects that the demo's rays see, by its own form: 0 for the sky.
-std::vector<int> seenByRays(const Demo& demo, int side) {
-    const CastWay way{settingsOf<Settings>(demo).form, PlaneForm::implicit, static_cast<int>(demo.number("starts"))};
-    const bool isFloat = demo.word("precision") == "float";
-    const double size = demo.number("scale");
+std::vector<int> seenByRays(const Settings& s) {
+    const CastWay way{s.form, PlaneForm::implicit, s.starts};
     std::vector<std::size_t> kinds;
     for (std::size_t k = 0; k < castKindNames.size(); ++k) {
-        if (isShown(demo, k)) kinds.push_back(k);
+        if (isShown(s, k)) kinds.push_back(k);
     }
     std::vector<int> seen;
-    for (int pixel = 0; pixel < side * side; ++pixel) {
-        const LongRay ray = exactRay(demo, pixel % side, pixel / side, side);
+    for (int pixel = 0; pixel < s.rows * s.rows; ++pixel) {
+        const LongRay ray = exactRay(s, pixel % s.rows, pixel / s.rows);
         std::optional<double> first;
         int what = 0;
         for (const std::size_t k : kinds) {
             const auto kind = static_cast<CastKind>(k);
-            const auto hit = isFloat ? castAt(kind, size, RayOf<float>{fvec3(ray.origin), fvec3(ray.direction)}, way)
-                                     : castAt(kind, size, Ray{vec3(ray.origin), vec3(ray.direction)}, way);
+            const auto hit = s.precision == Precision::single
+                                 ? castAt(kind, s.size, RayOf<float>{fvec3(ray.origin), fvec3(ray.direction)}, way)
+                                 : castAt(kind, s.size, Ray{vec3(ray.origin), vec3(ray.direction)}, way);
             if (!hit || (first && *first <= hit->t)) continue;
             first = hit->t;
             what = static_cast<int>(k) + 1;
@@ -41,12 +39,12 @@ std::vector<int> seenByRays(const Demo& demo, int side) {
 
 // Beside GL's raster of the same scene: pixels with another object, away from edges, and the part that is at edges.
 std::vector<double> besideRaster(Probing& probing) {
-    const Demo& demo = probing.demo();
-    if (demo.word("objects") == "teapot") return {};
-    const int side = static_cast<int>(demo.number("rows"));
+    const auto s = settingsOf<Settings>(probing.demo());
+    if (s.objects == only(CastKind::teapot)) return {};
+    const int side = s.rows;
     const std::vector<float> raster = probing.measured(side, side);
     if (raster.empty()) return {};
-    const std::vector<int> rays = seenByRays(demo, side);
+    const std::vector<int> rays = seenByRays(s);
     const auto idOf = [&](std::size_t pixel) { return std::max(0, static_cast<int>(raster[pixel])); };
     double wrong = 0, edge = 0;
     for (int y = 0; y < side; ++y) {

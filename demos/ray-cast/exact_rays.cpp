@@ -9,13 +9,13 @@
 
 namespace mv::ray_cast {
 
-LongRay exactRay(const Demo& demo, int i, int j, int side) {
+LongRay exactRay(const Settings& s, int i, int j) {
     const vec3 w = glm::normalize(vec3(0.32, 0.42, 1)), u = glm::normalize(glm::cross(vec3(0, 1, 0), w));
-    const double distance = demo.number("distance"), size = demo.number("scale"), half = 0.53 * 9 / distance;
-    const vec3 eye = size * (vec3(0, 0.2, 0) + distance * w);
-    const double x = half * (i + 0.5 - side / 2.0) / (side / 2.0), y = half * (side / 2.0 - (j + 0.5)) / (side / 2.0);
+    const double half = 0.53 * 9 / s.distance, middle = s.rows / 2.0;
+    const vec3 eye = s.size * (vec3(0, 0.2, 0) + s.distance * w);
+    const double x = half * (i + 0.5 - middle) / middle, y = half * (middle - (j + 0.5)) / middle;
     const vec3 way = glm::normalize(x * u + y * glm::cross(w, u) - w);
-    if (demo.word("precision") == "float") return {Long3(fvec3(eye)), Long3(fvec3(way))};
+    if (s.precision == Precision::single) return {Long3(fvec3(eye)), Long3(fvec3(way))};
     return {Long3(eye), Long3(way)};
 }
 

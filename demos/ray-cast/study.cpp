@@ -59,7 +59,8 @@ Study study() {
     study.reference = "the same rays, as rounded, in long double: perpendiculars, volumes and halving";
     study.reads = {"precision", "objects", "triangles", "distance", "scale", "rows"};
     study.makeReference = [](const Demo& demo, const ReferenceFrame&, const auto&) {
-        return demo.word("objects") == "teapot" ? teapotReference(demo) : longDouble(demo);
+        const auto s = settingsOf<Settings>(demo);
+        return s.objects == only(CastKind::teapot) ? teapotReference(s) : longDouble(s);
     };
     study.axis = ErrorAxis::fraction;
     study.width = 64;
