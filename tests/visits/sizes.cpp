@@ -23,8 +23,8 @@ TEST_P(Visits, sizes) {
 
 // In a picture of twice its sides a preset shows the same: a figure's lines and words have grown with it, and what lies over a scene lies
 // where it lay. Of both the means of squares of 8 x 8 pixels, of the smaller one, are compared, in which edges are alike: what is
-// computed of pixels, and lines that are a pixel wide in both, differ by up to 5.6 levels in the mean; a figure that is left out, in
-// another place or half as large, by 9 and more: 7 lies between. The first preset; in ./test --long each.
+// computed of pixels, and lines that are a pixel wide in both, differ by less; a figure that is left out, in another place or half as
+// large, by more. 7 levels are a choice between what was seen of the two, 5.6 and 9. The first preset; in ./test --long each.
 TEST_P(Visits, twice_as_large) {
     // How many pixels lie between texels is what those two show.
     if (sanitized || GetParam() == "texture-filter" || GetParam() == "texture-map") return;

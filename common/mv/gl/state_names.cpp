@@ -80,7 +80,6 @@ std::string valueName(GLenum value) {
         MV_NAMED(GL_ZERO_TO_ONE),
         MV_NAMED(GL_NEGATIVE_ONE_TO_ONE),
         MV_NAMED(GL_TEXTURE_2D),
-        MV_NAMED(GL_TEXTURE_3D),
         MV_NAMED(GL_TEXTURE_CUBE_MAP),
         MV_NAMED(GL_TEXTURE_1D),
         MV_NAMED(GL_TEXTURE_3D),
