@@ -42,7 +42,7 @@ pack() {
 
 # MVGL_GPU_DEMOS, words between colons ("cube_cull:shading"), leaves the other demos out.
 of_demos() { [ -z "${MVGL_GPU_DEMOS:-}" ] && echo "$1*" || echo "$1${MVGL_GPU_DEMOS//:/:$1}"; }
-suites_of_demos() { [ -z "${MVGL_GPU_DEMOS:-}" ] && echo '*' || sed -E 's/(^|[:_])([a-z])/\1\u\2/g; s/_//g; s/:/.*:/g; s/$/.*/' <<<"$MVGL_GPU_DEMOS"; }
+suites_of_demos() { [ -z "${MVGL_GPU_DEMOS:-}" ] && echo '*' || sed -E 's/(^|[:_])([a-z])/\1\u\2/g; s/_//g; s/[^:]+/&.*:&Full.*/g' <<<"$MVGL_GPU_DEMOS"; }
 
 say() { echo "$*" | tee -a "$here/report.txt"; }
 
@@ -76,7 +76,7 @@ try() {
   grep -q '^host' report.txt || exit 1
   say "$(bin/mvgl cube-cull --headless="$host" --report | grep '^time')"
   suite presets 90 test-visits "$(of_demos Demos/AnyRenderer.presets/)"
-  suite goldens 60 test-goldens "$(of_demos Golden.pictures_match/)"
+  suite goldens 60 test-goldens "$(of_demos 'Golden.*/')"
   suite claims 120 test-claims "$(suites_of_demos)"
   suite ends 60 test-visits "$(of_demos Demos/Visits.ends/)"
   for demo in $(cat studies.txt); do

@@ -64,7 +64,7 @@ long covered(const std::vector<float>& values) {
 
 }  // namespace
 
-TEST(BumpMap, right_straight_on) {
+TEST(BumpMapFull, right_straight_on) {
     for (const Setting& setting : settings) {
         DemoRun run = wallAt(0);
         take(run, setting);
@@ -74,7 +74,7 @@ TEST(BumpMap, right_straight_on) {
     }
 }
 
-TEST(BumpMap, fails_at_80) {
+TEST(BumpMapFull, fails_at_80) {
     for (const Setting& setting : settings) {
         DemoRun run = wallAt(0);
         take(run, setting);
@@ -86,7 +86,7 @@ TEST(BumpMap, fails_at_80) {
     }
 }
 
-TEST(BumpMap, occlusion_sees_relief) {
+TEST(BumpMapFull, occlusion_sees_relief) {
     for (const Setting& setting : settings) {
         DemoRun run = wallAt(0);
         take(run, setting);
@@ -107,7 +107,7 @@ TEST(BumpMap, finer_maps) {
     EXPECT_NEAR(errorOfMap(256) / errorOfMap(512), 4, 0.6);
 }
 
-TEST(BumpMap, no_mirror_seam) {
+TEST(BumpMapFull, no_mirror_seam) {
     DemoRun run = wallAt(0);
     const double plain = errorOf(run, "normal");
     run.set("mirrored", "on");
@@ -124,7 +124,7 @@ TEST(BumpMap, no_mirror_seam) {
     EXPECT_GT(left, width * height / 20);
 }
 
-TEST(BumpMap, round_outline) {
+TEST(BumpMapFull, round_outline) {
     DemoRun run("bump-map", width, height);
     run.set("body", "orange").set("beside", "off").set("angle", 85).set("depth", 0.04);
     const long round = covered(drawn(run, "smooth"));
@@ -134,7 +134,7 @@ TEST(BumpMap, round_outline) {
     EXPECT_LT(covered(drawn(run, "displaced")), round * 9 / 10);
 }
 
-TEST(BumpMap, no_depth_no_bumps) {
+TEST(BumpMapFull, no_depth_no_bumps) {
     for (const char* body : {"wall", "orange"}) {
         DemoRun run("bump-map", width, height);
         run.set("body", body).set("depth", 0);

@@ -98,7 +98,7 @@ TEST(Clipping, same_on_paper) {
     EXPECT_GT(kept, 50);
 }
 
-TEST(Clipping, decided_by_luck) {
+TEST(ClippingFull, decided_by_luck) {
     // A million segments at four distances from the origin, and windows of several shapes
     for (const double offset : {0.0, 1.0, 1e3, 1e6}) {
         for (const vec2 size : {vec2(3.1, 2.2), vec2(1, 1), vec2(0.01, 5)}) {

@@ -169,7 +169,7 @@ TEST(ColorModels, right_at_each_pixel) {
     }
 }
 
-TEST(ColorModels, there_and_back) {
+TEST(ColorModelsFull, there_and_back) {
     long wrong = 0;
     int hslOff = 0, hsvOff = 0;
     const auto in8 = [](float part) { return std::round(part * 255) / 255; };

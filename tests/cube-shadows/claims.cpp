@@ -153,7 +153,7 @@ std::string textOf(double value) { return numberText(value); }
 
 }  // namespace
 
-TEST(CubeShadows, cast_by_rays) {
+TEST(CubeShadowsFull, cast_by_rays) {
     for (const Settings& settings : {
              Settings{{"scene", "plane"}},
              {{"scene", "plane"}, {"tilt", "-20"}, {"phi", "50"}},
@@ -257,7 +257,7 @@ TEST(CubeShadows, darkened_once) {
     EXPECT_EQ(blended[0], once[0]);  // on the same pixels
 }
 
-TEST(CubeShadows, between_plane_and_light) {
+TEST(CubeShadowsFull, between_plane_and_light) {
     struct Case {
         double lift;
         std::string sentence;

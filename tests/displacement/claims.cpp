@@ -55,7 +55,7 @@ void take(DemoRun& run, const View& view) {
 
 }  // namespace
 
-TEST(Displacement, outline_is_real) {
+TEST(DisplacementFull, outline_is_real) {
     DemoRun run("displacement", width, height);
     for (const char* body : {"wall", "orange"}) {
         run.set("body", body).set("depth", 0).set("levels", "fixed").set("level", 32);
@@ -71,7 +71,7 @@ TEST(Displacement, outline_is_real) {
     }
 }
 
-TEST(Displacement, prepared_is_the_same) {
+TEST(DisplacementFull, prepared_is_the_same) {
     DemoRun run("displacement", width, height);
     for (const char* body : {"wall", "orange"}) {
         run.set("body", body).set("levels", "fixed").set("map-size", 512);
@@ -86,7 +86,7 @@ TEST(Displacement, prepared_is_the_same) {
     }
 }
 
-TEST(Displacement, no_cracks) {
+TEST(DisplacementFull, no_cracks) {
     DemoRun run("displacement", 480, 360);
     for (const View& view : views) {
         take(run, view);
@@ -96,7 +96,7 @@ TEST(Displacement, no_cracks) {
     }
 }
 
-TEST(Displacement, cracks_without_agreement) {
+TEST(DisplacementFull, cracks_without_agreement) {
     DemoRun run("displacement", 480, 360);
     run.set("agree", "off");
     long seenThrough = 0;
@@ -108,7 +108,7 @@ TEST(Displacement, cracks_without_agreement) {
     EXPECT_GT(seenThrough, 4);
 }
 
-TEST(Displacement, triangles_by_the_rule) {
+TEST(DisplacementFull, triangles_by_the_rule) {
     DemoRun run("displacement", width, height);
     const auto made = [&] {
         for (const auto& [name, count] : stage().notes().counts) {
@@ -133,7 +133,7 @@ TEST(Displacement, triangles_by_the_rule) {
     }
 }
 
-TEST(Displacement, left_out_changes_nothing) {
+TEST(DisplacementFull, left_out_changes_nothing) {
     DemoRun run("displacement", width, height);
     long left = 0;
     for (const View& view : views) {
@@ -151,7 +151,7 @@ TEST(Displacement, left_out_changes_nothing) {
     EXPECT_GT(left, 96);
 }
 
-TEST(Displacement, far_needs_less) {
+TEST(DisplacementFull, far_needs_less) {
     DemoRun run("displacement", 640, 480);
     run.set("map-size", 512);
     for (const double angle : {55.0, 65.0, 75.0}) {
@@ -183,7 +183,7 @@ TEST(Displacement, levels_in_range) {
     for (const char* wanted : {"0", "nan"}) EXPECT_THROW(run.demo().knob("fineness").parse(wanted), Error) << wanted;
 }
 
-TEST(Displacement, says_what_is_lacking) {
+TEST(DisplacementFull, says_what_is_lacking) {
     const auto says = [](DemoRun& run, const std::string& words) {
         const std::vector<std::string> messages = run.messages();
         return std::any_of(messages.begin(), messages.end(),

@@ -101,7 +101,7 @@ std::vector<vec3> reflections(DemoRun& run) {
 // on the other side of a pixel's middle: 1 pixel in 20 may be off.
 constexpr double floats = 5e-4;
 
-TEST(Environment, rays_are_right) {
+TEST(EnvironmentFull, rays_are_right) {
     DemoRun run("environment", side, side);
     run.set("lookup", "rays");
     for (const double room : {2.0, 30.0}) {
@@ -133,7 +133,7 @@ TEST(Environment, off_by_distance) {
     }
 }
 
-TEST(Environment, walls_corrected) {
+TEST(EnvironmentFull, walls_corrected) {
     DemoRun run("environment", side, side);
     for (const double room : {2.0, 4.0, 16.0}) {
         run.set("room", room);
@@ -182,7 +182,7 @@ TEST(Environment, no_seams) {
     EXPECT_GT(acrossAlone, 2 * withinAlone);
 }
 
-TEST(Environment, kept) {
+TEST(EnvironmentFull, kept) {
     DemoRun run("environment", side, side);
     const auto faces = [&](int frame) {
         (void)run.picture(frame);
@@ -276,7 +276,7 @@ TEST(Environment, no_surface) {
     EXPECT_GT(difference(drawn(run.set("index", 1.05)), empty).typical, 10 * floats);
 }
 
-TEST(Environment, own_model) {
+TEST(EnvironmentFull, own_model) {
     const TemporaryFolder folder;
     const auto written = [&](const char* name, const MeshData& mesh, double times, const vec3& moved) {
         std::ostringstream text;
@@ -327,7 +327,7 @@ TEST(Environment, own_model) {
     EXPECT_NE(run.set("model", (folder / "point.obj").string()).refusal(), "");
 }
 
-TEST(Environment, indices) {
+TEST(EnvironmentFull, indices) {
     DemoRun run("environment", side, side);
     run.set("material", "glass");
     for (const double n : {1.0003, 1.3333, 1.5, 2.417}) {

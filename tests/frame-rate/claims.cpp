@@ -42,7 +42,7 @@ const char* const irrational = "141.4213562373095";
 
 }  // namespace
 
-TEST(FrameRate, right_ones_agree) {
+TEST(FrameRateFull, right_ones_agree) {
     DemoRun run("frame-rate", 240, 140);
     run.set("speed", irrational).set("hours", 1);
     for (const char* display : {"59.94", "60", "144", "240"}) {
@@ -68,7 +68,7 @@ TEST(FrameRate, right_ones_agree) {
     EXPECT_EQ(offAfter(run.set("sum", "product"), 600).perSecond, 0);
 }
 
-TEST(FrameRate, wrong_by_its_ratio) {
+TEST(FrameRateFull, wrong_by_its_ratio) {
     DemoRun run("frame-rate", 240, 140);
     run.set("hours", 1);
     const std::vector<std::pair<const char*, double>> displays{

@@ -59,7 +59,7 @@ Counts countsOf(DemoRun& run) {
 
 }  // namespace
 
-TEST(GpuStages, counts_agree) {
+TEST(GpuStagesFull, counts_agree) {
     DemoRun run("gpu-stages", 96, 56);
     run.set("own-edges", "on");
     for (const char* tessellation : {"on", "off"}) {
@@ -75,7 +75,7 @@ TEST(GpuStages, counts_agree) {
     }
 }
 
-TEST(GpuStages, counts_follow_the_rule) {
+TEST(GpuStagesFull, counts_follow_the_rule) {
     DemoRun run("gpu-stages", 96, 56);
     run.set("own-edges", "on");
     for (const auto& [inner, outer] : {std::pair{1, 1}, {1, 6}, {2, 1}, {5, 9}, {9, 5}, {64, 64}}) {
@@ -101,7 +101,7 @@ TEST(GpuStages, counts_follow_the_rule) {
     EXPECT_EQ(countsOf(run.set("geometry", "shapes")).into, 16);
 }
 
-TEST(GpuStages, stages_pass_on) {
+TEST(GpuStagesFull, stages_pass_on) {
     DemoRun run("gpu-stages");
     for (const char* tessellation : {"on", "off"}) {
         // Passed on as it came: the same pixels, and the same light on them but for its rounding.
@@ -135,7 +135,7 @@ TEST(GpuStages, stages_pass_on) {
     EXPECT_EQ(run.readout("fragments-passed"), 0);
 }
 
-TEST(GpuStages, hidden_lines) {
+TEST(GpuStagesFull, hidden_lines) {
     DemoRun run("gpu-stages");
     const auto both = [&] {
         const auto without = leftOf(run.set("hidden", "off").picture());
@@ -230,7 +230,7 @@ TEST(GpuStages, compute_is_the_same_picture) {
     }
 }
 
-TEST(GpuStages, three_domains) {
+TEST(GpuStagesFull, three_domains) {
     DemoRun run("gpu-stages", 96, 56);
     for (const int n : {1, 2, 3, 8, 63, 64}) {
         run.set("inner", n).set("domain", "triangles");
@@ -271,7 +271,7 @@ TEST(GpuStages, three_domains) {
     }
 }
 
-TEST(GpuStages, light_is_scattered) {
+TEST(GpuStagesFull, light_is_scattered) {
     DemoRun run("gpu-stages");
     const Picture picture = run.preset("compute").set("kernel", "caustics").picture();
     constexpr int width = 479, height = 528, left = 480;  // of the right pane, below its heading

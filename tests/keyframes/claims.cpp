@@ -74,7 +74,7 @@ double errorOf(DemoRun& run, int nodes, const char* readout) {
 
 }  // namespace
 
-TEST(Keyframes, through_its_keys) {
+TEST(KeyframesFull, through_its_keys) {
     DemoRun run("keyframes", 960, 560);
     for (const std::string& kind : kinds) {
         SCOPED_TRACE(kind);
@@ -218,7 +218,7 @@ TEST(Keyframes, float_swings_too) {
     EXPECT_LT(errorOf(run, 21, "polynomial-error"), 0.01);
 }
 
-TEST(Keyframes, dolly_zoom) {
+TEST(KeyframesFull, dolly_zoom) {
     DemoRun run("keyframes", 960, 560);
     run.set("scene", "camera");
     for (const char* kind : {"linear", "ease", "natural", "clamped", "periodic", "catmull-rom", "bezier"}) {

@@ -75,7 +75,7 @@ bool isInside(const std::vector<SceneHit>& hits, std::size_t at) {
 
 }  // namespace
 
-TEST(Lights, adds) {
+TEST(LightsFull, adds) {
     DemoRun run("lights", width, height);
     const std::vector<std::string> all{"ambient", "directional", "point", "spot", "point", "spot", "point", "spot"};
     light(run, all);
@@ -281,7 +281,7 @@ TEST(Lights, finite) {
     EXPECT_NE(run.refusal().find("--height"), std::string::npos) << "a spot without an axis";
 }
 
-TEST(Lights, off_costs_nothing) {
+TEST(LightsFull, off_costs_nothing) {
     // What is asked for nothing the audit names
     const AuditReport report = auditDemo(stage(), findDemo("lights"), {{"ask", "all"}, {"light-4", "off"}}, 1);
     ASSERT_EQ(report.findings.size(), 5U) << auditText(report);

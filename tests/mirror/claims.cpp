@@ -49,7 +49,7 @@ const std::vector<const char*> methods{"stencil", "texture"};
 
 }  // namespace
 
-TEST(Mirror, as_by_rays) {
+TEST(MirrorFull, as_by_rays) {
     DemoRun run("mirror");
     for (const char* method : methods) {
         run.set("method", method);
@@ -96,7 +96,7 @@ TEST(Mirror, as_by_rays) {
 }
 
 // The band that is left out is at most 5 % of the picture.
-TEST(Mirror, few_edges) {
+TEST(MirrorFull, few_edges) {
     DemoRun run("mirror");
     for (const char* mirrors : {"one", "two"}) {
         const StudyRow row = (run.set("mirrors", mirrors), compareWithRays(960, 560));
@@ -109,7 +109,7 @@ TEST(Mirror, few_edges) {
     EXPECT_EQ(most.awayFromEdges.fraction, 0);
 }
 
-TEST(Mirror, methods_agree) {
+TEST(MirrorFull, methods_agree) {
     DemoRun run("mirror");
     for (const char* mirrors : {"one", "two"}) {
         for (const int bounces : {1, 8}) {
@@ -123,7 +123,7 @@ TEST(Mirror, methods_agree) {
     }
 }
 
-TEST(Mirror, stays_behind) {
+TEST(MirrorFull, stays_behind) {
     DemoRun run("mirror");
     for (const char* method : methods) {
         run.set("method", method);
@@ -146,7 +146,7 @@ TEST(Mirror, stays_behind) {
 }
 
 // X55
-TEST(Mirror, eye_in_the_plane) {
+TEST(MirrorFull, eye_in_the_plane) {
     DemoRun run("mirror");
     for (const char* method : methods) {
         for (const char* near : {"oblique", "clip-distance"}) {
@@ -174,7 +174,7 @@ TEST(Mirror, eye_in_the_plane) {
     }
 }
 
-TEST(Mirror, each_bounce_a_pass) {
+TEST(MirrorFull, each_bounce_a_pass) {
     DemoRun run("mirror");
     for (const char* method : methods) {
         run.set("method", method).set("mirrors", "one").set("bounces", 16).picture();
@@ -205,7 +205,7 @@ TEST(Mirror, winding) {
     EXPECT_GT(run.readout("wrong"), 2);
 }
 
-TEST(Mirror, only_what_it_shows) {
+TEST(MirrorFull, only_what_it_shows) {
     DemoRun run("mirror");
     for (const char* method : methods) {
         for (const char* mirrors : {"one", "two"}) {

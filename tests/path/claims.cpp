@@ -81,7 +81,7 @@ void setPoses(DemoRun& run, const Poses& poses) {
 
 }  // namespace
 
-TEST(Path, forward_is_velocity) {
+TEST(PathFull, forward_is_velocity) {
     DemoRun run("path", 240, 140);
     EXPECT_GT(smallestRadius(Track::park, Through::spline), 4);
     EXPECT_GT(smallestRadius(Track::knot, Through::spline), 4);
@@ -181,7 +181,7 @@ TEST(Path, no_turn_about_the_path) {
     }
 }
 
-TEST(Path, equal_ways) {
+TEST(PathFull, equal_ways) {
     DemoRun run("path", 240, 140);
     for (const char* curve : {"spline", "catmull-rom"}) {
         const auto steps = [&](const char* pace) {

@@ -70,7 +70,7 @@ bool isLlvmpipe() { return stage().driver().renderer.find("llvmpipe") != std::st
 
 }  // namespace
 
-TEST(Pipeline, same_as_gpu) {
+TEST(PipelineFull, same_as_gpu) {
     DemoRun run("pipeline");
     // Elsewhere within four units of 2^-24 sum |m v|, where a driver may use fused multiply-adds or another order.
     const double most = isLlvmpipe() ? 0 : 4;

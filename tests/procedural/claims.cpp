@@ -70,7 +70,7 @@ constexpr double floats = 2e-5;
 
 }  // namespace
 
-TEST(Procedural, no_texels) {
+TEST(ProceduralFull, no_texels) {
     for (const Named& one : patterns) {
         DemoRun run("procedural", width, height);
         run.set("view", "wall").set("pattern", one.name);
@@ -101,7 +101,7 @@ TEST(Procedural, float_breaks) {
     EXPECT_GT(run.readout("float-step"), 3 * run.readout("pixel"));
 }
 
-TEST(Procedural, near_is_far) {
+TEST(ProceduralFull, near_is_far) {
     for (const Named& one : patterns) {
         DemoRun run("procedural", width, height);
         run.set("view", "wall").set("pattern", one.name).set("distance", 16'777'216);
@@ -113,7 +113,7 @@ TEST(Procedural, near_is_far) {
     }
 }
 
-TEST(Procedural, finer_by_name) {
+TEST(ProceduralFull, finer_by_name) {
     DemoInfo made = findDemo("procedural");
     made.width = 64, made.height = 48;
     const auto named = [&](const char* filter) {

@@ -119,7 +119,7 @@ TEST(Projections, views_line_up) {
     EXPECT_GT(fromFront.right - fromFront.left, 300);
 }
 
-TEST(Projections, shortening_as_theory) {
+TEST(ProjectionsFull, shortening_as_theory) {
     DemoRun run("projections");
     for (const char* show : {"cad", "axonometric", "oblique"}) {
         run.set("show", show);
@@ -175,7 +175,7 @@ TEST(Projections, shortening_as_theory) {
     }
 }
 
-TEST(Projections, squares_sum_to_two) {
+TEST(ProjectionsFull, squares_sum_to_two) {
     DemoRun run("projections");
     run.set("show", "axonometric");
     for (const double turn : {-350.0, -77.7, 0.0, 12.5, 45.0, 200.0}) {
@@ -248,7 +248,7 @@ TEST(Projections, one_two_three) {
     }
 }
 
-TEST(Projections, lines_meet) {
+TEST(ProjectionsFull, lines_meet) {
     DemoRun run("projections");
     const Picture picture = run.set("show", "vanishing").picture();
     // Float has 24 bits: 6e-8 of some hundred pixels, a few times over

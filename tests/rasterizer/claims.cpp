@@ -67,7 +67,7 @@ bool isIn(const vec3& weights) { return std::min({weights.x, weights.y, weights.
 
 }  // namespace
 
-TEST(Rasterizer, within_half_a_pixel) {
+TEST(RasterizerFull, within_half_a_pixel) {
     for (int x = -40; x <= 40; ++x) {
         for (int y = -40; y <= 40; ++y) {
             const auto pixels = linePixels(LineMethod::octants, 3, -2, 3 + x, -2 + y);
@@ -375,7 +375,7 @@ TEST(Rasterizer, as_thick) {
     EXPECT_LE(run.readout("differs"), onLlvmpipe() ? 3 : 0.25 * 2 * std::hypot(12, 12));
 }
 
-TEST(Rasterizer, circle_nearest) {
+TEST(RasterizerFull, circle_nearest) {
     for (int radius = 0; radius <= 300; ++radius) {
         const auto pixels = circlePixels(CircleMethod::midpoint, 5, -3, radius);
         auto places = placesOf(pixels);
@@ -435,7 +435,7 @@ TEST(Rasterizer, circle_gaps) {
         EXPECT_EQ(loose(method), 0);
 }
 
-TEST(Rasterizer, one_decides) {
+TEST(RasterizerFull, one_decides) {
     // The frame is round the pixel that was set last: red half a pixel inside of its upper edge
     const auto steps = linePixels(LineMethod::octants, 2, 3, 20, 11);
     DemoRun run("rasterizer", 960, 440);

@@ -46,7 +46,7 @@ int apart(const Pixel& a, const Pixel& b) {
 
 }  // namespace
 
-TEST(RayCast, like_the_raster) {
+TEST(RayCastFull, like_the_raster) {
     DemoRun run("ray-cast");
     run.set("rows", side).set("threads", 4).set("pixel-x", 0).set("pixel-y", 0);
     for (const char* objects : {"all", "plane", "sphere", "box", "triangle", "polygon", "transformed", "surface",
@@ -104,7 +104,7 @@ TEST(RayCast, through_the_middle) {
     }
 }
 
-TEST(RayCast, nearest_first) {
+TEST(RayCastFull, nearest_first) {
     DemoRun run("ray-cast");
     constexpr int rows = 16, cell = side / rows;
     run.set("rows", rows);
@@ -135,7 +135,7 @@ TEST(RayCast, nearest_first) {
     }
 }
 
-TEST(RayCast, three_planes) {
+TEST(RayCastFull, three_planes) {
     DemoRun run("ray-cast");
     run.set("rows", 64);
     for (const char* form : {"textbook", "stable"}) {
@@ -160,7 +160,7 @@ TEST(RayCast, three_planes) {
     }
 }
 
-TEST(RayCast, slips_show) {
+TEST(RayCastFull, slips_show) {
     DemoRun run("ray-cast");
     run.set("form", "printed").set("rows", 240);
     (void)run.picture();
@@ -220,7 +220,7 @@ TEST(RayCast, textbook_fails_far) {
     EXPECT_EQ(run.readout("unlike"), 0);
 }
 
-TEST(RayCast, newton_needs_a_start) {
+TEST(RayCastFull, newton_needs_a_start) {
     DemoRun run("ray-cast");
     run.set("objects", "surface").set("rows", 240);
     for (const double distance : {9.0, 100.0, 1000.0}) {
@@ -241,7 +241,7 @@ TEST(RayCast, newton_needs_a_start) {
     EXPECT_FALSE(run.messages().empty());
 }
 
-TEST(RayCast, threads_agree) {
+TEST(RayCastFull, threads_agree) {
     DemoRun run("ray-cast");
     for (const char* form : {"textbook", "stable"}) {
         run.set("form", form).set("rows", 61);
@@ -254,7 +254,7 @@ TEST(RayCast, threads_agree) {
     }
 }
 
-TEST(RayCast, raster_by_hand) {
+TEST(RayCastFull, raster_by_hand) {
     DemoRun run("ray-cast");
     run.set("rows", 240);
     for (const char* objects : {"all", "teapot", "sphere", "surface"}) {

@@ -87,7 +87,7 @@ double meanSquare(const std::vector<vec3>& a, const std::vector<vec3>& b) {
 
 }  // namespace
 
-TEST(RayTrace, energy) {
+TEST(RayTraceFull, energy) {
     DemoRun run("ray-trace", 120, 80);
     run.set("room", "white").set("samples", 4);
     for (const double index : {1.0, 1.001, 1.5, 2.5}) {
@@ -162,7 +162,7 @@ TEST(RayTrace, never_itself) {
     }
 }
 
-TEST(RayTrace, leaves) {
+TEST(RayTraceFull, leaves) {
     const auto part = [](int triangles, Leave leave) {
         double again = 0;
         const std::vector<double> all = againOffStrips(triangles, leave);
@@ -197,7 +197,7 @@ TEST(RayTrace, leaves) {
     EXPECT_GT(below(run.set("leave", "point").picture(), right, 0), 614);
 }
 
-TEST(RayTrace, as_one_thread) {
+TEST(RayTraceFull, as_one_thread) {
     for (const TracedRoom room : {TracedRoom::stillLife, TracedRoom::softShadow, TracedRoom::white}) {
         TracePicture::Plan plan = smallPlan(room);
         for (const SamplePattern pattern :
@@ -451,7 +451,7 @@ TEST(RayTrace, falls_off) {
     EXPECT_NEAR(light(0.01, {.highlight = 60, .falloff = true}) - light(0.01, {.falloff = true}), more, 1e-4);
 }
 
-TEST(RayTrace, more_samples) {
+TEST(RayTraceFull, more_samples) {
     TracePicture::Plan plan = smallPlan(TracedRoom::softShadow);
     plan.pattern = SamplePattern::sequence;
     plan.samples = 1024;
@@ -476,7 +476,7 @@ TEST(RayTrace, more_samples) {
     EXPECT_NEAR(at64.at(random) / at16.at(random), 0.25, 0.1);
 }
 
-TEST(RayTrace, same_answers) {
+TEST(RayTraceFull, same_answers) {
     for (const int cells : {1, 5, 12}) {
         const std::vector<SceneTriangle> triangles = teapotTriangles(cells);
         const auto none = findTriangles(RayStructure::none, triangles);
@@ -577,7 +577,7 @@ TEST(RayTrace, white_stays) {
     EXPECT_EQ(difference(without, colored(s)).second, 0);
 }
 
-TEST(RayTrace, colours_part) {
+TEST(RayTraceFull, colours_part) {
     const auto ball = [](int wavelengths, double abbe) {
         return colored({.room = TracedRoom::glassBall, .index = 1.7847, .wavelengths = wavelengths, .abbe = abbe});
     };

@@ -146,7 +146,7 @@ TEST(RobotArm, all_arrive) {
     }
 }
 
-TEST(RobotArm, never_farther) {
+TEST(RobotArmFull, never_farther) {
     DemoRun run("robot-arm", 240, 140);
     run.set("matrices", "off");
     for (const std::string scene : {"two-links", "arm"}) {
@@ -201,7 +201,7 @@ TEST(RobotArm, straight_stalls) {
     }
 }
 
-TEST(RobotArm, limits_hold) {
+TEST(RobotArmFull, limits_hold) {
     DemoRun run("robot-arm", 240, 140);
     run.set("scene", "arm").set("iterations", 64);
     Random random(36);

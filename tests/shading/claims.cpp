@@ -58,7 +58,7 @@ double meanDifference(const Picture& a, const Picture& b) {
 
 }  // namespace
 
-TEST(Shading, one_colour_a_face) {
+TEST(ShadingFull, one_colour_a_face) {
     DemoRun run("shading");
     EXPECT_EQ(colorsOf(run.set("shading", "own").picture()), 1U);
     for (const int edges : {4, 8, 16}) {
@@ -69,7 +69,7 @@ TEST(Shading, one_colour_a_face) {
     }
 }
 
-TEST(Shading, flat_is_enough) {
+TEST(ShadingFull, flat_is_enough) {
     DemoRun run("shading");
     const auto largest = [&] {
         const Picture flat = run.set("shading", "flat").picture(), phong = run.set("shading", "phong").picture();
@@ -91,7 +91,7 @@ TEST(Shading, flat_is_enough) {
     EXPECT_GT(largest(), 32);
 }
 
-TEST(Shading, misses_the_highlight) {
+TEST(ShadingFull, misses_the_highlight) {
     DemoRun run("shading");
     run.preset("missed");
     const auto energy = [&](const char* shading) {
@@ -107,7 +107,7 @@ TEST(Shading, misses_the_highlight) {
     EXPECT_NEAR(energy("gouraud"), 100, 10);
 }
 
-TEST(Shading, finer_is_alike) {
+TEST(ShadingFull, finer_is_alike) {
     DemoRun run("shading");
     for (const char* coarse : {"flat", "gouraud"}) {
         double before = HUGE_VAL;
@@ -122,7 +122,7 @@ TEST(Shading, finer_is_alike) {
     }
 }
 
-TEST(Shading, no_light_from_behind) {
+TEST(ShadingFull, no_light_from_behind) {
     DemoRun run("shading");
     run.set("lamp-turn", 150).set("lamp-height", 40);
     for (const char* body : {"sphere", "teapot"}) {
@@ -157,7 +157,7 @@ TEST(Shading, blinn_matches_phong) {
     }
 }
 
-TEST(Shading, reciprocity) {
+TEST(ShadingFull, reciprocity) {
     DemoRun run("shading", 96, 56);
     const auto cosine = [](double degrees) { return std::cos(degrees * 3.14159265358979323846 / 180); };
     for (const char* highlight : {"phong", "blinn"}) {

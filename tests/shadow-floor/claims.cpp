@@ -127,7 +127,7 @@ TEST(ShadowFloor, on_one_line) {
     }
 }
 
-TEST(ShadowFloor, no_fighting) {
+TEST(ShadowFloorFull, no_fighting) {
     DemoRun run("shadow-floor");
     run.set("rays", "off");
     for (const double z : {-10, -4, 4, 10}) {

@@ -45,7 +45,7 @@ double countOf(const StudyRow& row, const std::string& name) {
 
 }  // namespace
 
-TEST(ShadowLights, right_by_rays) {
+TEST(ShadowLightsFull, right_by_rays) {
     DemoRun run("shadow-lights");
     struct Case {
         const char *scene, *lights;
@@ -73,7 +73,7 @@ TEST(ShadowLights, right_by_rays) {
     }
 }
 
-TEST(ShadowLights, linear) {
+TEST(ShadowLightsFull, linear) {
     DemoRun run("shadow-lights");
     run.set("scene", "circle").set("keep", "off");
     for (const char* method : {"volumes", "maps"}) {
@@ -94,7 +94,7 @@ TEST(ShadowLights, linear) {
     }
 }
 
-TEST(ShadowLights, out_of_reach) {
+TEST(ShadowLightsFull, out_of_reach) {
     DemoRun run("shadow-lights");
     run.set("scene", "circle").set("lights", 8);
     for (const char* method : {"volumes", "maps"}) {
@@ -151,7 +151,7 @@ TEST(ShadowLights, sum_of_lights) {
     EXPECT_GT(seen[2], 10000);
 }
 
-TEST(ShadowLights, kept) {
+TEST(ShadowLightsFull, kept) {
     DemoRun run("shadow-lights");
     for (const char* method : {"volumes", "maps"}) {
         run.set("method", method).set("scene", "circle").set("lights", 4).set("keep", "on");

@@ -120,7 +120,7 @@ vec3 onFloor(DemoRun& run, int x, int y) {
 
 }  // namespace
 
-TEST(ShadowMap, cast_by_rays) {
+TEST(ShadowMapFull, cast_by_rays) {
     DemoRun run("shadow-map", width, height);
     for (const Place& place : {cube, still}) {
         strike(run, place);
@@ -146,7 +146,7 @@ TEST(ShadowMap, cast_by_rays) {
     }
 }
 
-TEST(ShadowMap, error_is_one_over_resolution) {
+TEST(ShadowMapFull, error_is_one_over_resolution) {
     DemoRun run("shadow-map");
     Study study = *stage().info().study;
     study.width = 320, study.height = 240;
@@ -241,7 +241,7 @@ TEST(ShadowMap, floor_left_out_needs_no_bias) {
     EXPECT_LE(stage().frameCounters().triangles, with);
 }
 
-TEST(ShadowMap, back_faces_need_no_bias) {
+TEST(ShadowMapFull, back_faces_need_no_bias) {
     DemoRun run("shadow-map", width, height);
     for (const Place& place : {cube, still}) {
         strike(run, place);
@@ -253,7 +253,7 @@ TEST(ShadowMap, back_faces_need_no_bias) {
     }
 }
 
-TEST(ShadowMap, thin_casters_are_missed) {
+TEST(ShadowMapFull, thin_casters_are_missed) {
     DemoRun run("shadow-map", 600, 600);
     run.preset("overhead");
     const FrameInfo frame(1, 600, 600);
@@ -276,7 +276,7 @@ TEST(ShadowMap, thin_casters_are_missed) {
     EXPECT_LT(missed("4096"), 0.15);
 }
 
-TEST(ShadowMap, coarse_casters_throw_polygons) {
+TEST(ShadowMapFull, coarse_casters_throw_polygons) {
     DemoRun run("shadow-map", 600, 600);
     run.preset("overhead");
     run.set("resolution", "4096").set("cord", 0.001);
@@ -291,7 +291,7 @@ TEST(ShadowMap, coarse_casters_throw_polygons) {
     EXPECT_GT(coarse, 20 * std::max(fine, 0.001));
 }
 
-TEST(ShadowMap, map_is_kept) {
+TEST(ShadowMapFull, map_is_kept) {
     DemoRun run("shadow-map", width, height);
     const auto passes = [&] {
         stage().draw(1);

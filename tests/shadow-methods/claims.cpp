@@ -58,7 +58,7 @@ double passes() {
 
 }  // namespace
 
-TEST(ShadowMethods, exact_on_a_plane) {
+TEST(ShadowMethodsFull, exact_on_a_plane) {
     DemoRun run("shadow-methods");
     run.preset("matrix");
     const StudyRun result = measured("cube on plane");
@@ -72,7 +72,7 @@ TEST(ShadowMethods, exact_on_a_plane) {
     EXPECT_GT(rowOf(result, "no shadow").awayFromEdges.fraction, 0.02);
 }
 
-TEST(ShadowMethods, least_work) {
+TEST(ShadowMethodsFull, least_work) {
     DemoRun run("shadow-methods");
     run.preset("matrix");
     EXPECT_EQ(run.demo().knob("method").text(), "matrix");
@@ -97,7 +97,7 @@ TEST(ShadowMethods, least_work) {
     EXPECT_LT(countOf(matrix, "fragments"), 1.05 * countOf(rowOf(result, "no shadow"), "fragments"));
 }
 
-TEST(ShadowMethods, bodies_need_more) {
+TEST(ShadowMethodsFull, bodies_need_more) {
     DemoRun run("shadow-methods");
     run.preset("matrix");
     const StudyRun result = measured("still life");
@@ -112,7 +112,7 @@ TEST(ShadowMethods, bodies_need_more) {
     EXPECT_TRUE(run.messages().empty());
 }
 
-TEST(ShadowMethods, texels_are_the_error) {
+TEST(ShadowMethodsFull, texels_are_the_error) {
     DemoRun run("shadow-methods");
     run.preset("matrix");
     for (const char* scene : {"cube on plane", "still life"}) {
@@ -165,7 +165,7 @@ TEST(ShadowMethods, receiver_left_out) {
     EXPECT_GT(stage().frameCounters().triangles, fewer);
 }
 
-TEST(ShadowMethods, split) {
+TEST(ShadowMethodsFull, split) {
     DemoRun run("shadow-methods");
     run.preset("matrix");
     const int width = 640, height = 480, labels = 40;  // upper rows, with the methods' names
@@ -189,7 +189,7 @@ TEST(ShadowMethods, split) {
     }
 }
 
-TEST(ShadowMethods, where_is_the_ball) {
+TEST(ShadowMethodsFull, where_is_the_ball) {
     DemoRun run("shadow-methods");
     run.preset("where-is-the-ball");
     const auto at = [&](double height) { return run.set("ball-height", height).picture(); };
@@ -218,7 +218,7 @@ TEST(ShadowMethods, where_is_the_ball) {
     }
 }
 
-TEST(ShadowMethods, difference) {
+TEST(ShadowMethodsFull, difference) {
     DemoRun run("shadow-methods");
     run.preset("matrix");
     run.set("show", "difference").set("against", "volume");

@@ -54,7 +54,7 @@ const std::vector<vec3> lights{{0.6, 3.1, 0.5}, {-3, 6, 2}, {1, 1.5, -1}, {0, 0.
 
 }  // namespace
 
-TEST(ShadowPolygons, as_rays_show) {
+TEST(ShadowPolygonsFull, as_rays_show) {
     DemoRun run("shadow-polygons", 320, 180);
     for (const Preset& preset : stage().info().presets) {
         run.preset(preset.name);
@@ -97,7 +97,7 @@ TEST(ShadowPolygons, same_by_both) {
     EXPECT_GT(found, 1000);
 }
 
-TEST(ShadowPolygons, fewer_pairs) {
+TEST(ShadowPolygonsFull, fewer_pairs) {
     DemoRun run("shadow-polygons", 96, 54);
     const auto projections = [&](const std::string& method, int count) {
         run.set("method", method).set("polygons", count).picture();

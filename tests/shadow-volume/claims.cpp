@@ -87,7 +87,7 @@ constexpr vec3 lightOfCube(-2.2, 3.6, 1.4);  // of the scenes cube and nested
 
 }  // namespace
 
-TEST(ShadowVolume, exact) {
+TEST(ShadowVolumeFull, exact) {
     DemoRun run("shadow-volume");
     for (const char* scene : {"cube", "still-life", "nested"}) {
         for (const char* method : {"z-fail", "z-pass"}) {
@@ -123,7 +123,7 @@ TEST(ShadowVolume, eye_in_volume) {
     }
 }
 
-TEST(ShadowVolume, silhouette_is_enough) {
+TEST(ShadowVolumeFull, silhouette_is_enough) {
     DemoRun run("shadow-volume");
     run.set("scene", "cube");
     const StudyRow outline = compareWithRays();
@@ -145,7 +145,7 @@ TEST(ShadowVolume, silhouette_is_enough) {
     EXPECT_LT(many.awayFromEdges.fraction, 5e-4);  // 1e-4 measured
 }
 
-TEST(ShadowVolume, counts_are_rays) {
+TEST(ShadowVolumeFull, counts_are_rays) {
     DemoRun run("shadow-volume");
     run.set("scene", "nested").set("shells", 12).set("show", "count").picture();
     const mat4 worldFromClip = glm::inverse(run.matrix("clipFromView") * run.matrix("viewFromWorld"));
@@ -185,7 +185,7 @@ TEST(ShadowVolume, counts_are_rays) {
 }
 
 // X10
-TEST(ShadowVolume, three_hundred_shells) {
+TEST(ShadowVolumeFull, three_hundred_shells) {
     DemoRun run("shadow-volume");
     run.set("scene", "nested");
     for (const int shells : {255, 256, 300}) {
@@ -218,7 +218,7 @@ TEST(ShadowVolume, three_hundred_shells) {
     EXPECT_EQ(compareWithRays().awayFromEdges.fraction, 0);
 }
 
-TEST(ShadowVolume, light_anywhere) {
+TEST(ShadowVolumeFull, light_anywhere) {
     DemoRun run("shadow-volume");
     for (const char* scene : {"cube", "still-life"}) {
         run.set("scene", scene);

@@ -65,7 +65,7 @@ double rms(const StudyRun& run, const std::string& method, const std::string& pa
 
 }  // namespace
 
-TEST(SoftShadows, penumbra_width) {
+TEST(SoftShadowsFull, penumbra_width) {
     DemoRun run("soft-shadows", 64, 48);  // the readout has a picture of its own
     run.preset("touching");
     run.set("lights", "256");
@@ -89,7 +89,7 @@ TEST(SoftShadows, penumbra_width) {
     }
 }
 
-TEST(SoftShadows, shape_of_the_lamp) {
+TEST(SoftShadowsFull, shape_of_the_lamp) {
     DemoRun run("soft-shadows", 64, 48);
     run.preset("touching");
     run.set("lights", "1024").set("lamp-size", 0.8);
@@ -147,7 +147,7 @@ TEST(SoftShadows, sharp_where_they_touch) {
     for (std::size_t i = 1; i < soft.size(); ++i) EXPECT_GT(soft[i], soft[i - 1] + 0.02) << i;
 }
 
-TEST(SoftShadows, points_converge) {
+TEST(SoftShadowsFull, points_converge) {
     DemoRun run("soft-shadows");
     run.preset("touching");
     const StudyRun study = errorsOf(linesNamed({"matrix, float"}));
@@ -163,7 +163,7 @@ TEST(SoftShadows, points_converge) {
     EXPECT_GT(*slope, -1);
 }
 
-TEST(SoftShadows, eight_bit_floor) {
+TEST(SoftShadowsFull, eight_bit_floor) {
     DemoRun run("soft-shadows");
     run.preset("touching");
     const StudyRun study = errorsOf(linesNamed({"matrix, float", "matrix, 8-bit"}));
@@ -184,7 +184,7 @@ TEST(SoftShadows, eight_bit_floor) {
     EXPECT_NO_THROW(run.set("accumulate", "float").set("lights", "1024").picture());
 }
 
-TEST(SoftShadows, pcf_does_not_converge) {
+TEST(SoftShadowsFull, pcf_does_not_converge) {
     DemoRun run("soft-shadows");
     run.preset("touching");
     std::vector<StudyLine> lines = linesNamed({"matrix, float"});
@@ -204,7 +204,7 @@ TEST(SoftShadows, pcf_does_not_converge) {
     EXPECT_EQ(rows, 20);
 }
 
-TEST(SoftShadows, blur_in_the_picture) {
+TEST(SoftShadowsFull, blur_in_the_picture) {
     const auto partly = [](const char* method, int width, int height) {
         DemoRun run("soft-shadows", width, height);
         run.preset("touching");
@@ -250,7 +250,7 @@ TEST(SoftShadows, blur_in_the_picture) {
     EXPECT_EQ(rms(study, "blur", "1"), rms(study, "pcf", "1"));  // one look each
 }
 
-TEST(SoftShadows, pcss_adapts) {
+TEST(SoftShadowsFull, pcss_adapts) {
     DemoRun run("soft-shadows");
     run.preset("touching");
     run.set("lamp-size", 0.5).set("taps", 15);
@@ -269,7 +269,7 @@ TEST(SoftShadows, pcss_adapts) {
     EXPECT_GT(widthOf("pcss", 0.6) / widthOf("pcss", 0.1), 1.7);  // theory: 0.4 / 0.22
 }
 
-TEST(SoftShadows, dark_once) {
+TEST(SoftShadowsFull, dark_once) {
     DemoRun run("soft-shadows");
     run.preset("touching");
     run.set("scene", "table");

@@ -106,7 +106,7 @@ double read(const std::string& name) {
 
 }  // namespace
 
-TEST(Springs, limits) {
+TEST(SpringsFull, limits) {
     DemoRun run("springs", 64, 64);
     for (const OdeMethod method : odeMethods) {
         run.set("method", words.at(static_cast<std::size_t>(method)));
@@ -156,7 +156,7 @@ TEST(Springs, limits) {
     EXPECT_NEAR(limitOf(OdeMethod::dormandPrince, 0), 1.0, 5e-3);
 }
 
-TEST(Springs, dots_tell) {
+TEST(SpringsFull, dots_tell) {
     DemoRun run("springs", 64, 64);
     run.set("stiffness", 1e4).set("damping", 0);
     for (const char* problem : {"chain", "net", "cloth"}) {
@@ -182,7 +182,7 @@ TEST(Springs, dots_tell) {
     }
 }
 
-TEST(Springs, stops_in_words) {
+TEST(SpringsFull, stops_in_words) {
     DemoRun run("springs", 480, 280);
     for (const char* method : {"explicit-euler", "velocity-verlet", "runge-kutta-4", "dormand-prince"}) {
         SCOPED_TRACE(method);
@@ -240,7 +240,7 @@ TEST(Springs, rest_lengths) {
     EXPECT_LT(after(run.set("method", "implicit-midpoint").set("substeps", 100), 60, "largest-drift"), 0.01);
 }
 
-TEST(Springs, balance) {
+TEST(SpringsFull, balance) {
     const std::vector<TimedChange> played{{20, "hand-x", "0.2"}, {21, "hand-y", "0.9"}, {40, "stiffness", "5e4"},
                                           {60, "damping", "3"},  {80, "hand-x", "-1"},  {90, "stiffness", "200"},
                                           {95, "gravity", "3"},  {100, "grip", "0"},    {110, "substeps", "2"}};
@@ -266,7 +266,7 @@ TEST(Springs, balance) {
 }
 
 // Explicit methods cost evaluations alone. The implicit ones are slower by their times: [twice-as-fast] of the study.
-TEST(Springs, default_is_cheapest) {
+TEST(SpringsFull, default_is_cheapest) {
     DemoRun run("springs", 64, 64);
     const auto errs = [&](const std::string& method, int substeps) {
         (void)run.set("method", method).set("substeps", substeps).picture(300);
@@ -287,7 +287,7 @@ TEST(Springs, default_is_cheapest) {
     }
 }
 
-TEST(Springs, rests) {
+TEST(SpringsFull, rests) {
     DemoRun run("springs", 240, 140);
     for (const char* problem : {"chain", "net", "cloth"}) {
         SCOPED_TRACE(problem);
@@ -348,7 +348,7 @@ TEST(Springs, classics) {
     EXPECT_NE(run.set("method", "energy-momentum").refusal(), "");
 }
 
-TEST(Springs, confirmed) {
+TEST(SpringsFull, confirmed) {
     DemoRun run("springs", 240, 140);
     run.set("confirm", "on").set("method", "dormand-prince").set("problem", "pleiades").set("tolerance", "0.01");
     EXPECT_GT(after(run, 1, "end-error"), 1);
@@ -370,7 +370,7 @@ TEST(Springs, confirmed) {
     EXPECT_EQ(run.messages()[0].rfind("gave up at t = ", 0), 0U) << run.messages()[0];
 }
 
-TEST(Springs, same_frame) {
+TEST(SpringsFull, same_frame) {
     DemoRun run("springs", 240, 140);
     const Picture late = run.picture(200), early = run.picture(40);
     EXPECT_NE(late, early);

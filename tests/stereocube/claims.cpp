@@ -111,7 +111,7 @@ constexpr double rounding = 1e-11;
 
 }  // namespace
 
-TEST(Stereocube, left_is_red_channel) {
+TEST(StereocubeFull, left_is_red_channel) {
     DemoRun run("stereocube");
     run.preset("original");
     run.set("spin-x", 20).set("spin-y", 30);
@@ -162,7 +162,7 @@ TEST(Stereocube, left_is_left) {
     }
 }
 
-TEST(Stereocube, masks_lose_nothing) {
+TEST(StereocubeFull, masks_lose_nothing) {
     DemoRun run("stereocube");
     run.preset("original");
     run.set("spin-x", 20).set("spin-y", 30);
@@ -390,7 +390,7 @@ TEST(Stereocube, wide_lines) {
     EXPECT_LE(lost(wide, shifted) + lost(shifted, wide), count(wide) / 50);
 }
 
-TEST(Stereocube, channels_of_one_eye) {
+TEST(StereocubeFull, channels_of_one_eye) {
     DemoRun run("stereocube");
     run.preset("still-life");
     const auto mixedBy = [&](const std::string& mix) { return run.set("mix", mix).picture(); };
@@ -459,7 +459,7 @@ TEST(Stereocube, glasses_leak) {
     EXPECT_EQ(run.readout("crosstalk-right"), crosstalk(Eyes::right));
 }
 
-TEST(Stereocube, eyes_disagree) {
+TEST(StereocubeFull, eyes_disagree) {
     DemoRun run("stereocube");
     run.preset("still-life");
     // The ball's lit side, by its colour without glasses

@@ -115,7 +115,7 @@ TEST(TextureFilter, texel_squares) {
     EXPECT_GT(largestChange(picture, run.set("filter", "bilinear").picture()), 50);
 }
 
-TEST(TextureFilter, nearest_aliases) {
+TEST(TextureFilterFull, nearest_aliases) {
     DemoRun run = floorRun();
     run.set("turn", 20);
     // A pixel there is longer than the texture: its mean is grey. Half black and half white varies by 1/4.
@@ -129,7 +129,7 @@ TEST(TextureFilter, nearest_aliases) {
     }
 }
 
-TEST(TextureFilter, trilinear_continuous) {
+TEST(TextureFilterFull, trilinear_continuous) {
     DemoRun run = floorRun();
     run.set("levels", "on").set("average", "encoded").set("pattern", "bricks");
     constexpr int steps = 32;
@@ -190,7 +190,7 @@ TEST(TextureFilter, level_as_computed) {
     EXPECT_NEAR(run.readout("level"), std::log2(run.readout("longer")), 1e-12);
 }
 
-TEST(TextureFilter, anisotropic_keeps) {
+TEST(TextureFilterFull, anisotropic_keeps) {
     DemoRun run = floorRun();
     run.set("pattern", "stripes");
     // 16 rows below the horizon a stripe is 8 pixels wide, and a pixel longer than the texture and a 16th of it wide.
@@ -244,7 +244,7 @@ TEST(TextureFilter, bounded_footprint) {
     EXPECT_EQ(tried, 3 * 10 * 6 * 3);
 }
 
-TEST(TextureFilter, light_adds) {
+TEST(TextureFilterFull, light_adds) {
     DemoRun run = floorRun();
     for (const char* texels : {"float", "8-bit"}) {
         for (const char* mipmaps : {"program", "driver"}) {
@@ -259,7 +259,7 @@ TEST(TextureFilter, light_adds) {
     }
 }
 
-TEST(TextureFilter, odd_sizes) {
+TEST(TextureFilterFull, odd_sizes) {
     DemoRun run = floorRun();
     run.set("pattern", "bricks");
     for (const int size : {1, 5, 64, 100}) {
@@ -289,7 +289,7 @@ TEST(TextureFilter, eight_bits) {
     EXPECT_LE(largest, 3);
 }
 
-TEST(TextureFilter, only_what_is_read) {
+TEST(TextureFilterFull, only_what_is_read) {
     DemoRun run = floorRun();
     for (const char* filter : {"nearest", "bilinear"}) {
         (void)run.set("filter", filter).picture();

@@ -86,7 +86,7 @@ long otherSquares(const Picture& a, const Picture& b) {
 
 }  // namespace
 
-TEST(TextureMap, slips) {
+TEST(TextureMapFull, slips) {
     for (const double ratio : {1.0, 4.0, 10.0}) {
         for (const int n : {1, 2, 7}) {
             DemoRun run = quadRun();

@@ -151,7 +151,7 @@ TEST(ViewVolume, orange_is_clipped) {
     }
 }
 
-TEST(ViewVolume, culled_is_not_drawn) {
+TEST(ViewVolumeFull, culled_is_not_drawn) {
     for (const char* projection : {"perspective", "orthographic"}) {
         for (const char* pan : {"0", "25", "-70"}) {
             SCOPED_TRACE(std::string(projection) + ", pan " + pan);

@@ -114,7 +114,7 @@ Worst worstOfLap(DemoRun& run, double aim) {
 
 }  // namespace
 
-TEST(Viewpoints, eight_views) {
+TEST(ViewpointsFull, eight_views) {
     DemoRun run("viewpoints", small, small);
     for (int view = 1; view <= 8; ++view) {
         for (const double height : {0.0, 12.0}) {
@@ -191,7 +191,7 @@ TEST(Viewpoints, lap_of_120) {
     }
 }
 
-TEST(Viewpoints, slide_misses_house) {
+TEST(ViewpointsFull, slide_misses_house) {
     DemoRun run("viewpoints", small, small);
     run.set("view", "5");
     struct Case {
@@ -293,7 +293,7 @@ TEST(Viewpoints, camera_from_outside) {
     }
 }
 
-TEST(Viewpoints, nine_cameras) {
+TEST(ViewpointsFull, nine_cameras) {
     constexpr mv::Pixel chosen{204, 77, 0};
     for (int view = 1; view <= 9; ++view) {
         DemoRun run("viewpoints");
@@ -344,7 +344,7 @@ TEST(Viewpoints, lit_and_sky) {
     EXPECT_GE(reds(), 3U) << "the shades of three sides";
 }
 
-TEST(Viewpoints, eye_under_the_roof) {
+TEST(ViewpointsFull, eye_under_the_roof) {
     DemoRun run("viewpoints", small, small);
     // What is allowed shows more than one colour all the lap round, in every view.
     for (int view = 1; view <= 9; ++view) {

@@ -41,7 +41,7 @@ DemoRun& road(DemoRun& run, const char* format, const char* mapping) {
 
 }  // namespace
 
-TEST(ZBuffer, any_order_with_depth) {
+TEST(ZBufferFull, any_order_with_depth) {
     for (const char* scene : {"cycle", "panes"}) {
         DemoRun run("z-buffer", 300, 300);
         run.set("scene", scene).set("separation", 0.01).set("words", "off");
@@ -89,7 +89,7 @@ TEST(ZBuffer, cut_and_sorted) {
     EXPECT_GT(wrong(run.set("order", "rgb").set("pieces", 2)), 0.3);
 }
 
-TEST(ZBuffer, first_of_equals) {
+TEST(ZBufferFull, first_of_equals) {
     DemoRun run("z-buffer", 300, 300);
     run.set("scene", "panes").set("separation", 0);
     for (const char* format : {"d16", "d24", "d32f"}) {
@@ -136,7 +136,7 @@ TEST(ZBuffer, blending_needs_order) {
     EXPECT_NE(front, run.set("separation", 0.01).set("order", "bgr").picture().at(150, 150));
 }
 
-TEST(ZBuffer, fights_by_format) {
+TEST(ZBufferFull, fights_by_format) {
     DemoRun run("z-buffer");
     // The same scene in each: near 0.1, far 10000, a separation of 1e-5 of the distance.
     const double d16 = wrong(road(run, "d16", "standard")), d24 = wrong(road(run, "d24", "standard"));
@@ -164,7 +164,7 @@ TEST(ZBuffer, fights_by_format) {
     EXPECT_LT(wrong(road(run, "d24", "standard").set("near", 1)), d24 / 10);
 }
 
-TEST(ZBuffer, depth_as_grey) {
+TEST(ZBufferFull, depth_as_grey) {
     DemoRun run("z-buffer", 64, 64);
     run.set("scene", "panes").set("separation", 0).set("show", "depth");
     const double d = 5;
@@ -209,7 +209,7 @@ TEST(ZBuffer, depth_as_grey) {
     }
 }
 
-TEST(ZBuffer, misordered_as_known) {
+TEST(ZBufferFull, misordered_as_known) {
     // Percent of 100 000 pairs, from another program with random distances.
     const std::array<std::string, 7> methods{"D24 standard", "D32F standard", "D32F reversed",  "D24 reversed",
                                              "D24 infinite", "D32F flipped",  "D24 logarithmic"};
