@@ -35,6 +35,11 @@ std::string withoutProgress(const std::string& said) {
     return std::regex_replace(said, std::regex("(pass|step) [0-9]+ of [0-9]+\n"), "");
 }
 
+// What the processor computes in passes takes seconds, and is drawn smaller.
+std::string smallSize(const DemoInfo& info) {
+    return std::to_string(info.width / coarser(info)) + "x" + std::to_string(info.height / coarser(info));
+}
+
 class Programs : public testing::TestWithParam<std::string> {};
 
 }  // namespace
@@ -43,24 +48,23 @@ class Programs : public testing::TestWithParam<std::string> {};
 TEST_P(Programs, start_from_anywhere) {
     TemporaryFolder folder;
     const std::string picture = folder.file("a.png");
-    const ProcessResult fromRoot = runProcess({program(GetParam()), "--shot", picture}, {.folder = "/"});
+    const std::string size = smallSize(findDemo(GetParam()));
+    const ProcessResult fromRoot =
+        runProcess({program(GetParam()), "--shot", picture, "--size", size}, {.folder = "/"});
     ASSERT_EQ(fromRoot.status, 0) << fromRoot.err;
     TemporaryFolder readOnly;
     fs::permissions(readOnly.path(), fs::perms::owner_read | fs::perms::owner_exec);
-    const ProcessResult fromReadOnly =
-        runProcess({program(GetParam()), "--shot", folder.file("b.png")}, {.folder = readOnly.path().string()});
+    const ProcessResult fromReadOnly = runProcess({program(GetParam()), "--shot", folder.file("b.png"), "--size", size},
+                                                  {.folder = readOnly.path().string()});
     ASSERT_EQ(fromReadOnly.status, 0) << fromReadOnly.err;
     EXPECT_EQ(fileText(picture), fileText(folder.file("b.png")));
     EXPECT_EQ(folder.list(), (std::vector<std::string>{"a.png", "b.png"})) << "nothing else is left behind";
 }
 
-// Drawn into our own framebuffer object, a picture has the same bytes on every host of one Mesa. (What the processor computes
-// in passes takes seconds, and is drawn smaller.)
+// Drawn into our own framebuffer object, a picture has the same bytes on every host of one Mesa.
 TEST_P(Programs, same_bytes_on_every_host) {
     TemporaryFolder folder;
-    const DemoInfo& info = findDemo(GetParam());
-    const int by = coarser(info);
-    const std::string size = std::to_string(info.width / by) + "x" + std::to_string(info.height / by);
+    const std::string size = smallSize(findDemo(GetParam()));
     for (const char* host : {"osmesa", "egl", "egl-device"}) {
         const ProcessResult run =
             runProcess({program(GetParam()), "--shot", folder.file(std::string(host) + ".png"),

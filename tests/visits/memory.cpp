@@ -9,7 +9,7 @@ namespace mv::test {
 namespace {
 
 // What a user draws who plays with each knob: one after the other, each knob at each of its ends, and between them the demo
-// as it opens, with its readouts after each knob. Frames are numbered on, as in a window; but of a demo that remembers each
+// as it opens, with its readouts once a round. Frames are numbered on, as in a window; but of a demo that remembers each
 // round begins with frame 1, since a knob that has moved leads it through all frames before the one that is asked for.
 class Rounds {
   public:
@@ -27,8 +27,8 @@ class Rounds {
                 knob->parse(before);
                 drawNext();
             }
-            drawNext(true);
         }
+        drawNext(true);
         // What a demo with a memory has been through is kept, a bounded number of frames of it (Timeline's own test).
         stage().timeline().beginAnew();
         stage().draw(1);
