@@ -13,7 +13,7 @@ class Cached {
     // The value for these settings. `make` returns it where the value that is there was made for others, or where there is
     // none. What `make` throws is not caught; the next call makes the value anew.
     template <class Make>
-    const T& of(const std::tuple<What...>& settings, Make make) {
+    T& of(const std::tuple<What...>& settings, Make make) {
         if (madeFor_ == settings) return value_;
         madeFor_.reset();
         value_ = make();
@@ -21,7 +21,9 @@ class Cached {
         return value_;
     }
     // The value that was made last; T() before that.
+    T& operator*() { return value_; }
     const T& operator*() const { return value_; }
+    T* operator->() { return &value_; }
     const T* operator->() const { return &value_; }
 
   private:
