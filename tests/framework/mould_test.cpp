@@ -1,4 +1,4 @@
-// What a demo is made of beside its draw: probes, annotations, things made when they are needed.
+// The parts of a demo beside its draw: probes, annotations, things made when they are needed.
 #include <gtest/gtest.h>
 
 #include <algorithm>
