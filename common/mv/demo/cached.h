@@ -11,7 +11,7 @@ template <class T, class... What>
 class Cached {
   public:
     // The value for these settings. `make` returns it where the value that is there was made for others, or where there is
-    // none. What `make` throws is not caught; the next call makes the value anew.
+    // none. An error of `make` passes through, and the next call makes the value anew.
     template <class Make>
     T& of(const std::tuple<What...>& settings, Make make) {
         if (madeFor_ == settings) return value_;

@@ -14,7 +14,7 @@ namespace mv {
 // Sets what differs from OpenGL's initial state, and returns how many calls that took.
 int restoreInitialState();
 
-// glEnable or glDisable, as a setting has it. What is so already is left alone.
+// glEnable or glDisable, as a setting has it. A switch that is so already is left alone.
 void setEnabled(unsigned capability, bool isOn);
 // Switches off what is on.
 inline void switchOff(unsigned capability) { setEnabled(capability, false); }
