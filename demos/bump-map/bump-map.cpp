@@ -20,7 +20,8 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
 void drawBumped(Gpu& gpu, const Settings& s, const Frame& frame) {
     constexpr std::array ofMethod{drawSmooth,     drawByHeight,    drawByNormal,
                                   drawByParallax, drawByOcclusion, drawDisplaced};  // in the order of Method
-    bindMaps(gpu, s);                                                               // maps.cpp
+
+    bindMaps(gpu, s);  // maps.cpp
     glEnable(GL_DEPTH_TEST);
     ofMethod.at(std::size_t(s.method))(gpu, s, leftPane(s, frame), frame);
 }

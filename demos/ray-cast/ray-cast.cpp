@@ -14,6 +14,7 @@ namespace mv::ray_cast {
 
 void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     constexpr std::array ofMaker{drawCast, drawCast, drawByGl};  // in the order of Maker
+
     const Scene scene = seen(sceneOf(s, frame), frame);
     beginTriangles(gpu, scene);  // triangles.cpp
     drawFromSide(gpu, s, scene, frame);
