@@ -49,18 +49,20 @@ void bindTexture(Gpu& gpu, const Settings& s) {
 }
 
 // GL_TEXTURE_MIN_FILTER: where a pixel covers many texels, between texels and between levels. GL_TEXTURE_MAG_FILTER: where a texel
-// covers many pixels, between texels alone. The last filter looks up to 16 times along the footprint.
+// covers many pixels, between texels alone.
 GlFilter glFilter(Filter filter) {
-    constexpr std::array<GlFilter, 6> filters{{{GL_NEAREST, GL_NEAREST, 1},
-                                               {GL_LINEAR, GL_LINEAR, 1},
-                                               {GL_NEAREST_MIPMAP_NEAREST, GL_NEAREST, 1},
-                                               {GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR, 1},
-                                               {GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, 1},
-                                               {GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, 16}}};  // in the order of Filter
+    constexpr std::array<GlFilter, 6> filters{{{GL_NEAREST, GL_NEAREST},
+                                               {GL_LINEAR, GL_LINEAR},
+                                               {GL_NEAREST_MIPMAP_NEAREST, GL_NEAREST},
+                                               {GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR},
+                                               {GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR},
+                                               {GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR}}};  // in the order of Filter
     return filters.at(static_cast<std::size_t>(filter));
 }
 bool isMipmapped(const Settings& s) { return s.filter >= Filter::nearestMipNearest; }
-int looks(const Settings& s) { return std::min({s.anisotropy, glFilter(s.filter).mostLooks, largestAnisotropy()}); }
+int looks(const Settings& s) {
+    return s.filter == Filter::anisotropic ? std::min(s.anisotropy, largestAnisotropy()) : 1;
+}
 
 bool areColored(const Settings& s) { return isMipmapped(s) && s.showLevels; }
 // The driver draws into the levels that it makes.

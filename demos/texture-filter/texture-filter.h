@@ -55,7 +55,6 @@ void bindTexture(Gpu& gpu, const Settings& s);
 Texels formatOf(const Settings& s);
 struct GlFilter {
     GLenum minify, magnify;
-    int mostLooks;
 };
 GlFilter glFilter(Filter filter);
 bool isMipmapped(const Settings& s);
