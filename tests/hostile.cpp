@@ -45,7 +45,7 @@ void expectRefusal(const ProcessResult& result, const std::string& part) {
     EXPECT_NE(errorLine(result.err).find(part), std::string::npos) << result.err;
 }
 
-// What the parser makes of the line, in this process: the words of its refusal, "" where it understands it.
+// The parser's answer to the line, in this process: the words of its refusal, "" where it understands it.
 std::string usageError(const std::vector<std::string>& line, Command& command) {
     try {
         command = parseCommandLine(line);
@@ -104,7 +104,7 @@ TEST(Hostile, two_hundred_command_lines) {
             EXPECT_NO_THROW((void)loadPicture(folder.path() / name));
         }
     }
-    // Of each kind enough to mean something.
+    // Enough lines of each kind to mean something.
     EXPECT_GT(done, 20);
     EXPECT_GT(misunderstood, 50);
 }
@@ -157,7 +157,7 @@ TEST(Hostile, killed_while_writing) {
     }
 }
 
-// What it has started ends with it, however it ends: here a program that stands for ffmpeg and never comes to an end.
+// A child that it has started ends with it, however it ends: here a program that stands for ffmpeg and never comes to an end.
 TEST(Hostile, killed_while_filming) {
     for (const std::string signal : {"TERM", "KILL", "USR1"}) {
         const TemporaryFolder folder;
@@ -176,7 +176,7 @@ TEST(Hostile, killed_while_filming) {
     }
 }
 
-// What the program is given to write to is known by what it is: a stream goes on where it stands, and what runs is no file
+// The program knows what it is given to write to by its kind: a stream goes on where it stands, and what runs is no file
 // to write.
 TEST(Hostile, streams_and_programs) {
     const TemporaryFolder folder;
@@ -206,7 +206,7 @@ TEST(Hostile, streams_and_programs) {
             const std::string status = fileText(folder.file("status"));
             EXPECT_EQ(errorLine(run.err).find("could not be written") != std::string::npos, status == "1\n")
                 << flags << closed << run.err;
-            // What reads may do so before it ends.
+            // A reader may read before it ends.
             EXPECT_TRUE(status == "1\n" || (closed == std::string(" | true") && status == "0\n")) << flags << closed;
         }
     }
@@ -292,7 +292,7 @@ TEST(Hostile, shader_files) {
     EXPECT_EQ(folder.list(), std::vector<std::string>{"probe.frag"});
     fs::remove(folder / "probe.frag");
     EXPECT_EQ(run().status, 0) << "without the file the program is the one that was built in";
-    // Of what is no file nobody waits for the text.
+    // Nobody waits for the text of what is no file.
     ASSERT_EQ(mkfifo(folder.file("probe.frag").c_str(), 0600), 0);
     expectRefusal(run(), "probe.frag: must be a file that exists and may be read, it is a pipe or a device");
     fs::remove(folder / "probe.frag");
@@ -371,7 +371,7 @@ TEST(Hostile, little_of_everything) {
     }
 }
 
-// What has long to compute says before that there is no place for it; and time that does not pass is not waited for.
+// A command that has long to compute says before that there is no place for it; and time that does not pass is not waited for.
 TEST(Hostile, studies) {
     const TemporaryFolder folder;
     const std::string study = " --study out --vary plane-distance=1 --headless=osmesa";

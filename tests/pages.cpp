@@ -1,5 +1,5 @@
-// What pages say: each command line does what a reader who types it expects, or the page says what else, and each measured
-// number is what its marker (mv/paper/page_numbers.h) makes. What must agree between pages, claims, their tests and shaders.
+// The words of pages: each command line does what a reader who types it expects, or the page says what else, and each measured
+// number is what its marker (mv/paper/page_numbers.h) makes. The words that must agree between pages, claims, their tests and shaders.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -86,7 +86,7 @@ std::vector<std::string> wordsOf(const std::string& text) {
     return words;
 }
 
-// What mvgl is given to try the command, in moments and without a window, and how it was understood.
+// The arguments of mvgl to try the command, in moments and without a window, and how it was understood.
 struct Trial {
     std::vector<std::string> words;
     Command command;  // of the page's own words
@@ -149,7 +149,7 @@ bool showsTwoPictures(const Picture& sheet) {
     return false;
 }
 
-// What a demo draws with nothing set, in the size of another picture. Kept: each command of a page is compared with it.
+// The picture of a demo with nothing set, in the size of another picture. Kept: each command of a page is compared with it.
 const Picture& asItOpens(const std::string& demo, const Picture& like) {
     static std::map<std::string, Picture> known;
     const std::string size = std::to_string(like.width) + "x" + std::to_string(like.height);
@@ -177,7 +177,7 @@ bool showsWhatItSetsAtItsOwnSize(const PageLine& line) {
     return showsWhatItSets(trial, folder);
 }
 
-// What is to come of a command that ends well, by what it asks for.
+// The result that a command which ends well is to have, by what it asks for.
 void expectOutcome(const PageLine& line, const Trial& trial, const ProcessResult& run, const TemporaryFolder& folder) {
     const Command& command = trial.command;
     EXPECT_FALSE(has(run.err, "does nothing in these settings")) << run.err;
@@ -203,7 +203,7 @@ void expectOutcome(const PageLine& line, const Trial& trial, const ProcessResult
     ASSERT_TRUE(fs::exists(folder.path() / trial.picture)) << trial.picture;
     const bool sets = !command.knobs.empty() || command.firstFrame > 1 || !command.compareKnob.empty();
     if (!sets) return;
-    // What is too fine for a small picture shows in one of the demo's own size.
+    // A change that is too fine for a small picture shows in one of the demo's own size.
     const bool isAnother = showsWhatItSets(trial, folder) || showsWhatItSetsAtItsOwnSize(line);
     EXPECT_NE(isAnother, line.isSamePicture()) << "what it sets must be seen, or the page say: # the same picture";
 }
@@ -226,7 +226,7 @@ std::string pageWord(const testing::TestParamInfo<std::string>& page) {
     return word;
 }
 
-// What ./run does without the program: the tests `site` and `scripts.site` try it.
+// The commands of ./run that need no program: the tests `site` and `scripts.site` try it.
 const std::set<std::string> ofRunItself{"./run --site", "./run --site --serve"};
 
 class Pages : public testing::TestWithParam<std::string> {};

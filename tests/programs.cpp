@@ -159,7 +159,7 @@ TEST(Program, run_is_what_a_copied_line_begins_with) {
     fs::copy_file(MVGL_SOURCE_DIR "/run", folder.path() / "run");
     fs::create_directory(folder.path() / "scripts");
     fs::create_directory(folder.path() / "a folder");
-    // What is installed and built is none of this test's business.
+    // The test does not ask what is installed and built.
     std::ofstream(folder.file("scripts/setup.sh"))
         << ". '" MVGL_SOURCE_DIR "/scripts/setup.sh'\nbuild='" MVGL_BINARY_DIR "'\n"
         << "install_packages() { :; }\ncheck_versions() { :; }\nconfigure() { :; }\nbuild_targets() { :; }\n";
@@ -237,7 +237,7 @@ TEST(Program, drivers_that_end_by_a_signal_are_passed_over) {
         << passedOver.err;
     expectRefusal(run("=osmesa", {crashing, "GALLIUM_DRIVER=llvmpipe"}), 1,
                   "OSMesa: must draw, and is ended by a signal (Segmentation fault); unset");
-    // What is known of Mesa 22; another one may draw, or refuse in words of its own
+    // The answers of Mesa 22; another one may draw, or refuse in words of its own
     for (const std::string variable : {"GALLIUM_DRIVER=zink", "GALLIUM_DRIVER=virgl", "GALLIUM_DRIVER=nosuch",
                                        "MESA_GLSL_VERSION_OVERRIDE=120", "DRAW_USE_LLVM=0"}) {
         for (const char* host : {"", "=osmesa", "=egl"}) {
@@ -251,7 +251,7 @@ TEST(Program, drivers_that_end_by_a_signal_are_passed_over) {
     }
 }
 
-// What a driver lacks is said by name, and the picture is the one that the sentence promises.
+// The program says by name what a driver lacks, and the picture is the one that the sentence promises.
 TEST(Program, missing_clip_control_is_named) {
     const TemporaryFolder folder;
     const std::string reversed = folder.path() / "reversed.png", flipped = folder.path() / "flipped.png";

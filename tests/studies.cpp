@@ -31,7 +31,7 @@ std::vector<std::string> studiedDemos() {
     return names;
 }
 
-// What the ordinary run measures again: of the first scene the fastest row of each method, and all rows that are faster than this.
+// The ordinary run measures again: of the first scene the fastest row of each method, and all rows that are faster than this.
 // The other scenes, whose references take longer than their rows, are left to the long run.
 constexpr double shortMs = 40;
 
@@ -194,7 +194,7 @@ TEST(StudyPages, are_there_and_fresh) {
     }
 }
 
-// What the study says, the committed rows bear out, of each machine that a sentence is about.
+// The committed rows bear out what the study says, of each machine that a sentence is about.
 TEST_P(Studies, claims_hold) {
     const DemoInfo& demo = findDemo(GetParam());
     for (const StudyRun& run : studiesInTree(MVGL_SOURCE_DIR, demo.name)) {
@@ -319,8 +319,8 @@ TEST_P(Studies, errors_and_counts_hold) {
     }
 }
 
-// --vary KNOB=a,b is two runs with --KNOB a and --KNOB b: each value is judged by what is right for it. Of each
-// knob, the ends of its range, after its initial value, whose reference must not serve them.
+// --vary KNOB=a,b is two runs with --KNOB a and --KNOB b: each value is judged by what is right for it. The ends of
+// each knob's range, after its initial value, whose reference must not serve them.
 TEST_P(Studies, a_varied_knob_is_judged_as_one_that_is_set) {
     const DemoInfo& demo = findDemo(GetParam());
     int compared = 0, moved = 0;

@@ -1,8 +1,8 @@
 #pragma once
 #include <utility>
 
+#include "mv/demo/cached.h"
 #include "mv/demo/frame.h"
-#include "mv/demo/made_for.h"
 #include "mv/demo/numbers.h"
 #include "mv/demo/own_file.h"
 #include "mv/geometry/mesh_data.h"
@@ -37,36 +37,49 @@ struct Settings {
     double spinX = 20, spinY = 0;           // degrees
 };
 
+// The smooth surface with its tangents; the displaced surface, of the wall one piece, and a mirrored piece.
+struct SmoothSurface {
+    Mesh mesh;
+    Buffer tangents;
+};
+struct DisplacedSurface {
+    Mesh mesh, turned;
+};
+
 struct Gpu {
     OnDemand<Program> smooth{"bump-map", "smooth"}, byHeight{"bump-map", "height"}, byNormal{"bump-map"},
         byParallax{"bump-map", "parallax"}, byOcclusion{"bump-map", "occlusion"}, mapProgram{"bump-map", "map"};
     OnDemand<Mesh> sheet{withoutNormals(square()), "map"};
-    // The smooth surface with its tangents, the displaced surface (one piece of the wall), and a mirrored piece
-    Mesh flat, real, turned;
-    Buffer tangents;
-    MadeFor<ReliefBody, bool> flatFor;
-    MadeFor<ReliefBody, int, int, double, bool> realFor;
+    Cached<SmoothSurface, ReliefBody, bool> flat;
+    Cached<DisplacedSurface, ReliefBody, int, int, double, bool> real;
     // The maps
-    FloatPicture heights;
-    Texture painted, normals;
-    MadeFor<ReliefBody, int, int> heightsFor;
-    MadeFor<ReliefBody, int, int, Texels> paintedFor;
-    MadeFor<ReliefBody, int, int, Texels, double> normalsFor;
+    Cached<FloatPicture, ReliefBody, int, int> heights;
+    Cached<Texture, ReliefBody, int, int, Texels> painted;
+    Cached<Texture, ReliefBody, int, int, Texels, double> normals;
     Drawing drawing;
 };
 
 // The technique: bump-map.cpp.
 void draw(Gpu& gpu, const Settings& s, const Frame& frame);
-const Program& programOf(Gpu& gpu, const Settings& s);
-void setLight(const Program& program, const Settings& s, const Frame& frame);
-void makeSmooth(Gpu& gpu, const Settings& s);
-void drawMapped(Gpu& gpu, const Program& program, const Settings& s, const Pane& pane);
-void drawReal(Gpu& gpu, const Settings& s, const Pane& pane);
-bool usesFrames(Method method);
-bool usesNormals(Method method);
+void drawBumped(Gpu& gpu, const Settings& s, const Frame& frame);
+void drawSmooth(Gpu& gpu, const Settings& s, const Pane& pane, const Frame& frame);
+void drawByHeight(Gpu& gpu, const Settings& s, const Pane& pane, const Frame& frame);
+void drawByNormal(Gpu& gpu, const Settings& s, const Pane& pane, const Frame& frame);
+void drawByParallax(Gpu& gpu, const Settings& s, const Pane& pane, const Frame& frame);
+void drawByOcclusion(Gpu& gpu, const Settings& s, const Pane& pane, const Frame& frame);
+void drawDisplaced(Gpu& gpu, const Settings& s, const Pane& pane, const Frame& frame);
+const Program& begin(const Program& program, const Settings& s, const Pane& pane, const Frame& frame);
+void setFrames(const Program& program, const Settings& s);
+void setRelief(const Program& program, const Settings& s);
+void drawFlat(Gpu& gpu, const Program& program, const Settings& s, const Pane& pane);
+SmoothSurface makeSmooth(const Relief& relief);
+void drawReal(Gpu& gpu, const Program& program, const Settings& s, const Pane& pane);
+DisplacedSurface makeDisplaced(const Relief& relief);
 
 // The maps: maps.cpp.
 void bindMaps(Gpu& gpu, const Settings& s);
+Texture upload(const Settings& s, const FloatPicture& map, const char* label);
+bool usesNormals(Method method);
 FloatPicture heightMap(const Settings& s);
 Texels formatOf(const Settings& s);
 

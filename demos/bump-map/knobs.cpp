@@ -9,6 +9,7 @@ bool isPretended(const Settings& s) { return s.method != Method::displaced; }
 bool hasLayers(const Settings& s) { return s.method == Method::occlusion; }
 bool isWall(const Settings& s) { return s.body == ReliefBody::wall; }
 bool isOrange(const Settings& s) { return s.body == ReliefBody::orange; }
+bool usesFrames(Method method) { return method != Method::smooth && method != Method::displaced; }
 bool hasMirroredFrames(const Settings& s) { return isMirrored(s) && usesFrames(s.method); }
 
 std::vector<Row<Settings>> rows() {
@@ -88,6 +89,7 @@ const bool added = addLesson(
         .handles = {{"lamp", {"lamp-turn", "lamp-height"}, placeOfLamp}, {"eye", {"angle"}, placeOfEye}},
         .readouts = {{"lookups", "texture lookups of a pixel, at most"}, {"triangles", "of what the method draws"}},
         .draw = draw,
+        .measure = drawBumped,
         .figure = drawFigure,
         .readOut = readOut,
         .scene = sceneOf,

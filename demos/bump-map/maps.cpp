@@ -7,28 +7,29 @@
 
 namespace mv::bump_map {
 
-// Remake the maps that have changed, and bind them: heights with paint, and normals computed from the heights.
+// Make the maps that have changed, and bind them: the normals, which are computed from the heights, and the heights with their paint.
 void bindMaps(Gpu& gpu, const Settings& s) {
-    const auto upload = [&](const FloatPicture& map, int unit, const char* label) {
-        Texture made(mipmaps(map), {.texels = formatOf(s), .label = label});
-        made.filterBy({.minify = GL_LINEAR_MIPMAP_LINEAR, .magnify = GL_LINEAR, .wrap = GL_REPEAT}, unit);
-        if (s.body == ReliefBody::orange)  // nothing lies beyond a pole
-            glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-        return made;
-    };
-    if (gpu.heightsFor.changed(s.body, s.mapSize, s.picture.version())) gpu.heights = heightMap(s);
+    const int version = s.picture.version();
+    const FloatPicture& heights = gpu.heights.of({s.body, s.mapSize, version}, [&] { return heightMap(s); });
     if (usesNormals(s.method)) {
-        if (gpu.normalsFor.changed(s.body, s.mapSize, s.picture.version(), formatOf(s), s.depth)) {
-            gpu.normals = upload(reliefNormals(reliefOf(gpu, s), gpu.heights), 1, "normals");
-            gpu.paintedFor.forget();  // upload it again: its texture unit was used
-        } else {
-            gpu.normals.bind(1);
-        }
+        const Texture& normals = gpu.normals.of({s.body, s.mapSize, version, formatOf(s), s.depth}, [&] {
+            return upload(s, reliefNormals(reliefOf(gpu, s), heights), "normals");
+        });
+        normals.bind(1);
     }
-    if (gpu.paintedFor.changed(s.body, s.mapSize, s.picture.version(), formatOf(s)))
-        gpu.painted = upload(gpu.heights, 0, "painted");
-    else
-        gpu.painted.bind(0);
+    const Texture& painted =
+        gpu.painted.of({s.body, s.mapSize, version, formatOf(s)}, [&] { return upload(s, heights, "painted"); });
+    painted.bind(0);
+}
+bool usesNormals(Method method) {
+    return method == Method::normal || method == Method::parallax || method == Method::occlusion;
+}
+Texture upload(const Settings& s, const FloatPicture& map, const char* label) {
+    Texture made(mipmaps(map), {.texels = formatOf(s), .label = label});
+    made.filterBy({.minify = GL_LINEAR_MIPMAP_LINEAR, .magnify = GL_LINEAR, .wrap = GL_REPEAT});
+    if (s.body == ReliefBody::orange)  // nothing lies beyond a pole
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    return made;
 }
 FloatPicture heightMap(const Settings& s) {
     if (!s.picture.isSet()) return paintedMap(s.body, s.mapSize);

@@ -27,7 +27,7 @@ Scene sceneAt(const Settings& s, double aspect) {
 Scene sceneOf(const Settings& s, const FrameInfo& frame) { return sceneAt(s, frame.aspect()); }
 
 Relief reliefOf(const Gpu& gpu, const Settings& s) {
-    return {s.body, s.depth, isMirrored(s), s.picture.isSet() ? &gpu.heights : nullptr};
+    return {s.body, s.depth, isMirrored(s), s.picture.isSet() ? &*gpu.heights : nullptr};
 }
 mat4 worldFromBody(const Settings& s) {
     return s.body == ReliefBody::orange ? rotateX(s.spinX) * rotateY(s.spinY) : mat4(1);

@@ -24,11 +24,11 @@ using namespace claims;
 void readOut(Gpu& gpu, const Settings& s, const Frame& frame, Numbers& numbers) {
     if (s.method == Method::displaced) {
         const auto [first, last] = piecesInView(s, leftPane(s, frame).aspect());
-        numbers.set("triangles", (last - first + 1) * gpu.real.count() / 3.0);
+        numbers.set("triangles", (last - first + 1) * gpu.real->mesh.count() / 3.0);
         return numbers.set("lookups", 1);
     }
     constexpr std::array<int, 5> lookupsOf{1, 5, 2, 3, 3};
-    numbers.set("triangles", gpu.flat.count() / 3.0);
+    numbers.set("triangles", gpu.flat->mesh.count() / 3.0);
     numbers.set("lookups",
                 lookupsOf.at(static_cast<std::size_t>(s.method)) + (s.method == Method::occlusion ? s.layers : 0));
 }

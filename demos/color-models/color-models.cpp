@@ -2,6 +2,7 @@
 #include "color-models.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -15,11 +16,9 @@
 namespace mv::color_models {
 
 void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
+    constexpr std::array ofShown{drawSolids, drawDiagram};  // in the order of Shows
     gpu.drawing.begin(frame);
-    if (s.shows == Shows::solids)
-        drawSolids(gpu, s, frame);
-    else
-        drawDiagram(gpu, s, frame);
+    ofShown.at(std::size_t(s.shows))(gpu, s, frame);
     drawMarks(gpu.drawing, s, frame.inUnits());
     gpu.drawing.draw(frame);
     tell(s, frame);
@@ -53,15 +52,19 @@ void drawSolids(Gpu& gpu, const Settings& s, const Frame& frame) {
     drawStrips(gpu.drawing, s, frame.inUnits());
 }
 
-// The place of a colour in a solid: HSL's lightness, HSV's value and the cube's diagonal are heights.
-vec3 placeOf(Space solid, const vec3& rgb) {
-    if (solid == cube) return modelFromRgb() * rgb;
-    if (solid == doubleCone) {
-        const Hsl hsl = hslFromRgb(rgb);
-        return aroundAxis(hsl.hue, hsl.saturation * (1 - std::abs(2 * hsl.lightness - 1)), hsl.lightness);
-    }
+// The place of a colour in each solid. The cube's diagonal, HSL's lightness and HSV's value are heights.
+static vec3 placeInCube(const vec3& rgb) { return modelFromRgb() * rgb; }
+static vec3 placeInDoubleCone(const vec3& rgb) {
+    const Hsl hsl = hslFromRgb(rgb);
+    return aroundAxis(hsl.hue, hsl.saturation * (1 - std::abs(2 * hsl.lightness - 1)), hsl.lightness);
+}
+static vec3 placeInCone(const vec3& rgb) {
     const Hsv hsv = hsvFromRgb(rgb);
     return aroundAxis(hsv.hue, hsv.saturation * hsv.value, hsv.value);
+}
+vec3 placeOf(Space solid, const vec3& rgb) {
+    constexpr std::array ofSolid{placeInCube, placeInDoubleCone, placeInCone};  // in the order of Space
+    return ofSolid.at(solid)(rgb);
 }
 
 // The place of a hue at a height, at the distance out / 2 from the axis.
@@ -87,21 +90,32 @@ mat4 clipFromModel(const Settings& s, const FrameInfo& frame) {
            (rotateX(s.solids.spinX) * rotateY(s.solids.spinY)) * translate(0, -0.5, 0);
 }
 
-// Mix two colours in HSL. A grey has no hue and takes that of the other colour. The hue goes the shorter way round.
-static Hsl mixedHsl(Hsl a, Hsl b, double t) {
-    if (a.saturation == 0) a.hue = b.hue;
-    if (b.saturation == 0) b.hue = a.hue;
-    const double turn = std::remainder(b.hue - a.hue, 360);
-    return {a.hue + t * turn, glm::mix(a.saturation, b.saturation, t), glm::mix(a.lightness, b.lightness, t)};
+// Mix the codes, or the light.
+static vec3 mixedInSrgb(const vec3& a, const vec3& b, double t) { return glm::mix(a, b, t); }
+static vec3 mixedInLinear(const vec3& a, const vec3& b, double t) {
+    return srgbFromLinear(glm::mix(linearFromSrgb(a), linearFromSrgb(b), t));
 }
 
-// The colour at part t of the way from a to b. A mixture in OKLab may lie beyond the colours of a screen.
+// Mix in HSL. A grey has no hue and takes that of the other colour. The hue goes the shorter way round.
+static vec3 mixedInHsl(const vec3& a, const vec3& b, double t) {
+    Hsl from = hslFromRgb(a), to = hslFromRgb(b);
+    if (from.saturation == 0) from.hue = to.hue;
+    if (to.saturation == 0) to.hue = from.hue;
+    const double turn = std::remainder(to.hue - from.hue, 360);
+    return rgbFromHsl(Hsl{from.hue + t * turn, glm::mix(from.saturation, to.saturation, t),
+                          glm::mix(from.lightness, to.lightness, t)});
+}
+
+// Mix in OKLab. The mixture may lie beyond the colours of a screen.
+static vec3 mixedInOklab(const vec3& a, const vec3& b, double t) {
+    const vec3 from = oklabFromLinear(linearFromSrgb(a)), to = oklabFromLinear(linearFromSrgb(b));
+    return srgbFromLinear(linearFromOklab(glm::mix(from, to, t)));
+}
+
+// The colour at part t of the way from a to b.
 vec3 mixed(Way way, const vec3& a, const vec3& b, double t) {
-    if (way == Way::srgb) return glm::mix(a, b, t);
-    if (way == Way::hsl) return rgbFromHsl(mixedHsl(hslFromRgb(a), hslFromRgb(b), t));
-    const vec3 first = linearFromSrgb(a), second = linearFromSrgb(b);
-    if (way == Way::linear) return srgbFromLinear(glm::mix(first, second, t));
-    return srgbFromLinear(linearFromOklab(glm::mix(oklabFromLinear(first), oklabFromLinear(second), t)));
+    constexpr std::array ofWay{mixedInSrgb, mixedInLinear, mixedInHsl, mixedInOklab};  // in the order of Way
+    return ofWay.at(std::size_t(way))(a, b, t);
 }
 
 // The colours of a strip: the mixtures from one end to the other.

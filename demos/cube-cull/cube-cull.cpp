@@ -1,7 +1,9 @@
 // cube-cull: a cube or a teapot whose back faces, front faces or both are discarded before they are drawn.
 #include "cube-cull.h"
 
-#include "mv/gl/functions.h"
+#include <array>
+
+#include "mv/gl/state.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
 #include "shared/wide_lines.h"
@@ -14,12 +16,11 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
 }
 
 void drawBody(Gpu& gpu, const Program& program, const Settings& s, const Frame& frame) {
-    // Discard the unwanted faces. OpenGL starts with GL_CCW as the winding of front faces, and culls GL_BACK
-    if (s.cull != Cull::none) glEnable(GL_CULL_FACE);
-    if (s.cull == Cull::front) glCullFace(GL_FRONT);
-    if (s.cull == Cull::both) glCullFace(GL_FRONT_AND_BACK);
-    if (s.winding == Winding::cw) glFrontFace(GL_CW);
-    if (s.depth) glEnable(GL_DEPTH_TEST);
+    // Discard the unwanted faces. The winding of a face's corners on the screen tells whether one sees its front
+    setEnabled(GL_CULL_FACE, s.cull != Cull::none);
+    glCullFace(glFaces(s.cull));
+    glFrontFace(glWinding(s.winding));
+    setEnabled(GL_DEPTH_TEST, s.depth);
 
     // Look at the origin from the z axis
     const mat4 clipFromView = perspective(50, frame.aspect(), 0.2, 100);
@@ -27,15 +28,25 @@ void drawBody(Gpu& gpu, const Program& program, const Settings& s, const Frame& 
     frame.show("clipFromView", clipFromView);
 
     // Draw
-    if (gpu.bodyFor.changed(s.body, s.divisions)) gpu.body = Mesh(bodyOf(s), "body");
+    const Mesh& body = gpu.body.of({s.body, s.divisions}, [&] { return Mesh(bodyOf(s), "body"); });
     program.use();
     program.set("viewFromModel", viewFromModel(s));
     program.set("clipFromView", clipFromView);
-    gpu.body.draw();
+    body.draw();
 }
 
 mat4 viewFromModel(const Settings& s) {
     return lookAt(vec3(0, 0, s.zDist), vec3(0, 0, 0), vec3(0, 1, 0)) * rotateX(-s.spinX) * rotateY(-s.spinY);
+}
+
+// OpenGL starts with GL_BACK and GL_CCW, and discards nothing.
+GLenum glFaces(Cull cull) {
+    constexpr std::array<GLenum, 4> faces{GL_BACK, GL_BACK, GL_FRONT, GL_FRONT_AND_BACK};  // in the order of Cull
+    return faces.at(std::size_t(cull));
+}
+GLenum glWinding(Winding winding) {
+    constexpr std::array<GLenum, 2> windings{GL_CCW, GL_CW};  // in the order of Winding
+    return windings.at(std::size_t(winding));
 }
 
 }  // namespace mv::cube_cull

@@ -1,10 +1,11 @@
 #pragma once
 #include <optional>
 
+#include "mv/demo/cached.h"
 #include "mv/demo/frame.h"
-#include "mv/demo/made_for.h"
 #include "mv/demo/numbers.h"
 #include "mv/geometry/shapes.h"
+#include "mv/gl/functions.h"
 #include "mv/gl/mesh.h"
 #include "mv/gl/program.h"
 
@@ -26,8 +27,7 @@ struct Settings {
 
 struct Gpu {
     Program program{"cube-cull"};
-    Mesh body;
-    MadeFor<Body, int> bodyFor;
+    Cached<Mesh, Body, int> body;
     Mesh axes{mv::axes(1.5), "axes"};
     std::optional<Program> distances;  // for the study alone
 };
@@ -35,6 +35,8 @@ struct Gpu {
 void draw(Gpu& gpu, const Settings& s, const Frame& frame);
 void drawBody(Gpu& gpu, const Program& program, const Settings& s, const Frame& frame);
 mat4 viewFromModel(const Settings& s);
+GLenum glFaces(Cull cull);
+GLenum glWinding(Winding winding);
 void check(const Settings& s);
 
 // body.cpp

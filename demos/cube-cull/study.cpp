@@ -30,7 +30,7 @@ void readOut(Gpu& gpu, const Settings& s, const Frame& frame, Numbers& numbers) 
     if (s.body == Body::cube) numbers.set("facing", faces);
     // The teapot's corners are shared, and OpenGL ES gives none back that are drawn by indices: the processor multiplies them
     const TriangleCount triangles =
-        s.body == Body::cube ? countTriangles(gpu.body) : sortTriangles(clipCorners(bodyOf(s), s, frame.aspect()));
+        s.body == Body::cube ? countTriangles(*gpu.body) : sortTriangles(clipCorners(bodyOf(s), s, frame.aspect()));
     numbers.set("culled", double(triangles.culled));
     numbers.set("outside", double(triangles.outside));
     numbers.set("surviving", double(triangles.surviving));

@@ -8,10 +8,10 @@
 namespace mv::cube_ortho {
 
 void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
-    // Let near faces hide far ones, and leave room where the volume of view is shown
+    // Let near faces hide far ones, and leave room for the volume of view
     glEnable(GL_DEPTH_TEST);
-    const Pane pane = picturePane(frame);
-    if (s.volume) glViewport(pane.x, pane.y, pane.width, pane.height);
+    const Pane pane = paneOf(s, frame);
+    glViewport(pane.x, pane.y, pane.width, pane.height);
 
     // Place the cube in front of the eye, and map the view volume to the cube from -1 to 1
     gpu.program.use();

@@ -28,6 +28,7 @@ mat4 viewFromModel(const Settings& s);
 mat4 clipFromView(const Settings& s);
 double nearDistance(const Settings& s);
 double farDistance(const Settings& s);
+Pane paneOf(const Settings& s, const FrameInfo& frame);
 ViewFigure figureOf(const Settings& s);
 void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame);
 double halfDepth(const Settings& s);

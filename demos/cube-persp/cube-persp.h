@@ -29,6 +29,7 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame);
 mat4 viewFromModel(const Settings& s);
 mat4 clipFromView(const Settings& s);
 FrustumBounds nearWindow(const Settings& s);
+Pane paneOf(const Settings& s, const FrameInfo& frame);
 ViewFigure figureOf(const Settings& s);
 void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame);
 void check(const Settings& s);

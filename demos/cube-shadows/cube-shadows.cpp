@@ -1,7 +1,10 @@
 // cube-shadows: shadows of what stands before a floor and a wall, by one matrix for any plane and any light.
 #include "cube-shadows.h"
 
+#include <array>
+
 #include "mv/demo/seen.h"
+#include "mv/gl/state.h"
 #include "mv/math/shadow.h"
 #include "mv/math/shadow_textbook.h"
 #include "mv/math/transform.h"
@@ -63,10 +66,8 @@ void drawShadows(Gpu& gpu, const Settings& s, const Scene& scene) {
     glBlendFunc(GL_ZERO, GL_SRC_COLOR);
     glStencilOp(GL_KEEP, GL_KEEP, s.once ? GL_ZERO : GL_KEEP);
 
-    if (s.cut == Cut::clip) {
-        glEnable(GL_CLIP_DISTANCE0);
-        glEnable(GL_CLIP_DISTANCE1);
-    }
+    setEnabled(GL_CLIP_DISTANCE0, s.cut == Cut::clip);
+    setEnabled(GL_CLIP_DISTANCE1, s.cut == Cut::clip);
     gpu.shadows.use();
     gpu.shadows.set("clipFromView", scene.clipFromView);
     gpu.shadows.set("darkness", s.darkness);
@@ -109,20 +110,31 @@ static glm::mat<4, 4, T> textbook(Formula formula, const glm::vec<4, T>& light, 
     return textbookShadow(light, plane, formula == Formula::transposed);
 }
 
-// One matrix from model space, flattened onto the plane, to the space `target`. The product is formed before the upload.
-mat4 flattened(const Settings& s, const mat4& targetFromWorld, const Plane& plane, const mat4& worldFromModel) {
-    const vec4 light = lightOf(s), inWorld = plane.inWorld();
-    const bool general = s.formula == Formula::general;
-    if (s.space == Space::worldFloat)
-        return mat4(fmat4(targetFromWorld) * textbook(s.formula, fvec4(light), fvec4(inWorld)) * fmat4(worldFromModel));
-    if (s.space == Space::world) {
-        const mat4 flat = general ? shadowProjection(light, inWorld) : textbook(s.formula, light, inWorld);
-        return targetFromWorld * flat * worldFromModel;
-    }
-    // Keep large coordinates away from the shadow's matrix: both of its sides are relative to the plane's point
-    const mat4 flat = general ? shadowProjection(light, inWorld, plane.origin)
-                              : textbook(s.formula, plane.localOf(light), plane.local());
+// One matrix from model space, flattened onto the plane, to the space `target`. The product is formed before the upload. Keep
+// large coordinates away from the shadow's matrix: both of its sides are relative to the plane's point.
+static mat4 flattenedLocally(const Settings& s, const mat4& targetFromWorld, const Plane& plane,
+                             const mat4& worldFromModel) {
+    const mat4 flat = s.formula == Formula::general ? shadowProjection(lightOf(s), plane.inWorld(), plane.origin)
+                                                    : textbook(s.formula, plane.localOf(lightOf(s)), plane.local());
     return (targetFromWorld * translate(plane.origin)) * flat * (translate(-plane.origin) * worldFromModel);
+}
+
+// The same in world coordinates, in double or in float.
+static mat4 flattenedInWorld(const Settings& s, const mat4& targetFromWorld, const Plane& plane,
+                             const mat4& worldFromModel) {
+    const mat4 flat = s.formula == Formula::general ? shadowProjection(lightOf(s), plane.inWorld())
+                                                    : textbook(s.formula, lightOf(s), plane.inWorld());
+    return targetFromWorld * flat * worldFromModel;
+}
+static mat4 flattenedInFloat(const Settings& s, const mat4& targetFromWorld, const Plane& plane,
+                             const mat4& worldFromModel) {
+    const fmat4 flat = textbook(s.formula, fvec4(lightOf(s)), fvec4(plane.inWorld()));
+    return mat4(fmat4(targetFromWorld) * flat * fmat4(worldFromModel));
+}
+
+mat4 flattened(const Settings& s, const mat4& targetFromWorld, const Plane& plane, const mat4& worldFromModel) {
+    constexpr std::array ofSpace{flattenedLocally, flattenedInWorld, flattenedInFloat};  // in the order of Space
+    return ofSpace.at(std::size_t(s.space))(s, targetFromWorld, plane, worldFromModel);
 }
 
 }  // namespace mv::cube_shadows

@@ -1,6 +1,7 @@
 // displacement: a wall of bricks and an orange whose vertices are really moved, by tessellation stages or by the processor.
 #include "displacement.h"
 
+#include <array>
 #include <string>
 
 #include "mv/gl/gl.h"
@@ -10,7 +11,6 @@
 namespace mv::displacement {
 
 void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
-    if (frame.measuring()) clearCoverage();
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CULL_FACE);  // the wall's back and the orange's inside show only through cracks
 
@@ -19,31 +19,31 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     const Program& program = programOf(gpu, s, frame);
     program.use();
     setLight(program, s, frame);
-    if (isTessellated(s))
-        drawPatches(gpu, program, s, frame);
-    else
-        drawPrepared(gpu, program, s, frame);
+    const auto drawSurface = isTessellated(s) ? drawPatches : drawPrepared;
+    drawSurface(gpu, program, s, frame);
 }
 
 // Send the corners of the patches. The tessellator makes the vertices between them.
 void drawPatches(Gpu& gpu, const Program& program, const Settings& s, const Frame& frame) {
     const LevelRule rule = ruleOf(s, frame);
-    makePatches(gpu, s, rule, frame);
+    const std::vector<Mesh>& corners = makePatches(gpu, s, rule, frame);
     setTessellator(program, s, rule);
     glPatchParameteri(GL_PATCH_VERTICES, 4);
-    drawCounted(gpu, gpu.corners, GL_PATCHES, frame);
+    drawCounted(gpu, corners, GL_PATCHES, frame);
 }
 
 // Count the triangles by the same rule as the control shader, whose levels OpenGL does not report. Upload the patches in as
 // many parts as a driver can number the vertices of.
-void makePatches(Gpu& gpu, const Settings& s, const LevelRule& rule, const Frame& frame) {
-    if (gpu.patchesFor.changed(s.body)) gpu.patches = reliefPatches(s.body);
-    gpu.counted = countPatches(gpu.patches, {s.body, s.depth}, rule, sceneOf(s, frame).clipFromWorld());
-    if (const int parts = gpu.counted.partsToDraw(); gpu.cornersFor.changed(s.body, parts)) {
-        gpu.corners.clear();
-        for (const MeshData& part : patchCorners(gpu.patches, parts)) gpu.corners.emplace_back(part, "patches");
-    }
+const std::vector<Mesh>& makePatches(Gpu& gpu, const Settings& s, const LevelRule& rule, const Frame& frame) {
+    const std::vector<ReliefPatch>& patches = gpu.patches.of({s.body}, [&] { return reliefPatches(s.body); });
+    gpu.counted = countPatches(patches, {s.body, s.depth}, rule, sceneOf(s, frame).clipFromWorld());
     tell(gpu.counted, s, frame);
+    const int parts = gpu.counted.partsToDraw();
+    return gpu.corners.of({s.body, parts}, [&] {
+        std::vector<Mesh> corners;
+        for (const MeshData& part : patchCorners(patches, parts)) corners.emplace_back(part, "patches");
+        return corners;
+    });
 }
 
 // Set what the control shader needs for the levels, and the evaluation shader for the positions.
@@ -69,30 +69,42 @@ LevelRule ruleOf(const Settings& s, const FrameInfo& frame) {
 
 void drawPrepared(Gpu& gpu, const Program& program, const Settings& s, const Frame& frame) {
     const bool isMoved = s.method != Method::bumped;
-    if (gpu.preparedFor.changed(s.body, s.depth, s.level, isMoved)) {
-        const MeshData smooth = cutPatches(s.body, s.level);
-        MeshData made = displaced({s.body, s.depth}, smooth);
-        if (!isMoved) made.positions = smooth.positions;
-        gpu.prepared.clear();
-        gpu.prepared.emplace_back(made, "prepared mesh");
-    }
-    frame.count("triangles made", gpu.prepared.front().count() / 3.0);
+    const std::vector<Mesh>& prepared = gpu.prepared.of({s.body, s.depth, s.level, isMoved}, [&] {
+        std::vector<Mesh> meshes;
+        meshes.emplace_back(preparedMesh(s, isMoved), "prepared mesh");
+        return meshes;
+    });
+    frame.count("triangles made", prepared.front().count() / 3.0);
     program.set("cells", double(s.level));
-    drawCounted(gpu, gpu.prepared, GL_TRIANGLES, frame);
+    drawCounted(gpu, prepared, GL_TRIANGLES, frame);
+}
+
+// Cut the patches by the processor. A mesh that is not moved is lit as if it were.
+MeshData preparedMesh(const Settings& s, bool isMoved) {
+    const MeshData smooth = cutPatches(s.body, s.level);
+    MeshData made = displaced({s.body, s.depth}, smooth);
+    if (!isMoved) made.positions = smooth.positions;
+    return made;
 }
 
 // One program for each kind: with or without tessellation, with or without lines.
 const Program& programOf(Gpu& gpu, const Settings& s, const Frame& frame) {
-    const std::pair<bool, bool> kind(isTessellated(s), hasLines(s, frame));
-    const auto known = gpu.programs.find(kind);
-    if (known != gpu.programs.end()) return known->second;
-    std::vector<std::string> files{"displacement.vert"};
-    if (kind.first) files = {"patch.vert", "patch.tesc", "patch.tese"};
-    if (kind.second) files.emplace_back("lines.geom");
-    files.emplace_back(kind.second ? "lines.frag" : "displacement.frag");
-    for (std::string& file : files) file.insert(0, "displacement/");
-    return gpu.programs.emplace(kind, Program::fromFiles(files.front() + "...", files)).first->second;
+    static const std::array<std::vector<std::string>, 4> files{
+        {{"displacement.vert", "displacement.frag"},
+         {"displacement.vert", "lines.geom", "lines.frag"},
+         {"patch.vert", "patch.tesc", "patch.tese", "displacement.frag"},
+         {"patch.vert", "patch.tesc", "patch.tese", "lines.geom", "lines.frag"}}};
+    const std::size_t kind = 2 * std::size_t(isTessellated(s)) + std::size_t(hasLines(s, frame));
+    std::optional<Program>& program = gpu.programs.at(kind);
+    if (!program) program = programFrom(files.at(kind));
+    return *program;
 }
+// The name of a program is that of its first file.
+Program programFrom(std::vector<std::string> files) {
+    for (std::string& file : files) file.insert(0, "displacement/");
+    return Program::fromFiles(files.front() + "...", files);
+}
+
 void setLight(const Program& program, const Settings& s, const Frame& frame) {
     const Scene scene = sceneOf(s, frame);
     program.set("clipFromBody", scene.clipFromWorld());
@@ -100,15 +112,18 @@ void setLight(const Program& program, const Settings& s, const Frame& frame) {
     program.set("view", towardsEye(s));
     if (hasLines(s, frame)) program.set("halfPicture", 0.5 * vec2(frame.width(), frame.height()));
     program.set("showsLevels", s.paint == Paint::levels);
-    if (s.paint == Paint::levels) program.set("levelColors", levelColors());
+    program.set("levelColors", levelColors());
 }
 
 // Bind the height map with its paint.
 void bindMap(Gpu& gpu, const Settings& s) {
-    if (!gpu.paintedFor.changed(s.body, s.mapSize)) return gpu.painted.bind(0);
-    gpu.painted = Texture(mipmaps(paintedMap(s.body, s.mapSize)), {.texels = filteredFloats(), .label = "painted"});
-    gpu.painted.filterBy({.minify = GL_LINEAR_MIPMAP_LINEAR, .magnify = GL_LINEAR, .wrap = GL_REPEAT});
-    if (s.body == ReliefBody::orange) glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    const Texture& painted = gpu.painted.of({s.body, s.mapSize}, [&] {
+        Texture map(mipmaps(paintedMap(s.body, s.mapSize)), {.texels = filteredFloats(), .label = "painted"});
+        map.filterBy({.minify = GL_LINEAR_MIPMAP_LINEAR, .magnify = GL_LINEAR, .wrap = GL_REPEAT});
+        if (s.body == ReliefBody::orange) glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+        return map;
+    });
+    painted.bind(0);
 }
 
 bool isTessellated(const Settings& s) { return s.method != Method::prepared && s.hasTessellator; }

@@ -1,11 +1,10 @@
 #pragma once
-#include <map>
+#include <array>
 #include <optional>
-#include <utility>
 #include <vector>
 
+#include "mv/demo/cached.h"
 #include "mv/demo/frame.h"
-#include "mv/demo/made_for.h"
 #include "mv/demo/numbers.h"
 #include "mv/geometry/scene.h"
 #include "mv/gl/drawing.h"
@@ -41,16 +40,13 @@ struct Settings {
 };
 
 struct Gpu {
-    std::map<std::pair<bool, bool>, Program> programs;  // with tessellation, with lines
+    std::array<std::optional<Program>, 4> programs;  // 0 and 1 without tessellation, 1 and 3 with lines
     // The patches: several meshes for the tessellator, or one mesh that the processor has cut
-    std::vector<ReliefPatch> patches;
-    std::vector<Mesh> corners, prepared;
+    Cached<std::vector<ReliefPatch>, ReliefBody> patches;
+    Cached<std::vector<Mesh>, ReliefBody, int> corners;
+    Cached<std::vector<Mesh>, ReliefBody, double, int, bool> prepared;
     PatchCount counted;
-    MadeFor<ReliefBody> patchesFor;
-    MadeFor<ReliefBody, int> cornersFor;
-    MadeFor<ReliefBody, double, int, bool> preparedFor;
-    Texture painted;
-    MadeFor<ReliefBody, int> paintedFor;
+    Cached<Texture, ReliefBody, int> painted;
     std::optional<double> rasterized;  // triangles of this picture, if a readout asks
     Drawing drawing;
 };
@@ -61,9 +57,11 @@ void bindMap(Gpu& gpu, const Settings& s);
 const Program& programOf(Gpu& gpu, const Settings& s, const Frame& frame);
 void setLight(const Program& program, const Settings& s, const Frame& frame);
 void drawPatches(Gpu& gpu, const Program& program, const Settings& s, const Frame& frame);
-void makePatches(Gpu& gpu, const Settings& s, const LevelRule& rule, const Frame& frame);
+const std::vector<Mesh>& makePatches(Gpu& gpu, const Settings& s, const LevelRule& rule, const Frame& frame);
 void setTessellator(const Program& program, const Settings& s, const LevelRule& rule);
 void drawPrepared(Gpu& gpu, const Program& program, const Settings& s, const Frame& frame);
+MeshData preparedMesh(const Settings& s, bool isMoved);
+Program programFrom(std::vector<std::string> files);
 LevelRule ruleOf(const Settings& s, const FrameInfo& frame);
 bool isTessellated(const Settings& s);
 bool isByDistance(const Settings& s);
@@ -78,7 +76,7 @@ vec3 eyeOf(const Settings& s, const FrameInfo& frame);
 
 // Beside the technique: figure.cpp, study.cpp.
 LampDial lampDial(const FrameInfo& frame);
-void clearCoverage();
+void drawCoverage(Gpu& gpu, const Settings& s, const Frame& frame);
 void drawCounted(Gpu& gpu, const std::vector<Mesh>& meshes, GLenum mode, const Frame& frame);
 void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame);
 void tell(const PatchCount& counted, const Settings& s, const Frame& frame);

@@ -38,12 +38,6 @@ void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
     drawing.draw(frame);
 }
 
-// A measured picture is 0 in the pixels beside the surface.
-void clearCoverage() {
-    glClearColor(0, 0, 0, 0);
-    glClear(GL_COLOR_BUFFER_BIT);
-}
-
 // Draw the meshes. Count the triangles that reach the rasterizer if a readout asks for their number.
 void drawCounted(Gpu& gpu, const std::vector<Mesh>& meshes, GLenum mode, const Frame& frame) {
     const auto draw = [&] {

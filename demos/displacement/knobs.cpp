@@ -104,6 +104,7 @@ const bool added = addLesson(
                             {"patches", "that are cut"},
                             {"left-out", "patches that are not, since nothing is seen of them"}},
                .draw = draw,
+               .measure = drawCoverage,
                .figure = drawFigure,
                .readOut = readOut,
                .fallback = fallback,

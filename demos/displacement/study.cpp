@@ -10,6 +10,7 @@
 
 #include "displacement.h"
 #include "mv/demo/lesson.h"
+#include "mv/gl/functions.h"
 #include "shared/relief_rays.h"
 
 namespace mv::displacement {
@@ -21,6 +22,13 @@ void readOut(Gpu& gpu, const Settings& s, const Frame&, Numbers& numbers) {
     if (!isTessellated(s)) return;
     numbers.set("patches", double(gpu.counted.patches - gpu.counted.leftOut));
     numbers.set("left-out", double(gpu.counted.leftOut));
+}
+
+// Draw what a study measures: a picture that is 0 in the pixels beside the surface.
+void drawCoverage(Gpu& gpu, const Settings& s, const Frame& frame) {
+    glClearColor(0, 0, 0, 0);
+    glClear(GL_COLOR_BUFFER_BIT);
+    draw(gpu, s, frame);
 }
 
 namespace {

@@ -10,6 +10,7 @@
 #include "mv/demo/seen.h"
 #include "mv/geometry/bounds.h"
 #include "mv/gl/gl.h"
+#include "mv/gl/state.h"
 #include "mv/math/transform.h"
 #include "shared/own_picture.h"
 
@@ -18,27 +19,37 @@ namespace mv::environment {
 void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     const Scene scene = seen(sceneOf(s, frame), frame);
     glEnable(GL_DEPTH_TEST);
-    if (s.seamless) glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
-
-    // 1. Draw the surroundings into a cube map
-    gpu.facesDrawn = inRoom(s) && looksUp(s) ? drawFaces(gpu, s, frame) : 0;  // room.cpp
-    bindCube(gpu, s);
-
-    // 2. Draw the body, whose shader looks up the cube map
-    drawBody(gpu, s, scene, frame);
-
-    // 3. Draw the surroundings as the eye sees them
-    if (!frame.measuring()) drawAround(gpu, s, scene, frame);  // room.cpp
+    drawMirroring(gpu, s, scene, frame);
+    drawAround(gpu, s, scene, frame);  // room.cpp
     tell(s, frame);
 }
 
-// Bind the cube map. That of the room has been drawn; that of a sky or a picture is computed here.
-void bindCube(Gpu& gpu, const Settings& s) {
-    if (!inRoom(s) && gpu.skyFor.changed(s.cubeSize, s.picture.version()))
-        gpu.skyMap =
-            CubeMap(s.picture.isSet() ? ownCube(*s.picture.content(), s.cubeSize) : skyCube(s.cubeSize), "sky");
-    const CubeMap& cube = !looksUp(s) ? *gpu.noCube : inRoom(s) ? gpu.roomMap : gpu.skyMap;
-    cube.bind(0);
+void drawMirroring(Gpu& gpu, const Settings& s, const Scene& scene, const Frame& frame) {
+    // 1. Draw the surroundings into a cube map, or compute it
+    setEnabled(GL_TEXTURE_CUBE_MAP_SEAMLESS, s.seamless);
+    const auto bindCube = inRoom(s) ? bindRoom : bindSky;
+    bindCube(gpu, s, frame);
+
+    // 2. Draw the body, whose shader looks up the cube map
+    drawBody(gpu, s, scene, frame);
+}
+
+// Bind the cube map of the room, after those of its faces are drawn that have changed. Rays look up no cube map.
+void bindRoom(Gpu& gpu, const Settings& s, const Frame& frame) {
+    gpu.facesDrawn = 0;
+    if (s.lookup == Lookup::rays) return gpu.noCube->bind(0);
+    gpu.facesDrawn = drawFaces(gpu, s, frame);  // room.cpp
+    gpu.roomMap.bind(0);
+}
+
+// Bind the cube map of a sky or of a picture, which is computed.
+void bindSky(Gpu& gpu, const Settings& s, const Frame&) {
+    gpu.facesDrawn = 0;
+    const CubeMap& sky = gpu.skyMap.of({s.cubeSize, s.picture.version()}, [&] { return CubeMap(skyFaces(s), "sky"); });
+    sky.bind(0);
+}
+std::array<FloatPicture, cubeFaces> skyFaces(const Settings& s) {
+    return s.picture.isSet() ? ownCube(*s.picture.content(), s.cubeSize) : skyCube(s.cubeSize);
 }
 
 // Draw the body. In each pixel the shader reflects and refracts the line of sight, looks up the light from both directions, and
@@ -90,9 +101,9 @@ Coating coatingOf(const Settings& s) {
 
 // A model of the user's replaces the body, and is as large as the sphere.
 const Mesh& bodyOf(Gpu& gpu, const Settings& s) {
-    if (!s.model.isSet()) return isSphere(s) ? *gpu.round : *gpu.teapotMesh;
-    if (gpu.modelFor.changed(s.model.version())) gpu.model = Mesh(fitted(s.model.content()->mesh), "model");
-    return gpu.model;
+    const std::array ofBody{&gpu.round, &gpu.teapotMesh};  // in the order of Body
+    if (!s.model.isSet()) return **ofBody.at(std::size_t(s.body));
+    return gpu.model.of({s.model.version()}, [&] { return Mesh(fitted(s.model.content()->mesh), "model"); });
 }
 MeshData fitted(MeshData mesh) {
     const vec3 middle = boundsOf(mesh).middle();
@@ -114,7 +125,7 @@ mat4 worldFromBody(const Settings& s) {
 }
 vec3 eyeOf(const Scene& scene) { return vec3(glm::inverse(scene.viewFromWorld)[3]); }
 
-// A picture of the user's replaces the surroundings, as a sky does. Rays look up no cube map.
+// A picture of the user's replaces the surroundings, as a sky does.
 bool inRoom(const Settings& s) { return s.around == Around::room && !s.picture.isSet(); }
 bool looksUp(const Settings& s) { return !inRoom(s) || s.lookup != Lookup::rays; }
 bool splits(const Settings& s) { return inRoom(s) && s.split; }

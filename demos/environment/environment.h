@@ -1,6 +1,7 @@
 #pragma once
 #include <optional>
 
+#include "mv/demo/cached.h"
 #include "mv/demo/frame.h"
 #include "mv/demo/made_for.h"
 #include "mv/demo/numbers.h"
@@ -57,11 +58,10 @@ struct Gpu {
         pane{MeshData{.primitive = Primitive::triangleStrip,
                       .positions = {{-1, -1, 0}, {1, -1, 0}, {-1, 1, 0}, {1, 1, 0}}},
              "pane"};
-    Mesh model;
-    MadeFor<int> modelFor;
-    CubeMap skyMap, roomMap;
+    Cached<Mesh, int> model;
+    Cached<CubeMap, int, int> skyMap;
+    CubeMap roomMap;
     OnDemand<CubeMap> noCube{skyCube(1), "no cube"};  // the sampler must have a cube, even where rays look up none
-    MadeFor<int, int> skyFor;
     MadeFor<int, double> roomFor;
     double drawnRound = 0;  // degrees: the ball's place in the cube map
     int facesDrawn = 0;     // for this picture
@@ -70,7 +70,10 @@ struct Gpu {
 
 // The technique: environment.cpp, and room.cpp for the surroundings.
 void draw(Gpu& gpu, const Settings& s, const Frame& frame);
-void bindCube(Gpu& gpu, const Settings& s);
+void drawMirroring(Gpu& gpu, const Settings& s, const Scene& scene, const Frame& frame);
+void bindRoom(Gpu& gpu, const Settings& s, const Frame& frame);
+void bindSky(Gpu& gpu, const Settings& s, const Frame& frame);
+std::array<FloatPicture, cubeFaces> skyFaces(const Settings& s);
 void drawBody(Gpu& gpu, const Settings& s, const Scene& scene, const Frame& frame);
 void setSurface(const Program& program, const Settings& s);
 int waysOut(const Settings& s);
@@ -100,6 +103,7 @@ Pane viewPane(const FrameInfo& frame);
 Pane paneOf(const Frame& frame);
 void tell(const Settings& s, const Frame& frame);
 void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame);
+void drawMeasured(Gpu& gpu, const Settings& s, const Frame& frame);
 void readOut(Gpu& gpu, const Settings& s, const Frame& frame, Numbers& numbers);
 
 }  // namespace mv::environment

@@ -138,6 +138,7 @@ const bool added =
                                       {"head-on", "part of the light that is reflected head on, as luminance"},
                                       {"limit", "angle from which on the bubble reflects all", "deg"}},
                          .draw = draw,
+                         .measure = drawMeasured,
                          .figure = drawFigure,
                          .readOut = readOut,
                          .check = check,

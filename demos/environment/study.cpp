@@ -4,6 +4,8 @@
 
 #include "environment.h"
 #include "mv/demo/lesson.h"
+#include "mv/demo/seen.h"
+#include "mv/gl/functions.h"
 #include "mv/math/color.h"
 #include "shared/seen_pixels.h"
 #include "shiny_sphere.h"
@@ -11,6 +13,12 @@
 namespace mv::environment {
 
 using namespace claims;
+
+// The body alone, without the surroundings behind it.
+void drawMeasured(Gpu& gpu, const Settings& s, const Frame& frame) {
+    glEnable(GL_DEPTH_TEST);
+    drawMirroring(gpu, s, seen(sceneOf(s, frame), frame), frame);
+}
 
 void readOut(Gpu& gpu, const Settings& s, const Frame& frame, Numbers& numbers) {
     if (!frame.measuring()) numbers.set("faces-drawn", gpu.facesDrawn);

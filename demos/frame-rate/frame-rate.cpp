@@ -12,10 +12,31 @@
 namespace mv::frame_rate {
 
 void draw(Gpu& gpu, const Settings& s, const Running& now, const Frame& frame) {
-    const bool areDisplays = s.beside == Beside::displays;
-    const std::array<double, 4> time = areDisplays ? timesBeside(s, now) : times(s, now);
+    constexpr std::array ofBeside{drawDisplays, drawWays};  // in the order of Beside
+    gpu.drawing.begin(frame);
+    ofBeside.at(std::size_t(s.beside))(gpu, s, now, frame);
+    gpu.drawing.draw(frame);
+    frame.count("pictures of the display", double(now.pictures));
+}
 
-    // Draw a cube for each way, or display, turned by its time
+// Draw cubes, clocks and balls by the times of the four ways, and how long each of the last pictures stayed.
+void drawWays(Gpu& gpu, const Settings& s, const Running& now, const Frame& frame) {
+    const std::array<double, 4> time = times(s, now);
+    drawCubes(gpu, s, time, frame);
+    drawClocks(gpu.drawing, s, now, time, frame.inUnits());
+    drawPictures(gpu.drawing, s, now, frame.inUnits());
+}
+
+// The same by the first way's times on three displays, and how the error grew.
+void drawDisplays(Gpu& gpu, const Settings& s, const Running& now, const Frame& frame) {
+    const std::array<double, 4> time = timesBeside(s, now);
+    drawCubes(gpu, s, time, frame);
+    drawClocks(gpu.drawing, s, now, time, frame.inUnits());
+    drawErrors(gpu.drawing, s, now, frame.inUnits());
+}
+
+// Draw a cube for each time, turned as far as it is after this time.
+void drawCubes(Gpu& gpu, const Settings& s, const std::array<double, 4>& time, const Frame& frame) {
     glEnable(GL_DEPTH_TEST);
     gpu.program.use();
     for (int way = 0; way < 4; ++way) {
@@ -26,13 +47,6 @@ void draw(Gpu& gpu, const Settings& s, const Running& now, const Frame& frame) {
         gpu.cube.draw();
     }
     glViewport(0, 0, frame.width(), frame.height());
-
-    // Draw clocks and balls by the same times, and show how long each of the last pictures stayed, or how the error grew
-    gpu.drawing.begin(frame);
-    drawClocks(gpu.drawing, s, now, time, frame.inUnits());
-    (areDisplays ? drawErrors : drawPictures)(gpu.drawing, s, now, frame.inUnits());
-    gpu.drawing.draw(frame);
-    frame.count("pictures of the display", double(now.pictures));
 }
 
 // Move from one picture to the next. `elapsed` is the time that a program measures between the two. Returns the steps of the

@@ -91,6 +91,9 @@ constexpr int mostSteps = 5;  // for one picture, with a cap
 
 // The technique: frame-rate.cpp. All times are seconds.
 void draw(Gpu& gpu, const Settings& s, const Running& now, const Frame& frame);
+void drawWays(Gpu& gpu, const Settings& s, const Running& now, const Frame& frame);
+void drawDisplays(Gpu& gpu, const Settings& s, const Running& now, const Frame& frame);
+void drawCubes(Gpu& gpu, const Settings& s, const std::array<double, 4>& time, const Frame& frame);
 std::array<double, 4> times(const Settings& s, const Running& now);
 std::array<double, 4> timesBeside(const Settings& s, const Running& now);
 double turnOf(const Settings& s, double time);

@@ -50,21 +50,26 @@ bool reaches(const Settings& s, const Scene& scene, std::size_t light) {
            (isEndless || canReach(scene, scene.clipFromWorld(), placeOf(s, light), reach(s)));
 }
 
+// The shader knows directional lights (0), points (1) and spots (2). A lamp that is off is a point without power.
+static int shaderKind(Kind kind) {
+    constexpr std::array kinds{1, 1, 0, 1, 2};  // in the order of Kind; an ambient light is never sent
+    return kinds.at(std::size_t(kind));
+}
+
 // Set the uniforms of a light, at its place in the shader's array.
 static void setLight(const Program& program, const Settings& s, std::size_t light, std::size_t place) {
     const auto element = [&](const char* name) { return name + ("[" + std::to_string(place) + "]"); };
     const Kind kind = s.kinds[light];
-    const Kind model = kind == Kind::off ? Kind::point : kind;
+    program.set(element("kind").c_str(), shaderKind(kind));
     program.set(element("power").c_str(), strength(s, light));
-    program.set(element("kind").c_str(), static_cast<int>(model) - static_cast<int>(Kind::directional));
     program.set(element("place").c_str(), kind == Kind::directional ? towardsSun(s, light) : placeOf(s, light));
-    if (kind == Kind::spot) program.set(element("axis").c_str(), axisOf(s, light));
+    program.set(element("axis").c_str(), axisOf(s, light));
 }
 void setLights(const Program& program, const Settings& s, const std::vector<std::size_t>& sent) {
     program.set("ambient", ambient(s));
     program.set("falloff", vec3(s.constant, s.linear, s.quadratic));
     program.set("size", s.size);
-    program.set("reach", std::isfinite(reach(s)) ? reach(s) : 0.0);
+    program.set("reach", std::min(reach(s), 1e30));  // farther than anything, where nothing is cut off
     program.set("encode", s.encode);
     program.set("innerCosine", std::cos(radians(s.inner)));
     program.set("outerCosine", std::cos(radians(s.outer)));

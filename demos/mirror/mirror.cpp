@@ -1,45 +1,56 @@
 // mirror: a plane mirror, and two that face each other, by the stencil buffer or by a texture.
 #include "mirror.h"
 
+#include <array>
 #include <cmath>
 #include <glm/matrix.hpp>
 
 #include "mv/gl/beyond_es.h"
 #include "mv/gl/gl.h"
+#include "mv/gl/state.h"
 
 namespace mv::mirror {
 
 void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
+    constexpr std::array ofMethod{drawByStencil, drawByTexture};  // in the order of Method; texture.cpp
     const Sight sight = sightOf(s, frame);
-    const vec2 size(frame.width(), frame.height());
     gpu.meshes.follow(sight.scene);
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CULL_FACE);
-    if (s.method == Method::texture) drawTextures(gpu, s, sight, frame);  // texture.cpp
+    ofMethod.at(std::size_t(s.method))(gpu, s, sight, frame);
+    tell(s, sight, frame);
+}
 
+void drawByStencil(Gpu& gpu, const Settings& s, const Sight& sight, const Frame&) {
     // Draw the world itself, and the mirrors in it. Each mirror marks its pixels in the stencil buffer
     drawWorld(gpu, s, sight, viewAfter(s, sight, 0, 0), 1);
-    if (s.method == Method::stencil) glEnable(GL_STENCIL_TEST);
+    glEnable(GL_STENCIL_TEST);
     glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
     for (std::size_t chain = 0; chain < sight.chains.size(); ++chain) {
         glStencilFunc(GL_ALWAYS, 1 + 128 * static_cast<int>(chain), ~0U);
-        drawMirror(gpu, s, sight, chain, 0, size);
+        drawEmpty(gpu, s, sight, chain, 0, s.reflectance);
     }
-    if (s.method == Method::stencil) drawWhereMarked(gpu, s, sight, size);
-    tell(s, sight, frame);
+
+    // Draw bounce after bounce where the marks are
+    gpu.work = {};
+    glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+    for (int bounce = 1; bounce <= s.bounces; ++bounce) {
+        for (std::size_t chain = 0; chain < sight.chains.size(); ++chain) {
+            if (bounce <= sight.length(chain)) drawBounce(gpu, s, sight, chain, bounce);
+        }
+    }
 }
 
 // Draw one bounce: the reflected world, where the mark shows that the mirror is seen. Two mirrors may be seen beside each
 // other, so their marks differ by 128.
-static void drawBounce(Gpu& gpu, const Settings& s, const Sight& sight, std::size_t chain, int bounce,
-                       const vec2& size) {
+void drawBounce(Gpu& gpu, const Settings& s, const Sight& sight, std::size_t chain, int bounce) {
     glStencilFunc(GL_EQUAL, bounce + 128 * static_cast<int>(chain), ~0U);
 
     // 1. Reset all depths of the mirror to the farthest
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     glDepthFunc(GL_ALWAYS);
     glDepthRange(1, 1);
-    drawMirror(gpu, s, sight, chain, bounce - 1, size);
+    drawEmpty(gpu, s, sight, chain, bounce - 1, 0);
     glDepthRange(0, 1);
     glDepthFunc(GL_LESS);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -50,17 +61,8 @@ static void drawBounce(Gpu& gpu, const Settings& s, const Sight& sight, std::siz
     // 3. Draw the other mirror in that world, which increments the mark
     if (bounce == sight.length(chain)) return;
     glStencilOp(GL_KEEP, GL_KEEP, GL_INCR);
-    drawMirror(gpu, s, sight, chain, bounce, size);
+    drawEmpty(gpu, s, sight, chain, bounce, std::pow(s.reflectance, bounce + 1));
     glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
-}
-void drawWhereMarked(Gpu& gpu, const Settings& s, const Sight& sight, const vec2& size) {
-    gpu.work = {};
-    glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
-    for (int bounce = 1; bounce <= s.bounces; ++bounce) {
-        for (std::size_t chain = 0; chain < sight.chains.size(); ++chain) {
-            if (bounce <= sight.length(chain)) drawBounce(gpu, s, sight, chain, bounce, size);
-        }
-    }
 }
 
 // Each reflection reverses the winding of all faces.
@@ -76,7 +78,7 @@ void drawWorld(Gpu& gpu, const Settings& s, const Sight& sight, const View& view
         gpu.world.set("clips", clips);
         gpu.world.set("beforeMirror", view.before);
     }
-    if (clips) glEnable(GL_CLIP_DISTANCE0);
+    setEnabled(GL_CLIP_DISTANCE0, clips);
     setFront(s, view.bounce);
     const auto all = gpu.meshes.of(sight.scene);
     for (const std::size_t i : shownIn(gpu, s, sight, view)) {
@@ -87,22 +89,20 @@ void drawWorld(Gpu& gpu, const Settings& s, const Sight& sight, const View& view
         gpu.world.set("clipFromObject", view.clipFromWorld * object.worldFromObject);
         mesh.draw();
     }
-    if (clips) glDisable(GL_CLIP_DISTANCE0);
+    switchOff(GL_CLIP_DISTANCE0);
 }
 
-// Draw a mirror of the chain as it is seen after `bounce` reflections: with its texture, or empty.
-void drawMirror(Gpu& gpu, const Settings& s, const Sight& sight, std::size_t chain, int bounce, const vec2& size) {
+// Draw a mirror before anything is seen in it: a `part` of the sky's light.
+void drawEmpty(Gpu& gpu, const Settings& s, const Sight& sight, std::size_t chain, int bounce, double part) {
+    gpu.plain->use();
+    gpu.plain->set("sky", part * sky);
+    drawMirror(gpu, *gpu.plain, s, sight, chain, bounce);
+}
+
+// Draw a mirror of the chain as it is seen after `bounce` reflections: move the unit square of the plane y = 0 onto it.
+void drawMirror(Gpu& gpu, const Program& surface, const Settings& s, const Sight& sight, std::size_t chain,
+                int bounce) {
     const Mirror& mirror = sight.mirrors[sight.chains[chain][static_cast<std::size_t>(bounce)].which];
-    const bool hasTexture = s.method == Method::texture && bounce < s.bounces;
-    const Program& surface = hasTexture ? *gpu.textured : *gpu.plain;
-    surface.use();
-    if (hasTexture) {
-        textureOf(gpu, chain, bounce + 1).bindColor(0);
-        surface.set("lookup", vec3(1.0 / size, s.reflectance));
-    } else {
-        surface.set("sky", std::pow(s.reflectance, s.method == Method::texture ? 1 : bounce + 1) * sky);
-    }
-    // Move the unit square of the plane y = 0 onto the mirror
     const mat4 worldFromSquare(vec4(2.0 * mirror.halfU, 0), vec4(vec3(mirror.plane()), 0), vec4(-2.0 * mirror.halfV, 0),
                                vec4(mirror.middle, 1));
     surface.set("clipFromSquare", viewAfter(s, sight, chain, bounce).clipFromWorld * worldFromSquare);

@@ -72,10 +72,15 @@ struct Gpu {
 
 // The technique: mirror.cpp, and by textures texture.cpp.
 void draw(Gpu& gpu, const Settings& s, const Frame& frame);
-void drawWhereMarked(Gpu& gpu, const Settings& s, const Sight& sight, const vec2& size);
+void drawByStencil(Gpu& gpu, const Settings& s, const Sight& sight, const Frame& frame);
+void drawBounce(Gpu& gpu, const Settings& s, const Sight& sight, std::size_t chain, int bounce);
+void drawByTexture(Gpu& gpu, const Settings& s, const Sight& sight, const Frame& frame);
 void drawTextures(Gpu& gpu, const Settings& s, const Sight& sight, const Frame& frame);
+void drawTexture(Gpu& gpu, const Settings& s, const Sight& sight, std::size_t chain, int bounce, const Frame& frame);
+void drawTextured(Gpu& gpu, const Settings& s, const Sight& sight, std::size_t chain, int bounce, const vec2& size);
 Target& textureOf(Gpu& gpu, std::size_t chain, int bounce);
-void drawMirror(Gpu& gpu, const Settings& s, const Sight& sight, std::size_t chain, int bounce, const vec2& size);
+void drawEmpty(Gpu& gpu, const Settings& s, const Sight& sight, std::size_t chain, int bounce, double part);
+void drawMirror(Gpu& gpu, const Program& surface, const Settings& s, const Sight& sight, std::size_t chain, int bounce);
 void drawWorld(Gpu& gpu, const Settings& s, const Sight& sight, const View& view, double part);
 View viewAfter(const Settings& s, const Sight& sight, std::size_t chain, int bounce);
 

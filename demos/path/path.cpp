@@ -3,6 +3,7 @@
 #include "path.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -58,16 +59,26 @@ void makeLap(Gpu& gpu, const Ride& ride) {
     gpu.trackOnGround = Mesh(trackMesh(gpu.lap.samples, gpu.lap.frames), "track");
 }
 
-// The frames of the samples by the rule for up. Minimizing frames are carried along the curve, and `spread` closes them.
-FramesByRule framesOf(const Ride& ride, const std::vector<PathSample>& samples) {
-    const vec3 gravity(0, -9.81, 0);
-    if (ride.up == Up::fixed) return framesByUp(samples, worldUp);
-    if (ride.up == Up::acceleration) return framesByAcceleration(samples);
-    if (ride.up == Up::banking) return framesByBanking(samples, gravity);
+using Samples = std::vector<PathSample>;
+
+// Three rules ask the curve alone at each sample: up is the world's, the acceleration, or the acceleration minus gravity.
+static FramesByRule framesFixed(const Ride&, const Samples& samples) { return framesByUp(samples, worldUp); }
+static FramesByRule framesAccelerated(const Ride&, const Samples& samples) { return framesByAcceleration(samples); }
+static FramesByRule framesBanked(const Ride&, const Samples& samples) {
+    return framesByBanking(samples, vec3(0, -9.81, 0));
+}
+
+// The fourth rule carries the frame along the curve without a turn about it. `spread` closes the frames after a lap.
+static FramesByRule framesCarried(const Ride& ride, const Samples& samples) {
     FramesByRule carried;
     carried.frames = minimizingFrames(samples, worldUp, ride.transport);
     if (ride.spread) carried.frames = closedFrames(samples, std::move(carried.frames));
     return carried;
+}
+
+FramesByRule framesOf(const Ride& ride, const Samples& samples) {
+    constexpr std::array ofUp{framesFixed, framesAccelerated, framesBanked, framesCarried};  // in the order of Up
+    return ofUp.at(std::size_t(ride.up))(ride, samples);
 }
 
 std::vector<PathSample> samplesOf(const Ride& ride) {

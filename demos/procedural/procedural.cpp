@@ -38,9 +38,11 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     nameFinerOctaves(s, frame);
 }
 
+// Draw a square for wall and floor, or a sphere.
 void drawBody(Gpu& gpu, const Settings& s) {
+    const std::array ofView{&gpu.flat, &gpu.flat, &gpu.ball};  // in the order of View
     glEnable(GL_DEPTH_TEST);
-    (s.view == View::sphere ? *gpu.ball : *gpu.flat).draw();
+    (*ofView.at(std::size_t(s.view)))->draw();
 }
 
 // Set the centre of the pattern. With the origin near, the shader gets the cell of each octave and the place in it, from
@@ -94,17 +96,25 @@ PatternPlace placeOf(const Settings& s) {
     return {s.pattern, s.octaves, zooms ? std::log2(s.zoom) : 0.0, patternCentre(s.distance)};
 }
 
-// The bodies: a square for wall and floor, and a sphere. `offsetFromBody` maps them to the pattern, relative to its centre.
-BodyMatrices bodyMatrices(const Settings& s, const FrameInfo& frame) {
-    const mat4 turn = rotateX(20) * rotateY(s.turn);
-    if (s.view == View::wall)
-        return {scale(2) * rotateX(90), turn, scale(3 * frame.aspect() / s.zoom, 3 / s.zoom, 1) * rotateX(90)};
-    const mat4 clipFromView = perspective(40, frame.aspect(), 0.1, 1000);
-    const vec3 up(0, 1, 0);
-    if (s.view == View::sphere)
-        return {clipFromView * lookAt(vec3(0, 0, 4.2), vec3(0), up) * rotateX(20) * rotateY(s.turn), turn, mat4(1)};
-    return {clipFromView * lookAt(vec3(0, 1, 0), vec3(0, 0.6, -2), up) * translate(0, 0, -200) * scale(400), turn,
+static mat4 turnOf(const Settings& s) { return rotateX(20) * rotateY(s.turn); }
+static mat4 clipFromWorld(const FrameInfo& frame, const vec3& eye, const vec3& at) {
+    return perspective(40, frame.aspect(), 0.1, 1000) * lookAt(eye, at, vec3(0, 1, 0));
+}
+
+// Place each body before the eye. `offsetFromBody` maps its points to the pattern, relative to the pattern's centre.
+static BodyMatrices wallMatrices(const Settings& s, const FrameInfo& frame) {
+    return {scale(2) * rotateX(90), turnOf(s), scale(3 * frame.aspect() / s.zoom, 3 / s.zoom, 1) * rotateX(90)};
+}
+static BodyMatrices floorMatrices(const Settings& s, const FrameInfo& frame) {
+    return {clipFromWorld(frame, {0, 1, 0}, {0, 0.6, -2}) * translate(0, 0, -200) * scale(400), turnOf(s),
             rotateX(90) * scale(400) * translate(0, 0, -0.5)};
+}
+static BodyMatrices sphereMatrices(const Settings& s, const FrameInfo& frame) {
+    return {clipFromWorld(frame, {0, 0, 4.2}, {0, 0, 0}) * rotateX(20) * rotateY(s.turn), turnOf(s), mat4(1)};
+}
+BodyMatrices bodyMatrices(const Settings& s, const FrameInfo& frame) {
+    constexpr std::array ofView{wallMatrices, floorMatrices, sphereMatrices};  // in the order of View
+    return ofView.at(std::size_t(s.view))(s, frame);
 }
 
 const Ramp& rampOf(Pattern pattern) {

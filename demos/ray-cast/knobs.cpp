@@ -126,6 +126,7 @@ const bool added =
                                        "0.05 of the scale",
                                        "px"}},
                          .draw = draw,
+                         .measure = drawNumbers,
                          .figure = drawFigure,
                          .readOut = readOut,
                          .scene = sceneOf,

@@ -2,20 +2,31 @@
 #include "ray-cast.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "mv/demo/seen.h"
 #include "mv/gl/text.h"
 #include "shared/in_rows.h"
 
 namespace mv::ray_cast {
 
 void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
-    drawTriangles(gpu, s, frame);  // by OpenGL: the scene from the side, and the picture with --by gl
-    if (s.by == Maker::gl || frame.measuring()) return;
+    constexpr std::array ofMaker{drawCast, drawCast, drawByGl};  // in the order of Maker
+
+    const Scene scene = seen(sceneOf(s, frame), frame);
+    beginTriangles(gpu, scene);  // triangles.cpp
+    drawFromSide(gpu, s, scene, frame);
+    ofMaker.at(std::size_t(s.by))(gpu, s, scene, frame);
+}
+
+// Show the picture that the processor makes, of rays, or of triangles that it fills.
+void drawCast(Gpu& gpu, const Settings& s, const Scene&, const Frame& frame) {
     const int width = picturePane(frame).width;
-    if (gpu.pictureFor.changed(withoutPixel(s), width)) gpu.picture = pictureOf(s, keptSeen(gpu, s), width);
-    showImage(frame, 0, frame.height() - width, gpu.picture);
+    const Picture& picture =
+        gpu.picture.of({withoutPixel(s), width}, [&] { return pictureOf(s, keptSeen(gpu, s), width); });
+    showImage(frame, 0, frame.height() - width, picture);
 }
 
 // Send a ray through the middle of each pixel, and keep the first object that it meets.

@@ -5,8 +5,8 @@
 
 #include "cast_objects.h"
 #include "cast_side.h"
+#include "mv/demo/cached.h"
 #include "mv/demo/frame.h"
-#include "mv/demo/made_for.h"
 #include "mv/demo/numbers.h"
 #include "mv/geometry/ray.h"
 #include "mv/geometry/scene.h"
@@ -50,12 +50,9 @@ struct Gpu {
     Program program{"ray-cast"};
     SceneMeshes meshes;
     Drawing drawing;
-    // The last picture, and the settings that made it
-    Seen seen;
-    Picture picture;
-    int unlike = 0;
-    MadeFor<Settings> seenFor, unlikeFor;
-    MadeFor<Settings, int> pictureFor;
+    Cached<Seen, Settings> seen;
+    Cached<Picture, Settings, int> picture;
+    Cached<int, Settings> unlike;
 };
 
 // The objects as triangles, at scale 1. The teapot has a tree of its own.
@@ -72,6 +69,7 @@ struct Shown {
 
 // The technique: ray-cast.cpp.
 void draw(Gpu& gpu, const Settings& s, const Frame& frame);
+void drawCast(Gpu& gpu, const Settings& s, const Scene& scene, const Frame& frame);
 Seen castRays(const Settings& s);
 CastEye eyeOf(const Settings& s);
 Ray rayOf(const Settings& s, int column, int row);
@@ -87,7 +85,10 @@ std::vector<CastKind> kindsOf(const Settings& s);
 Shown shownBy(const Settings& s);
 vec3 normalOf(const SceneTriangle& triangle);
 Scene sceneOf(const Settings& s, const FrameInfo& frame);
-void drawTriangles(Gpu& gpu, const Settings& s, const Frame& frame);
+void beginTriangles(Gpu& gpu, const Scene& scene);
+void drawFromSide(Gpu& gpu, const Settings& s, const Scene& scene, const Frame& frame);
+void drawByGl(Gpu& gpu, const Settings& s, const Scene& scene, const Frame& frame);
+void drawNumbers(Gpu& gpu, const Settings& s, const Frame& frame);
 Settings withoutPixel(Settings s);
 
 // The chosen pixel, and the scene from the side: figure.cpp.

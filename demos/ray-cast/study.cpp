@@ -34,10 +34,10 @@ void readOut(Gpu& gpu, const Settings& s, const Frame& frame, Numbers& numbers) 
     numbers.set("candidates", double(met.size()));
     if (!met.empty()) numbers.set("t", met.front().hit.t);
     if (s.by == Maker::gl) return;
-    if (gpu.unlikeFor.changed(withoutPixel(s))) gpu.unlike = countUnlike(keptSeen(gpu, s), s);
-    numbers.set("unlike", gpu.unlike);
-    if (gpu.unlike > 0)
-        frame.say(std::to_string(gpu.unlike) + " pixels have another object or t than by the stable form in double.");
+    const int unlike = gpu.unlike.of({withoutPixel(s)}, [&] { return countUnlike(keptSeen(gpu, s), s); });
+    numbers.set("unlike", unlike);
+    if (unlike > 0)
+        frame.say(std::to_string(unlike) + " pixels have another object or t than by the stable form in double.");
 }
 
 // For the study: each pixel's t without the distance, in units of the scale; 10 for the sky.

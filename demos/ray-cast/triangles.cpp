@@ -6,6 +6,7 @@
 
 #include "cast_meshes.h"
 #include "depth_raster.h"
+#include "mv/demo/made_for.h"
 #include "mv/demo/seen.h"
 #include "mv/gl/gl.h"
 #include "mv/math/projection.h"
@@ -78,8 +79,7 @@ static Seen rasterize(const Settings& s) {
 
 Seen seenBy(const Settings& s) { return s.by == Maker::raster ? rasterize(s) : castRays(s); }
 const Seen& keptSeen(Gpu& gpu, const Settings& s) {
-    if (gpu.seenFor.changed(withoutPixel(s))) gpu.seen = seenBy(s);
-    return gpu.seen;
+    return gpu.seen.of({withoutPixel(s)}, [&] { return seenBy(s); });
 }
 
 static SceneObject teapotMesh(const Settings& s) {
@@ -118,17 +118,27 @@ static void drawInto(Gpu& gpu, const Settings& s, const Scene& scene, const mat4
     }
 }
 
-// Draw the scene from the side, and for OpenGL's picture as the eye sees it. For the study draw each object's number.
-void drawTriangles(Gpu& gpu, const Settings& s, const Frame& frame) {
-    const Scene scene = seen(sceneOf(s, frame), frame);
+// Begin to draw the scene's triangles by OpenGL.
+void beginTriangles(Gpu& gpu, const Scene& scene) {
     gpu.meshes.follow(scene);
     glEnable(GL_DEPTH_TEST);
     gpu.program.use();
     gpu.program.set("toLight", glm::normalize(vec3(0.5, 0.8, 0.35)));
-    if (frame.measuring()) return drawInto(gpu, s, scene, scene.clipFromWorld(), {0, 0, frame.width(), frame.height()});
+}
+void drawFromSide(Gpu& gpu, const Settings& s, const Scene& scene, const Frame& frame) {
     drawInto(gpu, s, scene, fromSide(s, frame).clipFromWorld(), sidePane(frame));
-    if (s.by == Maker::gl) drawInto(gpu, s, scene, scene.clipFromWorld(), picturePane(frame));
     glViewport(0, 0, frame.width(), frame.height());
+}
+void drawByGl(Gpu& gpu, const Settings& s, const Scene& scene, const Frame& frame) {
+    drawInto(gpu, s, scene, scene.clipFromWorld(), picturePane(frame));
+    glViewport(0, 0, frame.width(), frame.height());
+}
+
+// Draw for the study the number of each object, as the eye sees it.
+void drawNumbers(Gpu& gpu, const Settings& s, const Frame& frame) {
+    const Scene scene = seen(sceneOf(s, frame), frame);
+    beginTriangles(gpu, scene);
+    drawInto(gpu, s, scene, scene.clipFromWorld(), {0, 0, frame.width(), frame.height()});
 }
 
 }  // namespace mv::ray_cast

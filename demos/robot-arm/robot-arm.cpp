@@ -2,11 +2,9 @@
 #include "robot-arm.h"
 
 #include <array>
-#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "mv/gl/functions.h"
-#include "mv/math/projection.h"
 #include "mv/math/transform.h"
 #include "mv/motion/two_link.h"
 
@@ -49,19 +47,25 @@ std::vector<mat4> worldFromParts(const JointTree& tree, const Angles& angles) {
     return worldFromPart;
 }
 
-// The angles of frame i: those of the start plus i times the rates. The angle is a product, not a sum over frames.
-Angles anglesAt(const Settings& s, int i) {
-    const auto& [theta1, theta2, rate1, rate2] = s.links;
-    if (isArm(s)) return {s.arm.turn, s.arm.shoulder, s.arm.elbow, s.arm.wrist};
-    return {theta1 + i * rate1, theta2 + i * rate2};
+// Forward kinematics is given the angles. Inverse kinematics finds those for a target of the end, by a formula, or step by
+// step from the start's angles.
+static IkResult givenAngles(const Settings& s, const Jointed&, int index) {
+    IkResult given;
+    given.degrees = anglesAt(s, index);
+    return given;
 }
-
-// Inverse kinematics: the angles for a target of the end, by a formula, or step by step from the start's angles.
+static IkResult foundByFormula(const Settings& s, const Jointed&, int) {
+    IkResult found;
+    found.degrees = byFormula(s, vec2(targetOf(s)), 1);
+    return found;
+}
+static IkResult foundByIteration(const Settings& s, const Jointed& thing, int) {
+    return byIteration(thing, anglesAt(s, 0), targetOf(s), s.iterations, s.method);
+}
 IkResult find(const Settings& s, const Jointed& thing, int index) {
-    if (iterates(s)) return byIteration(thing, anglesAt(s, 0), targetOf(s), s.iterations, s.method);
-    IkResult known;
-    known.degrees = isForward(s) ? anglesAt(s, index) : byFormula(s, vec2(targetOf(s)), 1);
-    return known;
+    constexpr std::array ofMethod{givenAngles, foundByFormula, foundByIteration, foundByIteration,
+                                  foundByIteration};  // in the order of Method
+    return ofMethod.at(std::size_t(s.method))(s, thing, index);
 }
 
 // The angles of two links, with the elbow turned counter-clockwise (0) or clockwise (1).
@@ -77,15 +81,21 @@ IkResult byIteration(const Jointed& thing, const Angles& start, const vec3& to, 
     return solveInverseKinematics(thing.tree, thing.end, to, start, {.method = ours, .mostIterations = most});
 }
 
-Jointed thingOf(const Settings& s) {
-    return isArm(s) ? arm(s.upper, s.lower, s.arm.limits) : twoLinks(s.upper, s.lower);
+// Two links and the arm have joints, angles, a target and a camera of their own: links.cpp, arm.cpp.
+static const Limb& limbOf(const Settings& s) {
+    static constexpr std::array limbs{&limbOfLinks, &limbOfArm, &limbOfLinks, &limbOfLinks};  // in the order of Which
+    return *limbs.at(std::size_t(s.which));
 }
+Jointed thingOf(const Settings& s) { return limbOf(s).thing(s); }
+Angles anglesAt(const Settings& s, int index) { return limbOf(s).anglesAt(s, index); }
+vec3 targetOf(const Settings& s) { return limbOf(s).target(s); }
+mat4 clipFromWorldOf(const Settings& s, const Pane& pane) { return limbOf(s).clipFromWorld(s, pane); }
 
-vec3 targetOf(const Settings& s) {
-    const vec3 at(s.target.x, s.target.y, isArm(s) ? s.target.z : 0);
-    if (s.beyond == 0) return at;
-    const vec3 direction = glm::length(at) > 0 ? glm::normalize(at) : vec3(1, 0, 0);
-    return (legOf(s) + (isArm(s) ? armHand : 0) + s.beyond) * direction;
+// The target itself, or one that lies so far beyond the reach in its direction.
+vec3 beyondReach(const Settings& s, const vec3& target, double reach) {
+    if (s.beyond == 0) return target;
+    const vec3 direction = glm::length(target) > 0 ? glm::normalize(target) : vec3(1, 0, 0);
+    return (reach + s.beyond) * direction;
 }
 
 // Draw each part: a few boxes, placed by its matrix, and a cylinder for its joint.
@@ -114,22 +124,6 @@ void beginParts(Gpu& gpu, const Frame& frame) {
     glEnable(GL_DEPTH_TEST);
     gpu.program.use();
     gpu.program.set("clipFromWorld", gpu.overlay.clipFromWorld());
-}
-
-void drawTable(Gpu& gpu) {
-    gpu.program.set("color", vec3(robotEarth));
-    gpu.program.set("worldFromModel", translate(-1.6, table - 0.05, 0) * scale(3.2, 0.1, 2.4));
-    gpu.box.draw();
-    gpu.program.set("worldFromModel", translate(0, table / 2 - 0.05, 0) * scale(0.2, -table - 0.1, 0.2));
-    gpu.cylinder.draw();
-}
-
-mat4 clipFromWorldOf(const Settings& s, const Pane& pane) {
-    const double narrow = std::max(1.0, 1 / pane.aspect()), half = 1.3 * legOf(s) * narrow;
-    if (isLinks(s)) return ortho(-half * pane.aspect(), half * pane.aspect(), -half, half, -5, 5);
-    const mat4 viewFromWorld = lookAt(vec3(1.6, 2.4, 6.6), vec3(0, 0.55, 0), vec3(0, 1, 0));
-    const double fovy = 2 * degrees(std::atan(0.325 * narrow));
-    return perspective(fovy, pane.aspect(), 0.5, 60) * seenFrom(s.arm.orbit, viewFromWorld);
 }
 
 }  // namespace mv::robot_arm

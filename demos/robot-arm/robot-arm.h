@@ -69,15 +69,25 @@ std::vector<mat4> worldFromParts(const JointTree& tree, const Angles& angles);
 IkResult find(const Settings& s, const Jointed& thing, int index);
 Angles byFormula(const Settings& s, const vec2& to, std::size_t side);
 IkResult byIteration(const Jointed& thing, const Angles& start, const vec3& to, int most, Method by);
-Angles anglesAt(const Settings& s, int index);
 Jointed thingOf(const Settings& s);
+Angles anglesAt(const Settings& s, int index);
 vec3 targetOf(const Settings& s);
+vec3 beyondReach(const Settings& s, const vec3& target, double reach);
 void beginParts(Gpu& gpu, const Frame& frame);
 void drawParts(Gpu& gpu, const Pane& pane, const Jointed& thing, const std::vector<mat4>& worldFromPart);
-void drawTable(Gpu& gpu);
 Pane paneOf(const Settings& s, const FrameInfo& frame);
 Pane besideOf(const Settings& s, const FrameInfo& frame);
 mat4 clipFromWorldOf(const Settings& s, const Pane& pane);
+
+// Two links and the arm: links.cpp, arm.cpp.
+struct Limb {
+    Jointed (*thing)(const Settings& s);
+    Angles (*anglesAt)(const Settings& s, int index);
+    vec3 (*target)(const Settings& s);
+    mat4 (*clipFromWorld)(const Settings& s, const Pane& pane);
+};
+extern const Limb limbOfLinks, limbOfArm;
+void drawTable(Gpu& gpu);
 
 // The walker: walker.cpp. A step of its near foot: the place of the foot, and its target.
 struct Step {

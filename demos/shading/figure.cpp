@@ -42,8 +42,7 @@ vec2 inFigure(const FrameInfo& frame, double angle, double part) {
 }
 
 double matchingAt(Gpu& gpu, const Settings& s) {
-    if (gpu.matchingFor.changed(s.exponent, s.angle)) gpu.matching = matchingExponent(s.exponent, s.angle);
-    return gpu.matching;
+    return gpu.matching.of({s.exponent, s.angle}, [&] { return matchingExponent(s.exponent, s.angle); });
 }
 
 static int wordHeight(const FrameInfo& frame) { return std::clamp(frame.height() / 40, leastWords, 15); }
@@ -88,13 +87,16 @@ static void drawLobes(Drawing& drawing, const Settings& s, const FrameInfo& fram
     label(drawing, frame, foot + vec2(0.6 * radius, -1.1 * words), "Blinn, and matching (thin)", blue);
 }
 
+static std::vector<vec2> ratiosFor(double exponent) {
+    std::vector<vec2> ratios;
+    for (int a = 0; a <= 80; a += 5) ratios.emplace_back(a, matchingExponent(exponent, a) / exponent);
+    return ratios;
+}
+
 // Draw the exponent that matches, over the angle.
 static void drawMatching(Gpu& gpu, const Settings& s, const FrameInfo& frame, double matching) {
     Drawing& drawing = gpu.drawing;
-    if (gpu.ratiosFor.changed(s.exponent)) {
-        gpu.ratios.clear();
-        for (int a = 0; a <= 80; a += 5) gpu.ratios.emplace_back(a, matchingExponent(s.exponent, a) / s.exponent);
-    }
+    const std::vector<vec2>& ratios = gpu.ratios.of({s.exponent}, [&] { return ratiosFor(s.exponent); });
     const vec2 size(frame.width(), frame.height());
     const Box box = frame.isUpright() ? Box{size * vec2(0.62, 0.12), size * vec2(0.96, 0.42)}
                                       : Box{size * vec2(0.64, 0.13), size * vec2(0.97, 0.44)};
@@ -106,27 +108,28 @@ static void drawMatching(Gpu& gpu, const Settings& s, const FrameInfo& frame, do
     for (int a = 0; a <= 80; a += 2) rule.emplace_back(a, 4 * std::cos(radians(a)));
     drawing.axes(plot);
     drawing.curve(plot, rule, {grey, 1});
-    drawing.curve(plot, gpu.ratios, {blue, 2});
+    drawing.curve(plot, ratios, {blue, 2});
     label(drawing, frame, plot.pixel({18, 4.6}), "as strong", blue);
     label(drawing, frame, plot.pixel({45, 4.6}), "4 cos", grey);
     drawing.point(plot.pixel({s.angle, matching / s.exponent}), 8, blue);
 }
 
-// Draw a needle along the normal of each corner.
-static void drawNormals(Gpu& gpu, const Settings& s, const Frame& frame) {
-    if (gpu.needlesFor.changed(s.body, s.edges)) {
-        const MeshData data = bodyOf(s);
-        MeshData lines{.primitive = Primitive::lines};
-        for (std::size_t i = 0; i < data.positions.size(); ++i) {
-            lines.positions.push_back(data.positions[i]);
-            lines.positions.push_back(data.positions[i] + 0.2F * data.normals[i]);
-        }
-        gpu.needles = Mesh(lines, "normals");
+// A needle along the normal of each corner.
+static MeshData needlesOf(const MeshData& body) {
+    MeshData lines{.primitive = Primitive::lines};
+    for (std::size_t i = 0; i < body.positions.size(); ++i) {
+        lines.positions.push_back(body.positions[i]);
+        lines.positions.push_back(body.positions[i] + 0.2F * body.normals[i]);
     }
+    return lines;
+}
+
+static void drawNormals(Gpu& gpu, const Settings& s, const Frame& frame) {
+    const Mesh& needles = gpu.needles.of({s.body, s.edges}, [&] { return Mesh(needlesOf(bodyOf(s)), "normals"); });
     gpu.plain->use();
     gpu.plain->set("clipFromBody", sceneOf(s, frame).clipFromWorld() * worldFromBody(s));
     gpu.plain->set("color", vec3(blue));
-    drawWide(frame, [&] { gpu.needles.draw(); });
+    drawWide(frame, [&] { needles.draw(); });
 }
 
 void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {

@@ -13,7 +13,7 @@ namespace mv::shading {
 static const vec3 bodyColor(0.80, 0.35, 0.15);
 
 void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
-    if (gpu.bodyFor.changed(s.body, s.edges)) gpu.body = Mesh(withoutTexCoords(bodyOf(s)), "body");
+    const Mesh& body = gpu.body.of({s.body, s.edges}, [&] { return Mesh(withoutTexCoords(bodyOf(s)), "body"); });
     const mat4 clipFromWorld = sceneOf(s, frame).clipFromWorld(), clipFromBody = clipFromWorld * worldFromBody(s);
     frame.show("worldFromBody", worldFromBody(s));
     frame.show("clipFromWorld", clipFromWorld);
@@ -25,7 +25,7 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     program.set("clipFromBody", clipFromBody);
     program.set("color", bodyColor);
     if (s.shading != Shading::own) light(program, s);
-    gpu.body.draw();
+    body.draw();
 }
 
 // The shaders differ in where they call the same function of shaders/include/reflection.glsl.
@@ -60,13 +60,17 @@ Material materialOf(Kind kind) {
     return materials.at(static_cast<std::size_t>(kind));
 }
 
+static MeshData sphereOf(int edges) { return sphere(sphereRadius, edges, edges / 2); }
+static MeshData teapotOf(int edges) { return tessellated(teapot(), edges / 4); }
 MeshData bodyOf(const Settings& s) {
-    return s.body == Body::sphere ? sphere(sphereRadius, s.edges, s.edges / 2) : tessellated(teapot(), s.edges / 4);
+    constexpr std::array ofBody{sphereOf, teapotOf};  // in the order of Body
+    return ofBody.at(std::size_t(s.body))(s.edges);
 }
 
+// Turn the body about its middle.
 mat4 worldFromBody(const Settings& s) {
-    const mat4 turn = rotateX(s.spinX) * rotateY(s.spinY);
-    return s.body == Body::sphere ? turn : turn * scale(0.66) * translate(-0.2, -1.5, 0);
+    const std::array placed{mat4(1), scale(0.66) * translate(-0.2, -1.5, 0)};  // in the order of Body
+    return rotateX(s.spinX) * rotateY(s.spinY) * placed.at(std::size_t(s.body));
 }
 
 vec3 lampOf(const Settings& s) { return 2.6 * vec3(rotateY(s.lampTurn) * rotateX(-s.lampHeight) * vec4(0, 0, 1, 0)); }

@@ -2,8 +2,8 @@
 #include <optional>
 #include <vector>
 
+#include "mv/demo/cached.h"
 #include "mv/demo/frame.h"
-#include "mv/demo/made_for.h"
 #include "mv/demo/numbers.h"
 #include "mv/geometry/mesh_data.h"
 #include "mv/geometry/scene.h"
@@ -45,14 +45,11 @@ inline const vec4 red(0.75, 0.15, 0.1, 1), blue(0.1, 0.3, 0.7, 1), grey(0.6, 0.6
 struct Gpu {
     OnDemand<Program> byPixel{"shading"}, byVertex{"shading", "gouraud"}, byFace{"shading", "flat"};
     OnDemand<Program> plain{"shading", "own"};
-    Mesh body, needles;
-    MadeFor<Body, int> bodyFor, needlesFor;
+    Cached<Mesh, Body, int> body, needles;
     Drawing drawing;
     // The matching exponents: the one at the figure's angle, and the ratios over the angle
-    double matching = 0;
-    MadeFor<double, double> matchingFor;
-    std::vector<vec2> ratios;
-    MadeFor<double> ratiosFor;
+    Cached<double, double, double> matching;
+    Cached<std::vector<vec2>, double> ratios;
 };
 
 // The technique: shading.cpp.

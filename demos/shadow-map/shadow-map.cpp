@@ -2,6 +2,7 @@
 #include "shadow-map.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -9,6 +10,7 @@
 #include "mv/demo/seen.h"
 #include "mv/error.h"
 #include "mv/gl/functions.h"
+#include "mv/gl/state.h"
 #include "mv/math/transform.h"
 
 namespace mv::shadow_map {
@@ -27,8 +29,8 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
         drawMap(gpu, s, scene, light);
         frame.bindTarget();
     }
-    const auto drawLit = s.slide == Slide::none ? drawPicture : drawSlide;
-    drawLit(gpu, s, scene, light);
+    constexpr std::array ofSlide{drawPicture, drawSlide, drawSlide};  // in the order of Slide; slide.cpp
+    ofSlide.at(std::size_t(s.slide))(gpu, s, scene, light);
     tell(s, scene, light, frame);
 }
 
@@ -38,8 +40,8 @@ void drawMap(Gpu& gpu, const Settings& s, const Scene& scene, const LightView& l
     glClear(GL_DEPTH_BUFFER_BIT);
 
     // Draw half of the faces, those towards the light or those away from it, or both
-    if (s.mapFaces == Faces::back) glCullFace(GL_FRONT);
-    if (s.mapFaces == Faces::both) glDisable(GL_CULL_FACE);
+    setEnabled(GL_CULL_FACE, s.mapFaces != Faces::both);
+    glCullFace(culledFor(s.mapFaces));
     // Push each triangle back by slopeBias times its change of depth over a texel, and by 2 * slopeBias depth steps
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(float(s.slopeBias), float(2 * s.slopeBias));
@@ -53,6 +55,11 @@ void drawMap(Gpu& gpu, const Settings& s, const Scene& scene, const LightView& l
     glDisable(GL_POLYGON_OFFSET_FILL);
     glCullFace(GL_BACK);
     glEnable(GL_CULL_FACE);
+}
+
+GLenum culledFor(Faces inMap) {
+    constexpr std::array<GLenum, 3> culled{GL_BACK, GL_FRONT, GL_BACK};  // in the order of Faces
+    return culled.at(std::size_t(inMap));
 }
 
 // The cosines of the cone's outer limit, and of its inner limit 10 degrees within. Without a cone all points are inside both.
@@ -74,7 +81,7 @@ void drawPicture(Gpu& gpu, const Settings& s, const Scene& scene, const LightVie
 
 // Tell the shader what it compares: the map in unit 1, the bias, and the light.
 void setLookup(Gpu& gpu, const Settings& s, const Program& program) {
-    gpu.map.bind(1, s.filter == Filter::none ? DepthLookup::compareNearest : DepthLookup::compareLinear);
+    gpu.map.bind(1, lookupOf(s.filter));
     program.set("map", 1);
     program.set("taps", looksAlong(s.filter));
     program.set("bias", s.bias);
@@ -93,12 +100,21 @@ void drawObjects(Gpu& gpu, const Program& program, const Scene& scene, const Lig
     }
 }
 
-// The number of lookups in the map along a side of the filter.
-int looksAlong(Filter filter) { return filter <= Filter::hardware ? 1 : 2 * int(filter) - 1; }
+// All filters but none mix the answers of four texels at each lookup, and look up so many times along a side.
+DepthLookup lookupOf(Filter filter) {
+    constexpr auto nearest = DepthLookup::compareNearest, linear = DepthLookup::compareLinear;
+    constexpr std::array lookups{nearest, linear, linear, linear, linear};  // in the order of Filter
+    return lookups.at(std::size_t(filter));
+}
+int looksAlong(Filter filter) {
+    constexpr std::array looks{1, 1, 3, 5, 7};
+    return looks.at(std::size_t(filter));
+}
 
 // The light's own camera. The map holds what this camera sees.
 LightView lightView(const Settings& s, const Scene& scene) {
-    if (s.frustum == Fit::set) return spotView(s);
+    constexpr std::array ofRays{spotView, parallelView};  // in the order of Rays
+    if (s.frustum == Fit::set) return ofRays.at(std::size_t(s.rays))(s);
     try {
         return fitLightView(lightOf(s), casterPoints(scene));
     } catch (const Error&) {
@@ -107,21 +123,23 @@ LightView lightView(const Settings& s, const Scene& scene) {
     }
 }
 
-LightView spotView(const Settings& s) {
-    constexpr double near = 0.5, far = 10;
+// The light looks from its place to its target, within a cone or along parallel rays.
+static mat4 gazeOf(const Settings& s) {
     const vec3 gaze = s.target - s.light;
     const bool vertical = std::hypot(gaze.x, gaze.z) < 1e-9 * std::abs(gaze.y);
-    LightView view{.viewFromWorld = lookAt(s.light, s.target, vertical ? vec3(0, 0, -1) : vec3(0, 1, 0))};
-    if (s.rays == Rays::spot) {
-        view.bounds = frustumBounds(s.fov, s.windowWidth / s.windowHeight, near, far);
-        view.clipFromView = mv::frustum(view.bounds);
-    } else {
-        const double x = s.windowWidth / 2, y = s.windowHeight / 2;
-        view.bounds = {-x, x, -y, y, near, far};
-        view.atInfinity = true;
-        view.clipFromView = ortho(-x, x, -y, y, near, far);
-    }
-    return view;
+    return lookAt(s.light, s.target, vertical ? vec3(0, 0, -1) : vec3(0, 1, 0));
+}
+constexpr double near = 0.5, far = 10;
+LightView spotView(const Settings& s) {
+    const FrustumBounds bounds = frustumBounds(s.fov, s.windowWidth / s.windowHeight, near, far);
+    return {.viewFromWorld = gazeOf(s), .clipFromView = mv::frustum(bounds), .bounds = bounds};
+}
+LightView parallelView(const Settings& s) {
+    const double x = s.windowWidth / 2, y = s.windowHeight / 2;
+    return {.viewFromWorld = gazeOf(s),
+            .clipFromView = ortho(-x, x, -y, y, near, far),
+            .bounds = {-x, x, -y, y, near, far},
+            .atInfinity = true};
 }
 
 // A point, or the direction towards parallel light.

@@ -1,5 +1,6 @@
 #pragma once
 #include "light_overlay.h"
+#include "mv/demo/cached.h"
 #include "mv/demo/frame.h"
 #include "mv/demo/made_for.h"
 #include "mv/geometry/light_view.h"
@@ -46,8 +47,7 @@ struct Gpu {
     OnDemand<Program> program{"shadow-map"};
     SceneMeshes meshes{SceneMeshes::Surface::textured};  // the floor has squares
     OnDemand<Program> slideProgram{"shadow-map", "slide"};
-    Texture slide;
-    MadeFor<bool> slideFor;
+    Cached<Texture> slide;
     DepthMap map;
     MadeFor<mat4, Which, int, double, int, Faces, bool, double> mapFor;
     LightOverlay overlay;
@@ -65,7 +65,10 @@ void drawSlide(Gpu& gpu, const Settings& s, const Scene& scene, const LightView&
 Picture slidePicture();
 LightView lightView(const Settings& s, const Scene& scene);
 LightView spotView(const Settings& s);
+LightView parallelView(const Settings& s);
 vec4 lightOf(const Settings& s);
+GLenum culledFor(Faces inMap);
+DepthLookup lookupOf(Filter filter);
 int looksAlong(Filter filter);
 
 // The scene, and the drawing over the picture: scene.cpp, figure.cpp.

@@ -6,10 +6,10 @@ namespace mv::shadow_map {
 
 // Pass 2, with a picture in the light's window. A point that the map says is in shadow gets no light of the slide.
 void drawSlide(Gpu& gpu, const Settings& s, const Scene& scene, const LightView& light) {
-    if (gpu.slideFor.changed(true)) gpu.slide = Texture(slidePicture(), GL_NEAREST, "slide");
+    const Texture& slide = gpu.slide.of({}, [] { return Texture(slidePicture(), GL_NEAREST, "slide"); });
     const Program& program = *gpu.slideProgram;
     program.use();
-    gpu.slide.bind(0);
+    slide.bind(0);
     program.set("slide", 0);
     program.set("alsoBehind", s.slide == Slide::alsoBehind);
     setLookup(gpu, s, program);

@@ -95,6 +95,7 @@ const bool added =
                          .readouts = {{"different", "pixels whose lit fractions differ by more than half", "%"},
                                       {"difference-rms", "root mean square of the difference"}},
                          .draw = draw,
+                         .measure = drawAlone,
                          .figure = drawFigure,
                          .readOut = readOut,
                          .scene = sceneOf,

@@ -14,27 +14,29 @@
 namespace mv::shadow_methods {
 
 void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
-    const Scene scene = seen(sceneOf(s, frame), frame);
+    const Scene scene = beginScene(gpu, s, secondOf(s), frame);
     frame.show("viewFromWorld", scene.viewFromWorld);
     frame.show("clipFromView", scene.clipFromView);
+
+    // Draw the scene by one method, by two side by side, or the difference of two
+    gpu.found.reset();
+    if (s.show == Show::difference) return drawDifference(gpu, s, scene, frame);
+    if (s.against == Against::off) return drawScene(gpu, scene, s.method);
+    drawSplit(gpu, s, scene, frame);
+}
+
+// Make the map and the volumes, where the first method or the one beside it needs them.
+Scene beginScene(Gpu& gpu, const Settings& s, Method beside, const Frame& frame) {
+    Scene scene = seen(sceneOf(s, frame), frame);
     gpu.meshes.follow(scene);
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CULL_FACE);
-
-    // Make the map and the volumes, where a method needs them. A study measures the first method alone
-    const bool isAlone = frame.measuring() || s.against == Against::off;
-    const Method beside = isAlone ? s.method : secondOf(s);
     if ((usesMap(s.method) || usesMap(beside)) && makeMap(gpu, s, scene)) frame.bindTarget();
     if (s.method == Method::volume || beside == Method::volume) {
         if (!s.keep) gpu.volumes.forget();
         gpu.volumes.follow(scene, scene.lights[0].position);
     }
-
-    // Draw the scene by one method, by two side by side, or the difference of two
-    gpu.found.reset();
-    if (s.show == Show::difference && !frame.measuring()) return drawDifference(gpu, s, scene, frame);
-    if (isAlone) return drawScene(gpu, scene, s.method);
-    drawSplit(gpu, s, scene, frame);
+    return scene;
 }
 
 // Draw one method left of the split, the other right of it, and a white line between them.
@@ -147,7 +149,7 @@ void drawByMap(Gpu& gpu, const Scene& scene, Method by) {
     program.set("map", 1);
     program.set("side", looksAlong(by));
     for (const auto& [object, mesh] : gpu.meshes.of(scene)) {
-        program.set("mapFromObject", gpu.lightView.mapFromWorld() * object.worldFromObject);
+        program.set("mapFromObject", gpu.lightView->mapFromWorld() * object.worldFromObject);
         drawObject(program, scene, object, mesh);
     }
 }
@@ -156,8 +158,8 @@ void drawByMap(Gpu& gpu, const Scene& scene, Method by) {
 bool makeMap(Gpu& gpu, const Settings& s, const Scene& scene) {
     const bool isStale = gpu.mapFor.changed(s.scene, s.ballHeight, s.resolution, s.receiver, s.slopeBias);
     if (!isStale && s.keep) return false;
-    if (gpu.lightViewFor.changed(s.scene, s.ballHeight))
-        gpu.lightView = fitLightView(scene.lights[0].position, casterPoints(scene));
+    const LightView& light = gpu.lightView.of(
+        {s.scene, s.ballHeight}, [&] { return fitLightView(scene.lights[0].position, casterPoints(scene)); });
     gpu.map.begin(s.resolution, "shadow map");
     glClear(GL_DEPTH_BUFFER_BIT);
 
@@ -168,7 +170,7 @@ bool makeMap(Gpu& gpu, const Settings& s, const Scene& scene) {
     gpu.flat->use();
     for (const auto& [object, mesh] : gpu.meshes.of(scene)) {
         if (!s.receiver && !object.casts) continue;
-        gpu.flat->set("clipFromObject", gpu.lightView.clipFromWorld() * object.worldFromObject);
+        gpu.flat->set("clipFromObject", light.clipFromWorld() * object.worldFromObject);
         mesh.draw();
     }
     glDisable(GL_POLYGON_OFFSET_FILL);

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "lit_difference.h"
+#include "mv/demo/cached.h"
 #include "mv/demo/frame.h"
 #include "mv/demo/made_for.h"
 #include "mv/demo/numbers.h"
@@ -50,8 +51,7 @@ struct Gpu {
     SceneMeshes meshes;
     CasterVolumes volumes;
     DepthMap map;
-    LightView lightView;
-    MadeFor<Which, double> lightViewFor;
+    Cached<LightView, Which, double> lightView;
     MadeFor<Which, double, int, bool, double> mapFor;
     LitDifference difference;
     std::optional<LitDifference::Found> found;  // in this frame
@@ -59,6 +59,7 @@ struct Gpu {
 
 // The technique: shadow-methods.cpp.
 void draw(Gpu& gpu, const Settings& s, const Frame& frame);
+Scene beginScene(Gpu& gpu, const Settings& s, Method beside, const Frame& frame);
 void drawSplit(Gpu& gpu, const Settings& s, const Scene& scene, const Frame& frame);
 void drawScene(Gpu& gpu, const Scene& scene, Method by);
 void drawLit(Gpu& gpu, const Scene& scene, Method by);
@@ -77,6 +78,7 @@ int middleOf(const Settings& s, const Frame& frame);
 Scene sceneOf(const Settings& s, const FrameInfo& frame);
 void drawDifference(Gpu& gpu, const Settings& s, const Scene& scene, const Frame& frame);
 void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame);
+void drawAlone(Gpu& gpu, const Settings& s, const Frame& frame);
 void readOut(Gpu& gpu, const Settings& s, const Frame& frame, Numbers& numbers);
 
 }  // namespace mv::shadow_methods

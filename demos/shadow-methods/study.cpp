@@ -3,12 +3,20 @@
 #include <string>
 
 #include "mv/demo/demo.h"
+#include "shadow-methods.h"
 #include "shared/false_shadows.h"
 #include "shared/lit_reference.h"
 
 using namespace mv::claims;
 
 namespace mv::shadow_methods {
+
+// Draw what a study measures: the first method alone.
+void drawAlone(Gpu& gpu, const Settings& s, const Frame& frame) {
+    gpu.found.reset();
+    drawScene(gpu, beginScene(gpu, s, s.method, frame), s.method);
+}
+
 namespace {
 
 // A line of the study along the map's resolution, the map drawn again in each frame.

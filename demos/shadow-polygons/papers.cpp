@@ -86,5 +86,8 @@ Pane scenePane(const Settings& s, const FrameInfo& frame) {
     if (s.show == Show::scene) return {0, 0, frame.width(), frame.height()};
     return {0, 0, std::max(1, frame.width() * 9 / 16), frame.height()};
 }
+Pane drawnPane(const Settings& s, const Frame& frame) {
+    return frame.measuring() ? Pane{0, 0, frame.width(), frame.height()} : scenePane(s, frame);
+}
 
 }  // namespace mv::shadow_polygons

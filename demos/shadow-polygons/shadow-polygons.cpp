@@ -2,6 +2,7 @@
 #include "shadow-polygons.h"
 
 #include <algorithm>
+#include <array>
 #include <glm/geometric.hpp>
 #include <optional>
 #include <utility>
@@ -13,7 +14,7 @@ namespace mv::shadow_polygons {
 
 void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     follow(gpu, s);
-    const Pane pane = frame.measuring() ? Pane{0, 0, frame.width(), frame.height()} : scenePane(s, frame);
+    const Pane pane = drawnPane(s, frame);
     const Scene scene = seen(sceneOf(s, {frame.index(), pane.width, pane.height}), frame);
     frame.show("clipFromWorld", scene.clipFromWorld());
     frame.count("projections", double(gpu.shadows.pairs.kept.size()));
@@ -58,15 +59,21 @@ void follow(Gpu& gpu, const Settings& s) {
     gpu.dark = partsOf(gpu.shadows.dark, gpu.polygons);
 }
 
-// Choose the pairs, and project each caster onto its receiver.
-Shadows shadowsOf(Method method, const std::vector<FlatPolygon>& polygons, const vec3& light) {
-    Shadows shadows;
-    if (method == Method::allPairs) shadows.pairs = allPairs(polygons.size());
-    if (method == Method::sphere) {
-        std::vector<Cap> caps;
-        for (const FlatPolygon& polygon : polygons) caps.push_back(capOf(polygon, light));
-        shadows.pairs = pairsOnSphere(caps);
-    }
+using Polygons = std::vector<FlatPolygon>;
+
+// Choose the pairs of casters and receivers to try: none, all, or those that overlap on the sphere round the light.
+static Pairs withoutPairs(const Polygons&, const vec3&) { return {}; }
+static Pairs everyPair(const Polygons& polygons, const vec3&) { return allPairs(polygons.size()); }
+static Pairs pairsBySphere(const Polygons& polygons, const vec3& light) {
+    std::vector<Cap> caps;
+    for (const FlatPolygon& polygon : polygons) caps.push_back(capOf(polygon, light));
+    return pairsOnSphere(caps);
+}
+
+// Project each caster of a pair onto its receiver.
+Shadows shadowsOf(Method method, const Polygons& polygons, const vec3& light) {
+    constexpr std::array ofMethod{withoutPairs, everyPair, pairsBySphere};  // in the order of Method
+    Shadows shadows{.pairs = ofMethod.at(std::size_t(method))(polygons, light), .dark = {}};
     std::vector<std::optional<Receiver>> receivers;
     for (const FlatPolygon& polygon : polygons) receivers.push_back(receiverOf(polygon, light));
     for (const CasterOn& pair : shadows.pairs.kept) {

@@ -72,6 +72,7 @@ Parts partsOf(const std::vector<Shadow>& dark, const std::vector<FlatPolygon>& p
 std::vector<FlatPolygon> polygonsOf(const Settings& s);
 Scene sceneOf(const Settings& s, const FrameInfo& frame);
 Pane scenePane(const Settings& s, const FrameInfo& frame);
+Pane drawnPane(const Settings& s, const Frame& frame);
 
 // The sphere and the pairs beside the scene: figure.cpp.
 void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame);

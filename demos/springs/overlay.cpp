@@ -66,24 +66,24 @@ std::size_t whichClassic(const Settings& s) {
     return static_cast<std::size_t>(s.problem) - static_cast<std::size_t>(Problem::classics);
 }
 
-void drawCurves(Gpu& gpu, const Settings& s, const Frame& frame) {
+void drawSolved(Gpu& gpu, const Settings& s, const Memory&, const Frame& inPixels) {
+    const Frame frame = inPixels.inUnits();
     Drawing& drawing = gpu.drawing;
     const double asked = isAdaptive(asOde(s)) ? s.solved.tolerance : 0;
-    if (gpu.solvedFor.changed(s.problem, asOde(s), asked, s.solved.steps, s.solved.confirm)) {
-        gpu.known = classic(whichClassic(s));
-        gpu.solution = solveClassic(*gpu.known, asOde(s), asked, s.solved.steps, s.solved.confirm);
-    }
+    const auto& [known, solution] = gpu.solved.of({s.problem, asOde(s), asked, s.solved.steps, s.solved.confirm}, [&] {
+        const Classic problem = classic(whichClassic(s));
+        return SolvedClassic{problem, solveClassic(problem, asOde(s), asked, s.solved.steps, s.solved.confirm)};
+    });
     const Pane pane{0, 0, frame.width(), frame.height()};
     const Box box{
         {std::min(70.0, pane.width / 6.0), std::min(52.0, pane.height / 5.0)},
         {std::max(pane.width - 30.0, pane.width / 6.0 + 1), std::max(pane.height - 112.0, pane.height / 5.0 + 1)}};
     drawing.in(pane);
-    drawClassic(drawing, box, *gpu.known, gpu.solution);
-    const OdeResult& result = gpu.solution.result;
-    std::string told = gpu.known->ode.name + " by " + nameOf(s.method) + ", " + std::to_string(result.counts.accepted) +
+    drawClassic(drawing, box, known, solution);
+    const OdeResult& result = solution.result;
+    std::string told = known.ode.name + " by " + nameOf(s.method) + ", " + std::to_string(result.counts.accepted) +
                        " steps, " + std::to_string(result.counts.evaluations) + " evaluations";
-    if (gpu.solution.error)
-        told += formatted("; off by %.1e at the end (rings: the published values)", *gpu.solution.error);
+    if (solution.error) told += formatted("; off by %.1e at the end (rings: the published values)", *solution.error);
     drawing.text({12, pane.height - 8.0}, told, {15, springInk, vec4(0)});
     double top = pane.height - 26.0;
     const auto tell = [&](const std::string& words, const vec4& ink) {
@@ -92,7 +92,7 @@ void drawCurves(Gpu& gpu, const Settings& s, const Frame& frame) {
             top -= 18;
         }
     };
-    const std::optional<Confirmation>& confirmed = gpu.solution.confirmation;
+    const std::optional<Confirmation>& confirmed = solution.confirmation;
     if (const std::string why = confirmed ? confirmed->doubt : result.failure; !why.empty()) {
         tell(why, springRed);
         frame.say(why);

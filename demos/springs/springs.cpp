@@ -12,16 +12,18 @@
 namespace mv::springs {
 
 void draw(Gpu& gpu, const Settings& s, const Memory& game, const Frame& frame) {
-    const Frame units = frame.inUnits();
+    const auto drawPart = isPlayed(s) ? drawPlayed : drawSolved;  // overlay.cpp has the classics, which are solved
     gpu.drawing.begin(frame);
-    if (isPlayed(s)) {
-        drawRegion(gpu, s, dots(gpu, s), frame);
-        drawMasses(gpu, s, game, units);
-        drawEnergy(gpu.drawing, rightOf(units, true), game);
-    } else {
-        drawCurves(gpu, s, units);
-    }
+    drawPart(gpu, s, game, frame);
     gpu.drawing.draw(frame);
+}
+
+// Draw the masses, the energy that the method makes or loses, and where the method is stable.
+void drawPlayed(Gpu& gpu, const Settings& s, const Memory& game, const Frame& frame) {
+    const Frame units = frame.inUnits();
+    drawRegion(gpu, s, dots(gpu, s), frame);
+    drawMasses(gpu, s, game, units);
+    drawEnergy(gpu.drawing, rightOf(units, true), game);
 }
 
 // The masses start where the scene has them. The game steps from frame to frame (game.cpp).
@@ -36,14 +38,11 @@ std::vector<Dot> dots(Gpu& gpu, const Settings& s) {
     constexpr double unseen = 1e-6;  // growth by less than this part in a step does not count
     SpringSettings springs = ruleOf(s).springs;
     springs.hand = SpringSettings().hand;
-    if (gpu.eigenvaluesFor.changed(springs)) {
-        const SpringSetup setup = makeSprings(springs);
-        const std::vector<vec3> still(setup.slack.size(), vec3(0));
-        gpu.eigenvaluesAtRest = eigenvalues(springProblem(setup.system), 0, springState(setup.slack, still));
-    }
+    const std::vector<std::complex<double>>& atRest =
+        gpu.eigenvaluesAtRest.of({springs}, [&] { return eigenvaluesAtRest(springs); });
     const double h = SpringGame::frameTime / s.played.substeps, ratio = s.played.damping / s.played.stiffness;
     std::vector<Dot> result;
-    for (const std::complex<double>& eigenvalue : gpu.eigenvaluesAtRest) {
+    for (const std::complex<double>& eigenvalue : atRest) {
         const std::complex<double> z = h * eigenvalue;
         // Beyond critical damping a pair of eigenvalues is real, and with symplectic Euler and Verlet the growth depends on
         // both. The fast one of a pair has the slow one as its partner
@@ -54,14 +53,20 @@ std::vector<Dot> dots(Gpu& gpu, const Settings& s) {
     return result;
 }
 
+std::vector<std::complex<double>> eigenvaluesAtRest(const SpringSettings& springs) {
+    const SpringSetup setup = makeSprings(springs);
+    const std::vector<vec3> still(setup.slack.size(), vec3(0));
+    return eigenvalues(springProblem(setup.system), 0, springState(setup.slack, still));
+}
+
 // Draw the region of numbers z for which a step of the method does not grow, and the dots on it.
 void drawRegion(Gpu& gpu, const Settings& s, const std::vector<Dot>& all, const Frame& frame) {
     const Pane pane = rightOf(frame.inUnits(), false);
     std::vector<std::complex<double>> numbers;
     for (const Dot& dot : all) numbers.push_back(dot.z);
     const Plot plot = stabilityPlot(pane, numbers);
-    if (gpu.regionFor.changed(asOde(s), plot.x.low, plot.y.low))
-        gpu.region = Mesh(stabilityGrid(asOde(s), plot), "region");
+    const Mesh& region = gpu.region.of({asOde(s), plot.x.low, plot.y.low},
+                                       [&] { return Mesh(stabilityGrid(asOde(s), plot), "region"); });
 
     const auto [x, y, width, height] =
         frame.inUnits().pixels({pane.x + int(plot.box.low.x), pane.y + int(plot.box.low.y),
@@ -69,7 +74,7 @@ void drawRegion(Gpu& gpu, const Settings& s, const std::vector<Dot>& all, const 
     glViewport(x, y, width, height);
     gpu.program->use();
     gpu.program->set("clipFromPlane", ortho(plot.x.low, plot.x.high, plot.y.low, plot.y.high, -1, 1));
-    gpu.region.draw();
+    region.draw();
     glViewport(0, 0, frame.width(), frame.height());
     drawDots(gpu, plot, pane, all);
 }

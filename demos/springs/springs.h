@@ -6,8 +6,8 @@
 
 #include "classic.h"
 #include "game.h"
+#include "mv/demo/cached.h"
 #include "mv/demo/frame.h"
-#include "mv/demo/made_for.h"
 #include "mv/demo/numbers.h"
 #include "mv/gl/drawing.h"
 #include "mv/gl/mesh.h"
@@ -51,17 +51,18 @@ struct Dot {
     bool grows;
 };
 
+// A classic problem, and its solution by the method.
+struct SolvedClassic {
+    Classic known;
+    ClassicSolution solution;
+};
+
 struct Gpu {
     OnDemand<Program> program{std::string("springs")};  // no classic needs it
-    Mesh region;
+    Cached<Mesh, OdeMethod, double, double> region;
+    Cached<std::vector<std::complex<double>>, SpringSettings> eigenvaluesAtRest;
+    Cached<SolvedClassic, Problem, OdeMethod, double, int, bool> solved;
     Drawing drawing;
-    // The last results, and what they were made for
-    MadeFor<OdeMethod, double, double> regionFor;
-    MadeFor<SpringSettings> eigenvaluesFor;
-    std::vector<std::complex<double>> eigenvaluesAtRest;
-    MadeFor<Problem, OdeMethod, double, int, bool> solvedFor;
-    std::optional<Classic> known;
-    ClassicSolution solution;
 };
 
 // The state kept from frame to frame.
@@ -71,6 +72,8 @@ using Memory = SpringGame;
 void draw(Gpu& gpu, const Settings& s, const Memory& game, const Frame& frame);
 Memory start(const Settings& s);
 void step(Memory& game, const Settings& s, int index);
+void drawPlayed(Gpu& gpu, const Settings& s, const Memory& game, const Frame& frame);
+std::vector<std::complex<double>> eigenvaluesAtRest(const SpringSettings& springs);
 std::vector<Dot> dots(Gpu& gpu, const Settings& s);
 void drawRegion(Gpu& gpu, const Settings& s, const std::vector<Dot>& all, const Frame& frame);
 SpringRule ruleOf(const Settings& s);
@@ -79,7 +82,7 @@ SpringScene sceneOf(const Settings& s);
 OdeMethod asOde(const Settings& s);
 
 // A classic, and words over both: classic.cpp, figure.cpp.
-void drawCurves(Gpu& gpu, const Settings& s, const Frame& frame);
+void drawSolved(Gpu& gpu, const Settings& s, const Memory& game, const Frame& frame);
 void drawMasses(Gpu& gpu, const Settings& s, const Memory& game, const Frame& frame);
 void drawDots(Gpu& gpu, const Plot& plot, const Pane& pane, const std::vector<Dot>& all);
 Pane leftOf(const FrameInfo& frame);

@@ -18,8 +18,8 @@ void readOut(Gpu& gpu, const Settings& s, const Memory& game, const Frame&, Numb
         if (std::isfinite(value)) numbers.set(name, value);
     };
     if (!isPlayed(s)) {
-        if (gpu.solution.error) numbers.set("end-error", *gpu.solution.error);
-        numbers.set("evaluations", double(gpu.solution.result.counts.evaluations));
+        if (gpu.solved->solution.error) numbers.set("end-error", *gpu.solved->solution.error);
+        numbers.set("evaluations", double(gpu.solved->solution.result.counts.evaluations));
         return;
     }
     const std::vector<Dot> all = dots(gpu, s);

@@ -17,7 +17,7 @@ void drawAnaglyph(Gpu& gpu, const Settings& s, const Eye& left, const Eye& right
         const char* const name = eye == &left ? "left eye" : "right eye";
         if (!target->fit(frame.width(), frame.height(), {.depth = true, .texture = true}, name)) target->bind();
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-        drawSurfaces(gpu, s, *eye);
+        drawSurfaces(gpu, s, *eye, frame);
     }
 
     // Mix the two pictures by two matrices. With one eye closed, show what the other sees through its glass
@@ -36,7 +36,7 @@ void drawAnaglyph(Gpu& gpu, const Settings& s, const Eye& left, const Eye& right
     gpu.cover->draw();
 }
 
-void drawSurfaces(Gpu& gpu, const Settings& s, const Eye& eye) {
+void drawSurfaces(Gpu& gpu, const Settings& s, const Eye& eye, const FrameInfo&) {
     const Scene scene = stillLifeOf(s);
     gpu.things.follow(scene);
     gpu.surface->use();

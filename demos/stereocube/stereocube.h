@@ -2,8 +2,8 @@
 #include <optional>
 #include <vector>
 
+#include "mv/demo/cached.h"
 #include "mv/demo/frame.h"
-#include "mv/demo/made_for.h"
 #include "mv/demo/numbers.h"
 #include "mv/geometry/mesh_data.h"
 #include "mv/geometry/scene.h"
@@ -50,8 +50,7 @@ struct Settings {
 
 struct Gpu {
     OnDemand<Program> program{"stereocube"};
-    Mesh wire;
-    MadeFor<Shape, Hypercube> wireFor;
+    Cached<Mesh, Shape, Hypercube> wire;
     // Of a still life: its surfaces, a picture for each eye, and what makes one of both
     OnDemand<Program> surface{"stereocube", "surface"}, mix{"stereocube", "mix"};
     OnDemand<Mesh> cover{MeshData{.positions = {{-1, -1, 0}, {3, -1, 0}, {-1, 3, 0}}}, "picture"};
@@ -75,9 +74,11 @@ struct Eye {
 
 // The technique: stereocube.cpp.
 void draw(Gpu& gpu, const Settings& s, const Frame& frame);
+void drawWires(Gpu& gpu, const Settings& s, const Eye& left, const Eye& right, const Frame& frame);
 void drawLines(Gpu& gpu, const Settings& s, const Eye& left, const Eye& right, const FrameInfo& frame);
 void drawMasked(Gpu& gpu, const Settings& s, const Eye& left, const Eye& right, const FrameInfo& frame);
-void drawBeside(Gpu& gpu, const Settings& s, const Eye& left, const Eye& right, const FrameInfo& frame);
+void drawBeside(Gpu& gpu, const Settings& s, const Eye& left, const Eye& right, const Frame& frame);
+void drawInked(Gpu& gpu, const Settings& s, const Eye& eye, const FrameInfo& frame);
 void drawWire(Gpu& gpu, const Settings& s, const Eye& eye, const vec4& color, const FrameInfo& frame);
 std::vector<vec2> penOf(int width);
 Eye leftEye(const Settings& s, const Lens& lens);
@@ -92,7 +93,7 @@ MeshData wireOf(const Settings& s);
 
 // An anaglyph of coloured surfaces: shaded.cpp.
 void drawAnaglyph(Gpu& gpu, const Settings& s, const Eye& left, const Eye& right, const Frame& frame);
-void drawSurfaces(Gpu& gpu, const Settings& s, const Eye& eye);
+void drawSurfaces(Gpu& gpu, const Settings& s, const Eye& eye, const FrameInfo& frame);
 Scene stillLifeOf(const Settings& s);
 std::vector<vec3> pointsOf(const Settings& s);
 

@@ -82,7 +82,7 @@ void drawWords(Drawing& drawing, const std::string& title, const std::string& fo
 
 void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
     const Lookup lookup = lookupAt(s, frame.inPixels());  // of a pixel
-    const double clamped = std::clamp(lookup.level, 0.0, gpu.image.levels() - 1.0);
+    const double clamped = std::clamp(lookup.level, 0.0, gpu.image->levels() - 1.0);
     const bool between = s.filter >= Filter::trilinear && clamped != std::floor(clamped);
     const int read = isMipmapped(s) ? static_cast<int>(s.filter >= Filter::trilinear ? std::floor(clamped)
                                                                                      : std::ceil(clamped - 0.5))

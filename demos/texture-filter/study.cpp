@@ -21,7 +21,7 @@ void readOut(Gpu& gpu, const Settings& s, const Frame& frame, Numbers& numbers) 
     numbers.set("level", lookup.level);
     numbers.set("longer", lookup.longer);
     numbers.set("shorter", lookup.shorter);
-    numbers.set("levels-made", gpu.image.levels());
+    numbers.set("levels-made", gpu.image->levels());
 }
 
 namespace {

@@ -2,8 +2,8 @@
 #include <vector>
 
 #include "floor_texture.h"
+#include "mv/demo/cached.h"
 #include "mv/demo/frame.h"
-#include "mv/demo/made_for.h"
 #include "mv/demo/numbers.h"
 #include "mv/demo/own_file.h"
 #include "mv/gl/drawing.h"
@@ -42,20 +42,21 @@ struct Gpu {
                "floor"};
     Mesh cover{{.primitive = Primitive::triangleStrip, .positions = {{-1, -1, 0}, {1, -1, 0}, {-1, 1, 0}, {1, 1, 0}}},
                "pane"};
-    Texture image;
-    MadeFor<FloorPattern, int, int, Average, Texels, bool, bool, bool> imageFor;
-    MadeFor<Filter, int> filterFor;
+    Cached<Texture, FloorPattern, int, int, Average, Texels, bool, bool, bool> image;
     Drawing drawing;
 };
 
 // The technique: texture-filter.cpp.
 void draw(Gpu& gpu, const Settings& s, const Frame& frame);
+void drawByDriver(Gpu& gpu, const Settings& s, const FloorCamera& camera);
+void drawAlong(Gpu& gpu, const Settings& s, const FloorCamera& camera);
+void drawFloor(Gpu& gpu, const Program& program, const Settings& s, const FloorCamera& camera);
 void bindTexture(Gpu& gpu, const Settings& s);
 Texels formatOf(const Settings& s);
-struct GlFilters {
+struct GlFilter {
     GLenum minify, magnify;
 };
-GlFilters glFilters(Filter filter);
+GlFilter glFilter(Filter filter);
 bool isMipmapped(const Settings& s);
 bool isByDriver(const Settings& s);
 bool areColored(const Settings& s);

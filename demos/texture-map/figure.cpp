@@ -60,7 +60,7 @@ void drawQuad(Drawing& drawing, const Settings& s, const Frame& frame, const Tex
 }
 
 void drawBody(Drawing& drawing, const Settings& s, const Pane& left, const TextStyle& words) {
-    const mat4 clip = clipFromModel(s, left);
+    const mat4 clip = clipFromSurface(s.shape, s.surface, left);
     const auto point = [&](double u, double v) { return surfacePoint(s.shape, s.surface.formula, u, v); };
     if (isCircle(s)) {
         for (int i = 0; i < 64; ++i) drawing.edge(clip, point(i / 64.0, 1), point((i + 1) / 64.0, 1), {blue, 2});

@@ -27,7 +27,8 @@ void readOut(Gpu&, const Settings& s, const Frame& frame, Numbers& numbers) {
 // The surface with the texture, for those who count its triangles.
 Scene sceneOf(const Settings& s, const FrameInfo&) {
     Scene scene;
-    scene.objects = {{.name = "surface", .mesh = meshOf(s)}};
+    scene.objects = {
+        {.name = "surface", .mesh = isTriangle(s) ? withoutTexCoords(triangleMesh(s.triangle)) : meshOf(s)}};
     return scene;
 }
 

@@ -9,67 +9,64 @@
 namespace mv::texture_map {
 
 void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
+    // Each shape has its texture coordinates from its parametrization, but for the triangle: triangle.cpp
+    constexpr std::array ofShape{drawSurface, drawSurface, drawSurface, drawTriangle};  // in the order of Shape
     const Pane pane = paneOf(frame);
     glViewport(pane.x, pane.y, pane.width, pane.height);
+    glEnable(GL_DEPTH_TEST);
+    ofShape.at(std::size_t(s.shape))(gpu, s, pane);
+}
+
+// Draw a parametrized surface: triangles with texture coordinates, or a point for each texel.
+void drawSurface(Gpu& gpu, const Settings& s, const Pane& pane) {
     if (isCircle(s)) return;  // the figure draws it
     bindTexture(gpu, s);
-
-    // Choose the program by what it interpolates between the corners
-    const Program& program = programOf(gpu, s);
+    const auto& [method, divisions, ratio, formula, seam, turn] = s.surface;
+    const Mesh& mesh = gpu.surface.of({s.shape, method, s.texels, divisions, formula, seam},
+                                      [&] { return Mesh(meshOf(s), "surface"); });
+    const Program& program = programOf(gpu, method);
     program.use();
-    program.set("clipFromModel", clipFromModel(s, pane));
-    program.set("beyond", s.reach - 1);
-    if (isByHand(s)) program.set("divided", s.surface.method == Method::byHand);
-    if (isTriangle(s)) setPlaneMap(program, planeMap(s.triangle));  // triangle.cpp
-    setMeasured(program, s, pane);
-
-    // Draw the surface: triangles with texture coordinates, or a point for each texel
-    glEnable(GL_DEPTH_TEST);
-    if (gpu.meshFor.changed(s.shape, s.surface.method, s.texels, s.surface.divisions, s.surface.formula, s.surface.seam,
-                            s.triangle.distance))
-        gpu.mesh = Mesh(meshOf(s), "surface");
-    gpu.mesh.draw();
+    program.set("clipFromModel", clipFromSurface(s.shape, s.surface, pane));  // surface.cpp
+    if (isByHand(s)) program.set("divided", method == Method::byHand);
+    setLookup(program, s, pane);
+    mesh.draw();
 }
 
-// Upload the texture when another one is set, with its wrapping beyond 0..1. Else bind the texture that is there.
+// The programs differ in what the driver interpolates between the corners:
+//     affine    u and v along the picture (noperspective)
+//     correct   u and v along the surface: it divides by w
+//     by-hand   u/w, v/w and 1/w along the picture, and the pixel divides
+const Program& programOf(Gpu& gpu, Method method) {
+    const std::array ofMethod{&gpu.affine, &gpu.correct, &gpu.byHand, &gpu.byHand,
+                              &gpu.correct};  // in the order of Method
+    return **ofMethod.at(std::size_t(method));
+}
+MeshData meshOf(const Settings& s) {
+    return isForward(s) ? texelPoints(s.shape, s.surface, s.texels) : surfaceMesh(s.shape, s.surface);
+}
+
+// Bind the texture, which is uploaded when another one is set: GL_TEXTURE_WRAP_S says what u finds beyond 0..1, and
+// GL_TEXTURE_WRAP_T what v finds.
 void bindTexture(Gpu& gpu, const Settings& s) {
-    if (!gpu.imageFor.changed(s.texels, s.picture.version(), s.wrap)) return gpu.image.bind(0);
-    gpu.image = Texture(imageOf(s), GL_NEAREST, "chart");  // a new texture clamps
-    if (s.wrap == Wrap::clamp) return;
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, static_cast<GLint>(wrapping(s.wrap)));
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, static_cast<GLint>(wrapping(s.wrap)));
+    const Texture& image = gpu.image.of({s.texels, s.picture.version(), s.wrap}, [&] {
+        Texture made(imageOf(s), GL_NEAREST, "chart");
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrapping(s.wrap));
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrapping(s.wrap));
+        return made;
+    });
+    image.bind(0);
 }
-// GL_TEXTURE_WRAP_S for u, GL_TEXTURE_WRAP_T for v.
-GLenum wrapping(Wrap wrap) {
-    constexpr std::array<GLenum, 3> names{GL_CLAMP_TO_EDGE, GL_REPEAT, GL_MIRRORED_REPEAT};
-    return names.at(static_cast<std::size_t>(wrap));
+GLint wrapping(Wrap wrap) {
+    constexpr std::array<GLint, 3> names{GL_CLAMP_TO_EDGE, GL_REPEAT, GL_MIRRORED_REPEAT};  // in the order of Wrap
+    return names.at(std::size_t(wrap));
 }
 Picture imageOf(const Settings& s) {
     return s.picture.isSet() ? shrink(*s.picture.content(), 1024, 1024) : chart(s.texels);
 }
 
-// The programs differ in what the driver interpolates:
-//     affine    u and v along the picture (noperspective)
-//     correct   u and v along the surface: it divides by w
-//     by-hand   u/w, v/w and 1/w along the picture, and the pixel divides
-//     point     the point itself, whose texture coordinates the pixel finds
-const Program& programOf(Gpu& gpu, const Settings& s) {
-    if (isTriangle(s)) return *gpu.byPoint;
-    if (isByHand(s)) return *gpu.byHand;
-    return s.surface.method == Method::affine ? *gpu.affine : *gpu.correct;
-}
-
-// surface.cpp and triangle.cpp have the shapes, and the cameras that look at them.
-MeshData meshOf(const Settings& s) {
-    if (isTriangle(s)) return withoutTexCoords(triangleMesh(s.triangle));
-    return isForward(s) ? texelPoints(s.shape, s.surface, s.texels) : surfaceMesh(s.shape, s.surface);
-}
-mat4 clipFromModel(const Settings& s, const Pane& pane) {
-    return isTriangle(s) ? clipFromTriangle(s.triangle, pane) : clipFromSurface(s.shape, s.surface, pane);
-}
-
-// Let the shader measure how far each pixel's texture lies from its place on the square.
-void setMeasured(const Program& program, const Settings& s, const Pane& pane) {
+// Set how far u and v reach, and let the shader measure how far each pixel's texture lies from its place on the square.
+void setLookup(const Program& program, const Settings& s, const Pane& pane) {
+    program.set("beyond", s.reach - 1);
     program.set("compared", s.shape == Shape::quad);
     program.set("pixelFromQuad", pixelFromQuad(s.surface.ratio, pane));
     program.set("quadFromPixel", quadFromPixel(s.surface.ratio, pane));

@@ -2,8 +2,8 @@
 #include <optional>
 #include <string>
 
+#include "mv/demo/cached.h"
 #include "mv/demo/frame.h"
-#include "mv/demo/made_for.h"
 #include "mv/demo/numbers.h"
 #include "mv/demo/own_file.h"
 #include "mv/geometry/mesh_data.h"
@@ -51,23 +51,23 @@ struct Settings {
 struct Gpu {
     OnDemand<Program> correct{"texture-map"}, affine{"texture-map", "affine"}, byHand{"texture-map", "by-hand"},
         byPoint{"texture-map", "point"};
-    Mesh mesh;
-    MadeFor<Shape, Method, int, int, Formula, Seam, double> meshFor;
-    Texture image;
-    MadeFor<int, int, Wrap> imageFor;
+    Cached<Mesh, Shape, Method, int, int, Formula, Seam> surface;
+    Cached<Mesh, double> triangle;
+    Cached<Texture, int, int, Wrap> image;
     Drawing drawing;
 };
 
 // The technique: texture-map.cpp, surface.cpp, triangle.cpp.
 void draw(Gpu& gpu, const Settings& s, const Frame& frame);
-void bindTexture(Gpu& gpu, const Settings& s);
-Picture imageOf(const Settings& s);
-GLenum wrapping(Wrap wrap);
-Picture chart(int side);
-const Program& programOf(Gpu& gpu, const Settings& s);
-mat4 clipFromModel(const Settings& s, const Pane& pane);
+void drawSurface(Gpu& gpu, const Settings& s, const Pane& pane);
+void drawTriangle(Gpu& gpu, const Settings& s, const Pane& pane);
+const Program& programOf(Gpu& gpu, Method method);
 MeshData meshOf(const Settings& s);
-void setMeasured(const Program& program, const Settings& s, const Pane& pane);
+void bindTexture(Gpu& gpu, const Settings& s);
+GLint wrapping(Wrap wrap);
+Picture imageOf(const Settings& s);
+Picture chart(int side);
+void setLookup(const Program& program, const Settings& s, const Pane& pane);
 
 vec3 surfacePoint(Shape shape, Formula formula, double u, double v);
 MeshData surfaceMesh(Shape shape, const Surface& surface);

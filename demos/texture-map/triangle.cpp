@@ -5,6 +5,18 @@
 
 namespace mv::texture_map {
 
+void drawTriangle(Gpu& gpu, const Settings& s, const Pane& pane) {
+    bindTexture(gpu, s);
+    const Mesh& mesh = gpu.triangle.of({s.triangle.distance},
+                                       [&] { return Mesh(withoutTexCoords(triangleMesh(s.triangle)), "surface"); });
+    const Program& program = *gpu.byPoint;
+    program.use();
+    program.set("clipFromModel", clipFromTriangle(s.triangle, pane));
+    setPlaneMap(program, planeMap(s.triangle));
+    setLookup(program, s, pane);
+    mesh.draw();
+}
+
 // The corners, in a plane at the distance from the origin.
 TexturedTriangle cornersOf(const Triangle& triangle) {
     const mat4 tilt = rotateX(30) * rotateY(25);

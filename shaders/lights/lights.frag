@@ -11,7 +11,7 @@ uniform vec3 power[8];      // its colour and strength, in linear light
 uniform vec3 ambient;
 uniform vec3 falloff;       // constant, linear, quadratic
 uniform float size;         // radius of a lamp
-uniform float reach;        // beyond this a lamp is cut off; 0: it is not
+uniform float reach;        // beyond this a lamp is cut off
 uniform vec3 axis[8];       // the way a spot shines
 uniform float innerCosine;  // of the cone that is lit fully
 uniform float outerCosine;  // of the cone outside of which nothing is lit
@@ -35,7 +35,7 @@ vec3 arriving(int i, vec3 normal) {
     // Within the lamp the distance stays at its radius, and towards it is shorter than a unit vector: no 0/0 at its middle
     vec3 toLamp = place[i] - worldPoint;
     float d = max(length(toLamp), size);
-    if (reach > 0.0 && d > reach) return vec3(0.0);
+    if (d > reach) return vec3(0.0);
     vec3 towards = toLamp / d;
     vec3 light = power[i] * max(dot(normal, towards), 0.0) / (falloff.x + falloff.y * d + falloff.z * d * d);
     return kind[i] == spot ? light * spotEdge(dot(-towards, axis[i])) : light;

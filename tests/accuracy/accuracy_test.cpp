@@ -79,7 +79,7 @@ TEST(Accuracy, a_longer_run_finds_no_other_errors) {
         const Errors& less = committed.at({function.name, "mv", Domain::whole, isLong ? pageRun : shortRun});
         const Errors& more = measured.at({function.name, "mv", Domain::whole, isLong ? longRun : pageRun});
         EXPECT_GE(more.max * 1.05, less.max);  // two digits
-        // What is above 4 ulp is a tail that more samples follow further.
+        // An error above 4 ulp is a tail that more samples follow further.
         if (function.reason.empty()) {
             EXPECT_LE(more.max, 2 * less.max + 0.5);
             EXPECT_EQ(more.lost, 0);
@@ -121,7 +121,7 @@ TEST(Accuracy, every_function_of_the_headers_is_measured) {
             measured.insert(name);
             continue;
         }
-        // Of mv/motion those are measured that are formulas; what iterates and integrates has studies instead.
+        // The formulas of mv/motion are measured; what iterates and integrates has studies instead.
         const std::string header = fileText(MVGL_SOURCE_DIR "/common/mv/" + function.header);
         EXPECT_NE(header.find(" " + name + "("), std::string::npos) << name << " is not in " << function.header;
     }

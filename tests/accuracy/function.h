@@ -75,7 +75,7 @@ struct CallError {
     double closeness = 0;  // the truth's
     bool isRefused = false;
 };
-// Of the arguments as they are, but a float form gets them as floats.
+// The arguments as they are, but a float form gets them as floats.
 CallError errorOfCall(const Function& function, const Form& form, const Arguments& arguments);
 
 struct Errors {

@@ -1,6 +1,6 @@
 // geometry/ray.h, in double and in float.
 //
-// Where a ray meets nothing, each function says how that is written as numbers, so that a wrong verdict is an error of the
+// Each function says, for a ray that meets nothing, how that is written as numbers, so that a wrong verdict is an error of the
 // size by which it is wrong: a ray that misses a sphere by a rounding is one that touches it.
 #include "mv/geometry/ray.h"
 

@@ -13,13 +13,13 @@ namespace mv::accuracy {
 // Samples of a run: what every test run measures again; what the page shows; and what MVGL_LONG=1 asks for.
 inline constexpr long shortRun = 10'000, pageRun = 100'000, longRun = 1'000'000;
 
-// What is measured of a form: its name, where, and with how many samples.
+// The measurement of a form: its name, where, and with how many samples.
 struct Measurement {
     std::string function, form;
     Domain domain;
     long samples;
 
-    // What clang-tidy 14 sees here is the compiler's own code.
+    // The warning of clang-tidy 14 here is about the compiler's own code.
     auto operator<=>(const Measurement&) const = default;  // NOLINT(modernize-use-nullptr)
 };
 using ErrorTable = std::map<Measurement, Errors>;

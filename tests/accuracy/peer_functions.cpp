@@ -202,7 +202,7 @@ Truth labTruth(const Arguments& a) {
         for (std::size_t k = 0; k < 3; ++k) terms += abs(rows[i][k] * light[k]);
         const bool isCurved = part > Wide(216) / 24389;
         root[i] = isCurved ? Wide(cbrt(part)) : Wide((kappa * part + 16) / 116);
-        // What a rounding of the terms makes of it
+        // The effect of a rounding of the terms
         size[i] = root[i] + (isCurved ? Wide(root[i] / part / 3) : Wide(kappa / 116)) * terms;
     }
     const Wide part = dot(rows[1], light);
@@ -317,7 +317,7 @@ bool areDirections(const Arguments& a) {
     }
     return true;
 }
-// Where the two are exactly opposite, ours is one of many.
+// Ours is one of many where the two are exactly opposite.
 Truth turnBetweenTruth(const Arguments& a) {
     const Wide3 from = normalized(wide(vectorAt(a, 0))), to = normalized(wide(vectorAt(a, 3)));
     const Wide3 axis = cross(from, to);

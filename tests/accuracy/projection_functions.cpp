@@ -144,7 +144,7 @@ Truth cornersTruth(const Arguments& a) {
         const vec4 cube((i & 1U) ? 1 : -1, (i & 2U) ? 1 : -1, (i & 4U) ? 1 : -1, 1);
         const Wide4 world = worldFromClip * wide(cube);
         const Wide3 corner = divided(world);
-        // What a change of each entry of the matrix by one part moves the corner by, in such parts.
+        // The move of the corner by a change of each entry of the matrix by one part, in such parts.
         const Wide4 moved = timesWithoutSigns(worldFromClip, timesWithoutSigns(clipFromWorld, world));
         Wide size = 0;
         for (std::size_t k = 0; k < 3; ++k) {

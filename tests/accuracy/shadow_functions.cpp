@@ -88,7 +88,7 @@ Wide clearance(const Wide4& light, const Wide4& plane) {
     const Wide size = length(firstThree(light)) + abs(plane[3]) * light[3];
     return dot(plane, light) / ((light[3] == 0 ? Wide(1e-12) : Wide(1e-6)) * size);
 }
-// What rounding may do to it: some roundings of the terms, which are 1e6 or 1e12 times as large.
+// The error that rounding may make: some roundings of the terms, which are 1e6 or 1e12 times as large.
 double clearanceRounding(const Wide4& light) { return light[3] == 0 ? 1e-3 : 1e-9; }
 
 const std::string ofTerms = "ulp of the sum of each entry's terms, without their signs";

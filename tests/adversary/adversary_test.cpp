@@ -28,7 +28,7 @@ using accuracy::WorstTable;
 
 namespace {
 
-// What the ordinary run tries of each form: 20 seconds of one processor for all of them.
+// The ordinary run tries of each form: 20 seconds of one processor for all of them.
 constexpr long ordinaryBudget = 20'000, longBudget = 400'000;
 
 const std::string worstFile = MVGL_SOURCE_DIR "/docs/library-worst.csv";
@@ -115,7 +115,7 @@ TEST(Search, is_the_same_with_the_same_seed_and_counts_what_it_tries) {
     EXPECT_NE(first.input, other.input);
     EXPECT_EQ(first.evaluations, 500);
     EXPECT_LT(first.refused, 250);
-    // What it returns is what it says.
+    // The result is the one that it says.
     EXPECT_EQ(errorOfCall(function, *ownForms(function).front(), first.input).ulp, first.ulp);
 }
 
@@ -170,7 +170,7 @@ TEST(Adversary, no_error_is_above_its_bound) {
     writeFileAtomically(worstFile, std::string_view(accuracy::worstText(table)));
 }
 
-// What was found stays found: these inputs are read on another machine, too, where a sine may round another way.
+// Inputs that were found stay found: these inputs are read on another machine, too, where a sine may round another way.
 TEST(Adversary, known_inputs_have_the_committed_errors) {
     const WorstTable table = committedWorst();
     std::size_t forms = 0;

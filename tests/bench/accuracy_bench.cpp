@@ -76,7 +76,7 @@ void accuracyBench(const std::string& folder) {
     std::cerr << pageRun << " samples ...\n";
     errors.merge(measureAll(pageRun));
 
-    // What the page shows are the numbers as the files keep them.
+    // The page shows the numbers as the files keep them.
     const std::string errorsFile = errorsText(errors), timesFile = timesText(times);
     const ErrorTable keptErrors = errorsFrom(errorsFile);
     const TimeTable keptTimes = timesFrom(timesFile);

@@ -1,4 +1,4 @@
-// What cube-cull costs without mvgl: a bare program that draws the same cube with the same two shaders, the same 36
+// The cost of cube-cull without mvgl: a bare program that draws the same cube with the same two shaders, the same 36
 // vertices and the same PNG settings, on the same host (OSMesa), and writes one 512x512 picture.
 //     bare-cube VERTEX_SHADER FRAGMENT_SHADER PICTURE
 #include <GL/glcorearb.h>

@@ -12,7 +12,7 @@ std::uint8_t level(double value) { return static_cast<std::uint8_t>(std::lround(
 
 Pixel colour(const vec3& c) { return {level(c.x), level(c.y), level(c.z), 255}; }
 
-// What a ray from the eye, which is in the origin and looks along -z, sees in the direction (x, y, -1).
+// The colour that a ray from the eye, which is in the origin and looks along -z, sees in the direction (x, y, -1).
 vec3 seen(double x, double y) {
     const vec3 light(0.48, 0.6, 0.64);
     const vec3 centre(0, 0, -4);

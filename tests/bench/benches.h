@@ -1,4 +1,4 @@
-// What mvgl measures against others. Each function runs its comparisons and returns a row for each.
+// The quantities that mvgl measures against others. Each function runs its comparisons and returns a row for each.
 #pragma once
 #include <string>
 #include <vector>
@@ -11,14 +11,14 @@ namespace mv::bench {
 [[nodiscard]] std::vector<Row> pngBench(int rounds);
 
 // The matrices of mv/math against GLM's functions of the same purpose, both in doubles: at most 2 times the time.
-// What the time goes into are the checks of the arguments, which GLM does not make.
+// The time goes into the checks of the arguments, which GLM does not make.
 [[nodiscard]] std::vector<Row> mathBench(int rounds);
 
 // A frame of cube-cull and one of viewpoints through the framework, against the same GL calls made directly: at most 1.10
 // times the time.
 [[nodiscard]] std::vector<Row> frameBench(int rounds);
 
-// What a shadow map costs less when work is left out: kept against drawn again (at most 0.8 of the frame, at 2048 texels),
+// The time that a shadow map saves when work is left out: kept against drawn again (at most 0.8 of the frame, at 2048 texels),
 // without the receiver against with it (0.85, at 4096: below, the picture's own pass outweighs what the floor fills); and
 // what a filter costs more: 3 x 3 looks against one (3).
 [[nodiscard]] std::vector<Row> shadowsBench(int rounds);
@@ -37,7 +37,7 @@ void accuracyBench(const std::string& folder);
 
 // The errors and times of mv/motion's integrators beside CVODE and Odeint: prints the page, or with a folder ("docs") writes
 // it there as work-precision.md, with its curves work-precision.svg and its rows work-precision.csv. Takes under three
-// minutes. Where SUNDIALS is not installed it prints the rows of the others. Error: with a folder,
+// minutes. Without SUNDIALS it prints the rows of the others. Error: with a folder,
 // SUNDIALS is missing.
 void workPrecisionBench(const std::string& folder);
 // Prints the references that it compares with, tests/work_precision/references.csv.

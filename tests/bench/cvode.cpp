@@ -26,7 +26,7 @@ void require(int flag, const char* call) {
     if (flag < 0) throw Error("CVODE", std::string(call) + " must succeed", std::to_string(flag));
 }
 
-// What CVODE keeps for one problem.
+// The objects that CVODE keeps for one problem.
 class Integrator {
   public:
     Integrator(const Problem& problem, int family) : problem_(problem), slope_(problem.ode.initial.size()) {
@@ -112,7 +112,7 @@ class Integrator {
   private:
     static constexpr sunindextype bandwidth = 3;
 
-    // Where component i of ours stands in CVODE's y.
+    // The place of our component i in CVODE's y.
     std::size_t place(std::size_t i) const {
         const std::size_t half = slope_.size() / 2;
         return !isInterleaved_ ? i : i < half ? 2 * i : 2 * (i - half) + 1;

@@ -1,5 +1,5 @@
-// A scene in Embree, the field's own ray tracer: to see what the reference costs beside it. Where the library is not
-// installed (isThere() is false) nothing but isThere may be called.
+// A scene in Embree, the field's own ray tracer: to see what the reference costs beside it. Only isThere() may be called
+// where the library is not installed: it is false there.
 #pragma once
 #include <memory>
 #include <vector>

@@ -144,7 +144,7 @@ std::vector<Row> mathBench(int rounds) {
         measure(
             "rotate", rounds, [](A a) { return rotate(a.angle, a.axis); },
             [](A a) { return glm::rotate(mat4(1), radians(a.angle), a.axis); }),
-        // What an animation gets to in an hour; GLM has no counterpart to taking whole turns off.
+        // The angles that an animation gets to in an hour; GLM has no counterpart to taking whole turns off.
         measure(
             "rotate many turns", rounds, [](A a) { return rotate(100 * a.angle, a.axis); },
             [](A a) { return glm::rotate(mat4(1), radians(100 * a.angle), a.axis); }),

@@ -1,4 +1,4 @@
-// What the benchmark is built with where SUNDIALS is not installed.
+// The benchmark is built with this file where SUNDIALS is not installed.
 #include "bench/cvode.h"
 
 namespace mv::bench {

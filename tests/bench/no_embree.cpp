@@ -1,4 +1,4 @@
-// What the benchmark is built with where Embree is not installed.
+// The benchmark is built with this file where Embree is not installed.
 #include "bench/embree.h"
 #include "mv/error.h"
 

@@ -206,7 +206,7 @@ Row threadsRow(int rounds) {
             interleaved([&] { (void)one.lit(640, 480, {.threads = 2}); }, halves, rounds), 2 / 1.8};
 }
 
-// What the machine allows: two threads against one. Two processors that are one core's two threads stay far from a half.
+// The machine's own limit: two threads against one. Two processors that are one core's two threads stay far from a half.
 Row speedupRow(int rounds) {
     const RayCaster caster(stillLife(4.0 / 3));
     const auto cast = [&](int threads) { (void)caster.lit(640, 480, {.threads = threads}); };

@@ -1,4 +1,4 @@
-// What a shadow costs: none, by the matrix that flattens the caster onto the floor, and by a volume in the stencil buffer.
+// The cost of a shadow: none, by the matrix that flattens the caster onto the floor, and by a volume in the stencil buffer.
 // One scene, a cube on a floor, at 640 x 480.
 #include <cstdlib>
 #include <string>

@@ -109,7 +109,7 @@ void workPrecisionBench(const std::string& folder) {
         std::ranges::move(rows, std::back_inserter(run.rows));
     }
 
-    // What the page shows are the numbers as the file keeps them.
+    // The page shows the numbers as the file keeps them.
     const std::string rows = work_precision::rowsText(run, cvodeVersion());
     if (!hasCvode) {
         std::cout << rows;

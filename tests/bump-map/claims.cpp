@@ -1,4 +1,4 @@
-// What bump-map claims, and a test for each.
+// The claims of bump-map, and a test for each.
 //
 // - [right-straight-on] In a view straight on, a normal map leaves less than a tenth of the error of mere paint.
 // - [fails-at-80] At 80 degrees a normal map leaves more than half of paint's error, and over five times its own straight on.
@@ -23,7 +23,7 @@ namespace {
 
 constexpr int width = 320, height = 240;
 
-// What the demo draws of it, as luminance, the upper row first; -1 where nothing is.
+// The luminance that the demo draws of it, the upper row first; -1 where nothing is.
 std::vector<float> drawn(DemoRun& run, const char* method) {
     (void)run.set("method", method).picture();
     return stage().measure(1);
@@ -49,7 +49,7 @@ DemoRun wallAt(double angle) {
     return run;
 }
 
-// What holds is to hold by other light and for another depth, too.
+// The claim is to hold by other light and for another depth, too.
 struct Setting {
     double lampTurn, lampHeight, depth;
 };

@@ -1,4 +1,4 @@
-// What clipping claims, and a test for each; X25 in docs/stability.md is its extreme.
+// The claims of clipping, and a test for each; X25 in docs/stability.md is its extreme.
 //
 // - [nine-codes] The code of a point says beyond which sides it lies; OR and AND of two codes are right about their segment.
 // - [same-on-paper] All four methods agree on whole numbers that they can compute without rounding.
@@ -112,7 +112,7 @@ TEST(ClippingFull, decided_by_luck) {
             EXPECT_GT(codes.wrongPercent, 0.1) << offset << " " << size.x;
         }
     }
-    // What the demo reads out is the same
+    // The demo reads out the same
     DemoRun run = smallRun();
     (void)run.set("method", "exact").picture();
     EXPECT_EQ(run.readout("wrong"), 0);
@@ -134,7 +134,7 @@ TEST(Clipping, one_piece_too_many) {
     const double left = run.readout("area");
     (void)run.set("polygon", "2.4,-2/1.2,-2/1.2,2/2.4,2").picture();
     EXPECT_NEAR(left + run.readout("area"), together, 1e-13);
-    // What the method cannot do is refused.
+    // The method refuses what it cannot do.
     run.preset("concave").set("against", "-2,-1/2,-1/0,0/2,1/-2,1");
     EXPECT_EQ(run.refusal(), "--against: must be convex with --polygon-method sutherland-hodgman; overlap takes any");
     run.preset("pieces").set("against", "-2,-1/2,-1/0,0/2,1/-2,1");
@@ -193,7 +193,7 @@ TEST(Clipping, unit_normal) {
     for (const vec2& p : {vec2(4, 0), vec2(1, 7), vec2(5.5, -2.25)}) {
         const std::array<double, 4> distances{p.x - 3, 5 - p.x, p.y + 1, 2 - p.y};
         for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(sides.at(i).of(p), distances.at(i));
-        // Of all three numbers together the slide's is something else: on the line x = 3 the root of 10 divides.
+        // The slide's is something else of all three numbers together: on the line x = 3 the root of 10 divides.
         const HalfPlane& left = sides[0];
         const double length = std::hypot(left.normal.x, left.normal.y, left.distance);
         EXPECT_NEAR(left.of(p) / length, (p.x - 3) / std::sqrt(10), 1e-15);  // three roundings of numbers of 1

@@ -1,4 +1,4 @@
-// What color-models claims, and a test for each.
+// The claims of color-models, and a test for each.
 //
 // - [linked] A mark dragged in a solid stays under the pointer, and is at the same colour in the other solids.
 // - [right-at-each-pixel] Each pixel of a solid shows the colour of its place, cut open or not.
@@ -49,7 +49,7 @@ vec3 colorAt(const Picture& picture, int x, int fromBelow) {
 
 double largest(const vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
-// Where a colour stands in a solid, by other formulas than the demo's: hue and distance from the axis as in the plane of
+// The place of a colour in a solid, by other formulas than the demo's: hue and distance from the axis as in the plane of
 // the cube's corners, stretched until the hexagon of its corners is the solid's circle.
 vec3 placeOf(int solid, const vec3& rgb) {
     if (solid == cube) {

@@ -1,4 +1,4 @@
-// What cube-cull claims, and a test for each.
+// The claims of cube-cull, and a test for each.
 //
 // - [convex-needs-no-depth] The cube is closed and convex: with back faces culled its pixels need no depth test.
 // - [front-is-inside] Culling front faces shows the inside, and so does culling back faces of the other winding.

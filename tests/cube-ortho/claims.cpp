@@ -1,4 +1,4 @@
-// What cube-ortho claims, and a test for each.
+// The claims of cube-ortho, and a test for each.
 //
 // - [identity-and-mirror] The box from -1 to 1 mirrors depth; with near and far exchanged the matrix is the identity.
 // - [far-hides-near] With near and far exchanged, far surfaces hide near ones.
@@ -85,7 +85,7 @@ TEST(CubeOrtho, distance_changes_nothing) {
         EXPECT_EQ(run.readout("near"), distance - 1);
         EXPECT_EQ(run.readout("far"), distance + 1);
     }
-    // It is the box that goes along: a box that stays around the origin would lose the cube.
+    // The box goes along: a box that stays around the origin would lose the cube.
     EXPECT_GT(ndcFromClip(ortho(-1, 1, -1, 1, -1, 1) * run.matrix("viewFromModel") * vec4(0, 0, 0, 1)).z, 1);
 }
 
@@ -156,7 +156,7 @@ TEST(CubeOrtho, nothing_is_refused) {
     EXPECT_EQ(run.refusal().rfind("--depth: must reach a face", 0), 0U) << run.refusal();
     run.set("spin-x", 10).set("depth", 0.3).set("width", 0.05).set("height", 0.05);
     EXPECT_EQ(run.refusal().rfind("--depth: must reach a face", 0), 0U) << run.refusal();
-    // What is let pass has something of the cube in it; every fourth case has faces edge on.
+    // A case that is let pass has something of the cube in it; every fourth case has faces edge on.
     std::mt19937 random(7);
     const auto pick = [&](double low, double high) {
         return low + (high - low) * (static_cast<double>(random() % 1000U) / 999.0);

@@ -1,4 +1,4 @@
-// What cube-persp claims, and a test for each.
+// The claims of cube-persp, and a test for each.
 //
 // - [same-as-frustum] perspective is frustum with the bounds shown, to the last bits.
 // - [shifted-window] A moved window shows straight ahead moved the other way, at every distance, and turns nothing.
@@ -162,7 +162,7 @@ TEST(CubePersp, near_costs_depth) {
     const double usualStep = run.readout("depth-step");
     const auto usual = cubeDepths(run);
     const auto close = cubeDepths(run.set("near", 0.01));
-    // What the cube takes of the range, as drawn: n f/(f - n) times the same difference of 1/d in each.
+    // The part of the range that the cube takes, as drawn: n f/(f - n) times the same difference of 1/d in each.
     const double factor = (0.3 * 3 / (3 - 0.3)) / (0.01 * 3 / (3 - 0.01));
     // One step of 2^-24 on each end of a range of 0.005: 2e-5 of it; the pixels seen are the same.
     EXPECT_NEAR(double(usual[1] - usual[0]) / double(close[1] - close[0]), factor, factor * 1e-4);

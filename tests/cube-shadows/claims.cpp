@@ -1,4 +1,4 @@
-// What cube-shadows claims, and a test for each; rows X11 to X16 of docs/stability.md.
+// The claims of cube-shadows, and a test for each; rows X11 to X16 of docs/stability.md.
 //
 // - [cast-by-rays] The picture is what rays show, on floor, wall and leaning wall, from lamps and lights at infinity.
 // - [no-shadow-seen-from-the-light] An eye at the light, as in the original's first picture, sees no shadow.
@@ -81,7 +81,7 @@ Scene sceneOf(DemoRun& run) {
     return scene;
 }
 
-// Where the picture is darker than without shadows: by how much of the light, 0..1 a pixel.
+// The part of the light by which the picture is darker than without shadows, 0..1 a pixel.
 struct Darkened {
     Picture with, without;
     static double sum(const Pixel& p) { return p.red + p.green + p.blue; }
@@ -103,7 +103,7 @@ Darkened darkened(DemoRun& run) {
     return result;
 }
 
-// Of a picture's numbers, one a pixel, that of this pixel.
+// The number of this pixel, of a picture's numbers, one a pixel.
 template <class Numbers>
 auto at(const Numbers& numbers, int width, int x, int y) {
     return numbers[pixelIndex(x, y, width)];
@@ -172,7 +172,7 @@ TEST(CubeShadowsFull, cast_by_rays) {
         EXPECT_GT(result.shadow, 400);
         EXPECT_GT(result.compared, 320 * 320 * 0.85);  // few edges are passed over
     }
-    // It is the front that is lit: from below the floor has no shadow.
+    // The front is lit: from below the floor has no shadow.
     DemoRun run = inRoom({{"phi", "120"}});
     const Darkened drawn = darkened(run);
     const Scene scene = sceneOf(run);
@@ -229,7 +229,7 @@ TEST(CubeShadows, transposed_is_wrong) {
     const mat4 slide = run.matrix("shadowFromWorld");
     for (int column = 0; column < 4; ++column)
         for (int row = 0; row < 4; ++row) EXPECT_NEAR(slide[column][row], right[row][column], 1e-14);
-    // It does not even put points onto the plane; the right one does.
+    // The slide's matrix does not even put points onto the plane; the right one does.
     const vec4 point(1, -1, 1, 1), miss = slide * point, hit = right * point;
     EXPECT_GT(std::abs(miss.z / miss.w - floorZ), 0.5);
     EXPECT_NEAR(hit.z / hit.w, floorZ, 1e-14);

@@ -1,4 +1,4 @@
-// What displacement claims, and a test for each.
+// The claims of displacement, and a test for each.
 //
 // - [outline-is-real] Moved vertices change the outline; the same normals without moves leave that of the smooth body.
 // - [prepared-is-the-same] At a fixed level the tessellator draws what the processor's mesh of as many cells draws.
@@ -65,7 +65,7 @@ TEST(DisplacementFull, outline_is_real) {
         const auto moved = covered(run.set("method", "tessellated"));
         // All lies below the smooth surface, and its outline is many pixels long.
         EXPECT_LT(sum(moved), sum(smooth) - 100) << body;
-        // The processor's mesh knows the relief as a function. Where the outlines of two meshes are, rounding decides.
+        // The processor's mesh knows the relief as a function. Rounding decides at the outlines of two meshes.
         const auto prepared = covered(run.set("method", "prepared"));
         EXPECT_LT(different(moved, prepared), different(smooth, prepared) / 5) << body;
     }
@@ -121,7 +121,7 @@ TEST(DisplacementFull, triangles_by_the_rule) {
         (void)run.set("levels", "fixed").set("level", 13).picture();
         EXPECT_EQ(run.readout("patches") + run.readout("left-out"), 96);
         EXPECT_EQ(run.readout("triangles"), run.readout("patches") * double(trianglesOfSquare(13, 13)));
-        // By distance each edge's level is rounded up: from floats and from doubles in the same way, but where it is nearly
+        // Each edge's level by distance is rounded up: from floats and from doubles in the same way, but where it is nearly
         // a whole number, once in many thousand.
         (void)run.set("levels", "distance").picture();
         EXPECT_GT(run.readout("triangles"), 0);

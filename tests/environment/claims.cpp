@@ -1,4 +1,4 @@
-// What environment claims, and a test for each.
+// The claims of environment, and a test for each.
 //
 // - [rays-are-right] By rays each pixel of the sphere has the colour of double precision, for each material.
 // - [off-by-distance] A room of twice the size halves the error of a lookup by direction alone, or leaves at most 0.71 of it.
@@ -42,7 +42,7 @@ std::vector<float> drawn(DemoRun& run) {
     return stage().measure(1);
 }
 
-// Of the same pixels, what double precision finds by rays.
+// The same pixels, as double precision finds them by rays.
 std::vector<double> byRays(DemoRun& run, const std::string& material, int innerReflections = 0) {
     const Demo& demo = run.demo();
     const ShinySphere sphere{.room = {demo.number("room"), demo.number("ball") + 1},
@@ -77,7 +77,7 @@ Apart difference(const std::vector<float>& shown, const std::vector<double>& exa
     return result;
 }
 
-// Where each pixel's line of sight is reflected to, by the sphere; 0 where it misses.
+// The direction in which the sphere reflects each pixel's line of sight; 0 where it misses.
 std::vector<vec3> reflections(DemoRun& run) {
     const Scene camera = run.demo().scene(FrameInfo(1, side, side));
     const mat4 worldFromClip = glm::inverse(camera.clipFromWorld());
@@ -204,14 +204,14 @@ TEST(EnvironmentFull, kept) {
     EXPECT_EQ(differentPixels(run.set("keep", "off").picture(2), jumped), 0);
     EXPECT_EQ(faces(2), 6);
     EXPECT_EQ(faces(2), 6);
-    // Where the ball rests no frame draws one; and what was kept is what is made anew.
+    // No frame draws a face while the ball rests; and what was kept is what is made anew.
     run.set("keep", "on").set("moving", "off").set("ball", -7);
     (void)faces(1);
     EXPECT_EQ(faces(50), 0);
     run.set("moving", "on");
     EXPECT_EQ(differentPixels(run.picture(1), kept), 0);
 
-    // By the calls themselves: a still frame is one pass, and its draws are those of the picture.
+    // The calls themselves tell: a still frame is one pass, and its draws are those of the picture.
     const AuditReport report = auditDemo(stage(), findDemo("environment"), {}, 1);
     EXPECT_EQ(report.first.passes, 7);
     EXPECT_EQ(report.steady.passes, 1);

@@ -104,7 +104,7 @@ Row volumes(const std::string& id, const std::string& input, const Settings& bot
                    {"groups", "off"}, "counts of 127 at most, one after the other", {"groups", "on"});
 });
 
-// What 300 ways in and then 100 out leave in the stencil buffer of a few pixels.
+// The count that 300 ways in and then 100 out leave in the stencil buffer of a few pixels.
 double countAfter(GLenum in, GLenum out) {
     glEnable(GL_STENCIL_TEST);
     glDisable(GL_DEPTH_TEST);
@@ -164,7 +164,7 @@ double wrongUnder(double elevation, const Settings& settings) {
     return 100.0 * double(result.wrong) / double(result.pixels);
 }
 
-// What the steps of the texels cost at this angle, by a map in which nothing else can be wrong: back faces alone, without
+// The error by the steps of the texels at this angle, by a map in which nothing else can be wrong: back faces alone, without
 // the floor and without a bias.
 const Settings stepsAlone{{"map-faces", "back"}, {"receiver", "off"}};
 

@@ -76,7 +76,7 @@ Late lateOf(const Arm& arm, double beyond, Angles degreesNow, Advance advance) {
     return result;
 }
 
-// Of 201 starts: the pseudo-inverse's paths are chaotic, so that only their median is the same on another machine.
+// The median of 201 starts: the pseudo-inverse's paths are chaotic, so that only their median is the same on another machine.
 struct Starts {
     Late naive;  // the medians
     Late ours;   // the worst

@@ -11,7 +11,7 @@ using namespace mv::test;
 
 namespace {
 
-// What E of the plan asks of a camera that is uploaded: a shear of a millionth is far below a pixel.
+// The demand E of the plan on a camera that is uploaded: a shear of a millionth is far below a pixel.
 constexpr double usable = 1e-6;
 const std::string usableReason = "a millionth of shear moves nothing by a pixel; rounding to float takes 1e-7 of it";
 const std::string shear = "largest element of RᵀR − I, as uploaded in float";

@@ -1,4 +1,4 @@
-// What several rows measure with.
+// The measures that several rows share.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@ namespace mv::test {
 inline constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
 inline constexpr double infinite = std::numeric_limits<double>::infinity();
 
-// Where anything is NaN the worst is infinity: std::max would pass over a NaN.
+// The worst is infinity where anything is NaN: std::max would pass over a NaN.
 inline double worse(double worst, double error) { return std::isnan(error) ? infinite : std::max(worst, error); }
 
 // The largest element of R^T R - I for the rotation part of a matrix, computed wide; infinity where one is NaN.

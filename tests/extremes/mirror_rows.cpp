@@ -39,7 +39,7 @@ namespace {
                .reason = "a plane seen from the side has no area"};
 });
 
-// Of 1000 pairs of points on one line of sight in what the mirror shows, 1 % apart: how many are in the wrong order, or at
+// The part of 1000 pairs of points on one line of sight in what the mirror shows, 1 % apart: how many are in the wrong order, or at
 // the same depth, in a depth buffer of 24 bits and with the floats of the GPU.
 double confused(const mat4& clipFromView, const vec4& plane) {
     const fmat4 rounded(clipFromView);

@@ -115,7 +115,7 @@ double largestRelative(const OdeCase& ode, OdeMethod method) {
     return ours.reachedEnd() ? largestRelative(ours.y, ode.reference) : infinite;
 }
 
-// What a method makes of it that is not for stiff problems, and whose steps follow its error.
+// The result of a method that is not for stiff problems, and whose steps follow its error.
 double whereItGaveUp(const OdeCase& ode) {
     const OdeResult result = integrateAdaptive(ode.problem, OdeMethod::dormandPrince, 0, ode.end, ode.initial,
                                                {.relative = 1e-6, .absolute = ode.absolute});

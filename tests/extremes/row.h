@@ -33,7 +33,7 @@ inline bool holds(double error, double tolerance) { return error <= tolerance; }
 // The page made of these rows: the same bytes for the same rows.
 std::string stabilityPage(const std::vector<Row>& rows);
 
-// What differs between a committed page and a fresh one, line by line, "" where nothing does. Words must agree exactly;
+// The difference between a committed page and a fresh one, line by line, "" where nothing does. Words must agree exactly;
 // the columns of measured numbers within a factor of 4, where what is below 1.1e-16, the rounding of a double, counts as
 // that: another processor's sine may round another way.
 std::string pageDifference(const std::string& committed, const std::string& fresh);

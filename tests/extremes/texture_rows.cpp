@@ -25,7 +25,7 @@ double mean(const FloatPicture& picture) {
     return sum / double(picture.values.size());
 }
 
-// The usual form: each texel the mean of 2 x 2. Of an odd side the last texel falls out; of a side of 1 there is no second,
+// The usual form: each texel the mean of 2 x 2. The last texel of an odd side falls out; of a side of 1 there is no second,
 // and the size becomes 0.
 FloatPicture halvedByFours(const FloatPicture& picture) {
     FloatPicture half;
@@ -44,7 +44,7 @@ FloatPicture halvedByFours(const FloatPicture& picture) {
     return half;
 }
 
-// By how much the mean changes down to the last level.
+// The change of the mean down to the last level.
 template <class Halve>
 double changeOfMean(FloatPicture picture, int levels, Halve halve) {
     const double first = mean(picture);

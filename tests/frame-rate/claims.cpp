@@ -1,4 +1,4 @@
-// What frame-rate claims, and a test for each.
+// The claims of frame-rate, and a test for each.
 //
 // - [right-ones-agree] After an hour, at an irrational speed, what is moved per second and what is a function of the time
 //   agree to 1e-12, whatever the display does; what goes in steps is where they were less than two steps before.
@@ -112,7 +112,7 @@ TEST(FrameRate, made_for_60) {
         EXPECT_NEAR(off.perPicture, 0, 2e-11) << index;
         EXPECT_NEAR(off.perSecond, 0, 2e-11) << index;
     }
-    // Where pictures are late it shows.
+    // The difference shows where pictures are late.
     EXPECT_LT(offAfter(run.set("load", 20), 3600).perPicture, -20);
 }
 
@@ -173,7 +173,7 @@ TEST(FrameRate, same_frame) {
     EXPECT_EQ(run.picture(500), late);
     EXPECT_EQ(run.picture(40), early);
 
-    // Somebody plays: loads the machine at frame 100 and relieves it at 200. What is copied shows the same.
+    // Somebody plays: loads the machine at frame 100 and relieves it at 200. A copied command shows the same.
     const std::vector<KnobSetting> knobs{{"hours", "0"}, {"jitter", "9"}};
     Picture played;
     std::vector<TimedChange> changes;

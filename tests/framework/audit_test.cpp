@@ -349,7 +349,7 @@ TEST(Audit, declared_waste_is_excused_and_idle_excuses_are_found) {
     EXPECT_FALSE(auditing());
 }
 
-// What beside each other has the same bytes is no waste; nor is what is made anew with others.
+// Two things beside each other with the same bytes are no waste; nor is what is made anew with others.
 TEST(Audit, two_that_hold_the_same_are_two) {
     stage();
     startAudit();
@@ -365,7 +365,7 @@ TEST(Audit, two_that_hold_the_same_are_two) {
     for (const Finding& finding : stopAudit()) EXPECT_NE(finding.kind, waste::uploadAgain) << finding.what;
 }
 
-// What ES lacks is named where it is not declared.
+// The audit names what ES lacks where it is not declared.
 TEST(Audit, what_es_lacks_is_declared) {
     struct Nothing {};
     struct Cutting final : DemoOf<Nothing> {

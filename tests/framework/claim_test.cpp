@@ -122,7 +122,7 @@ TEST(Claims, fails_for_the_reason_that_is_given) {
     EXPECT_EQ(failures(fails(rows("once"), "must be")), Texts{"hill, once: does not fail because 'must be': ok"});
 }
 
-// What matches nothing would hold of anything.
+// A claim that matches nothing would hold of anything.
 TEST(Claims, none_is_about_nothing) {
     EXPECT_EQ(problem(zero(of::rms, rows("falls", "rises"))), "claim: must be about rows that there are, rises");
     EXPECT_EQ(problem(zero(of::rms, rows("falls").in("moor"))),

@@ -312,7 +312,7 @@ TEST(CommandLine, begins_with_a_pictures_line) {
     EXPECT_EQ(refusal({"cube-cull", "--from"}), "--from: must have a value (--help says which)");
     tell("texture-map --picture 'my photo'\\''s.jpg'");
     EXPECT_EQ(parseCommandLine({"--from", file, "--copyable"}).knobs.front().text, "my photo's.jpg");
-    // What a stranger's picture tells to do is not done.
+    // Nobody does what a stranger's picture tells to do.
     for (const char* action : {"--shot x", "--shot=x", "--study x", "--movie x.mp4", "--plot x.svg", "--gallery x",
                                "--docs x", "--from x", "--report", "--window", "--help", "--preset both"}) {
         const std::string flag = std::string(action).substr(0, std::string(action).find_first_of(" ="));
@@ -381,7 +381,7 @@ TEST(CommandLine, a_copyable_command_says_what_differs) {
     EXPECT_EQ(both, "cube-cull --spin-x 0.1 --compare cull=front,none");
 }
 
-// What is written is a PNG, whatever it is called: so no name may say otherwise.
+// The file is a PNG, whatever it is called: so no name may say otherwise.
 TEST(CommandLine, a_picture_is_what_its_name_says) {
     for (const char* name : {"a.png", "a.PNG", "a", "-", "/dev/fd/1", "a.b.png", "a.7", ".a", "a.", "%d", "x.jpg/a"}) {
         EXPECT_EQ(refusal({"cube-cull", "--shot", name}), "accepted") << name;
@@ -395,7 +395,7 @@ TEST(CommandLine, a_picture_is_what_its_name_says) {
     EXPECT_TRUE(has(refusal({"viewpoints", "--shot", "-", "--until", "1"}), "goes to standard output"));
 }
 
-// Of every demo, also one that stands still: the line that is copied is understood, and means the same picture.
+// Every demo, also one that stands still: the line that is copied is understood, and means the same picture.
 TEST(CommandLine, a_copied_line_with_changes_is_understood) {
     int still = 0;
     for (const DemoInfo& info : catalogue()) {

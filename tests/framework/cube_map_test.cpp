@@ -34,7 +34,7 @@ std::array<FloatPicture, cubeFaces> plainFaces(int size) {
     return faces;
 }
 
-// What texture() finds in that direction.
+// The texel that texture() finds in that direction.
 Pixel lookedUp(const CubeMap& map, const vec3& way) {
     const Program program = Program::fromText(
         "look", "in vec4 position;\nvoid main() { gl_Position = position; }\n",

@@ -1,4 +1,4 @@
-// What a driver says by KHR_debug, judged by its type; and the version that is asked for.
+// The messages of a driver by KHR_debug, judged by its type; and the version that is asked for.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -104,7 +104,7 @@ TEST_F(Driver, an_audit_tells_remarks_and_is_ended_by_a_fault) {
     stage().close();
 }
 
-// A frame of a window asks for no words. What is wrong is found all the same, by glGetError.
+// A frame of a window asks for no words. glGetError finds the mistake all the same.
 TEST_F(Driver, who_does_not_listen_hears_no_words_and_still_finds_errors) {
     listenToDriver(false);
     say(GL_DEBUG_TYPE_PERFORMANCE, GL_DEBUG_SEVERITY_HIGH, "unheard");

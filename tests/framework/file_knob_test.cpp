@@ -143,7 +143,7 @@ TEST(FileKnob, reads_what_is_written_anew) {
     EXPECT_NE(refusalOf(demo), "") << "what is gone is told";
 }
 
-// What a window goes by, where a demo has knobs of two kinds.
+// The kinds that a window goes by, where a demo has knobs of two kinds.
 TEST(FileKnob, takes_files_of_its_endings) {
     const auto made = taking();
     const Knob& knob = made->knob("picture");

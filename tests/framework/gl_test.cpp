@@ -155,7 +155,7 @@ TEST_F(Gl, a_byte_order_mark_is_skipped) {
               "no error");
 }
 
-// What the compiler skips is not followed; where it may skip a line, a file that is not there is its mistake to tell.
+// Lines that the compiler skips are not followed; where it may skip a line, a file that is not there is its mistake to tell.
 TEST_F(Gl, includes_that_are_no_code_are_not_followed) {
     addShaderFile("include/once-seen.glsl", "// seen\n", "");
     const std::string seen = "#include \"once-seen.glsl\"\n", none = "#include \"none.glsl\"\n";
@@ -445,7 +445,7 @@ TEST_F(Gl, words_stand_in_the_picture) {
     const Picture words = target.read();
     EXPECT_GT(differentPixels(empty, words), 200);
     EXPECT_LT(differentPixels(empty, words), 3000);
-    // Where they end is what textWidth says: nothing is drawn to the right of it.
+    // The words end where textWidth says: nothing is drawn to the right of it.
     const int end = 3 + textWidth("Horfðu á 45°");
     for (int y = 0; y < 40; ++y) {
         for (int x = end; x < 200; ++x) ASSERT_EQ(words.at(x, y), empty.at(x, y)) << x << ", " << y;

@@ -1,4 +1,4 @@
-// What is dragged in the picture: knobs follow the pointer.
+// Handles that are dragged in the picture: knobs follow the pointer.
 #include "mv/demo/handle.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What is written as JSON reads back as the same, by a library's reader.
+// Text that is written as JSON reads back as the same, by a library's reader.
 #include "mv/paper/json_text.h"
 
 #include <gtest/gtest.h>

@@ -53,7 +53,7 @@ std::string errorOf(Knob& knob, const std::string& text) {
 
 }  // namespace
 
-// What a knob prints, it reads back as the same value: that is what makes a printed command line reproduce a picture.
+// A knob reads back what it prints as the same value: that is what makes a printed command line reproduce a picture.
 TEST(Knobs, print_and_parse_are_inverse) {
     Settings settings;
     for (const double value : {0.1, 1.0 / 3, -2.0, 3.0, 1e-17, 2.718281828459045}) {

@@ -1,4 +1,4 @@
-// What a lecture asks of a demo: strips, films, a sentence on two settings, the plot of one scene.
+// The commands of a lecture: strips, films, a sentence on two settings, the plot of one scene.
 #include "mv/run/lecture.h"
 
 #include <gtest/gtest.h>

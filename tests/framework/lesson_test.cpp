@@ -238,7 +238,7 @@ TEST(Lessons, fallback_changes_what_is_drawn_and_no_knob) {
     EXPECT_EQ(demo.settings().water, 0.5);
 }
 
-// What a lesson remembers is copied, and comes back: the framework steps to any frame.
+// The memory of a lesson is copied, and comes back: the framework steps to any frame.
 TEST(Lessons, memory_is_the_frameworks_to_keep) {
     struct Sum {
         int of = 0;

@@ -1,10 +1,11 @@
-// What a demo is made of beside its draw: probes, annotations, things made when they are needed.
+// The parts of a demo beside its draw: probes, annotations, things made when they are needed.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <string>
 #include <vector>
 
+#include "mv/demo/cached.h"
 #include "mv/demo/demo.h"
 #include "mv/demo/made_for.h"
 #include "mv/demo/seen.h"
@@ -226,6 +227,33 @@ TEST(MadeFor, is_changed_by_each_of_its_values) {
     EXPECT_FALSE(made.changed(2, 3));
     made.forget();
     EXPECT_TRUE(made.changed(2, 3));
+}
+
+TEST(Cached, makes_a_value_anew_only_for_other_settings) {
+    Cached<std::string, int, double> cached;
+    EXPECT_EQ(*cached, "") << "nothing was asked yet";
+    int made = 0;
+    const auto ask = [&](int one, double two) {
+        return cached.of({one, two},
+                         [&] { return std::to_string(one) + (two < 1 ? "low " : "high ") + std::to_string(++made); });
+    };
+    EXPECT_EQ(ask(1, 2), "1high 1");
+    EXPECT_EQ(ask(1, 2), "1high 1");
+    EXPECT_EQ(*cached, "1high 1");
+    EXPECT_EQ(cached->size(), 7U);
+    EXPECT_EQ(ask(1, 0.5), "1low 2");
+    EXPECT_EQ(ask(3, 0.5), "3low 3");
+    EXPECT_EQ(ask(1, 2), "1high 4") << "one value is kept, not all";
+}
+
+// A value that could not be made, of a picture that is too large say, is not taken for made.
+TEST(Cached, makes_again_what_could_not_be_made) {
+    Cached<int, int> cached;
+    EXPECT_EQ(cached.of({1}, [] { return 10; }), 10);
+    EXPECT_THROW(cached.of({2}, []() -> int { throw Error("--size", "must be smaller"); }), Error);
+    EXPECT_EQ(cached.of({2}, [] { return 20; }), 20);
+    EXPECT_THROW(cached.of({3}, []() -> int { throw Error("--size", "must be smaller"); }), Error);
+    EXPECT_EQ(cached.of({2}, [] { return 21; }), 21) << "asked for what was there before the failure";
 }
 
 TEST(OnDemand, makes_one_when_it_is_asked_for) {

@@ -122,7 +122,7 @@ TEST(PageNumbers, digits_say_how_exact_a_number_is) {
     EXPECT_FALSE(tells("0", is(1e-9)));
     EXPECT_TRUE(tells("0.00", is(0.004)));
     EXPECT_FALSE(tells("0.00", is(0.006)));
-    // What another machine may make differs a little more.
+    // A number of another machine differs a little more.
     EXPECT_TRUE(tells("0.014", {0.0146, 0.0002, false}));
     EXPECT_FALSE(tells("a", is(1)));
 }
@@ -146,7 +146,7 @@ TEST(PageNumbers, are_told_as_before_with_two_digits_at_least) {
     EXPECT_EQ(told("5", 12345, true), "12345");
     EXPECT_EQ(told("5 000", 12345, true), "12 345");
     EXPECT_EQ(told("5", 1234567, true), "1 234 567");
-    // What is told anew holds.
+    // A number that is told anew holds.
     for (const double value : {0.01384, 43.61, 9.96, 99.96, 1501.2, 3.92e-9, -0.9234, 12345.0, 0.000999}) {
         for (const char* before : {"5", "0.5", "4e-7", "0.500", "1 000"}) {
             EXPECT_TRUE(tells(told(before, value), {value, 0, false})) << before << " " << value;

@@ -102,7 +102,7 @@ TEST(PointsKnob, has_as_many_as_it_may) {
     EXPECT_EQ(demo.dots.text(), "1,-0.5");
 }
 
-// What cannot be done is not offered: neither a key nor a button adds one, and the range tells no second number.
+// Nothing is offered that cannot be done: neither a key nor a button adds one, and the range tells no second number.
 TEST(PointsKnob, of_a_fixed_number_offers_no_other) {
     Dots demo;
     const Handle& fixed = demo.handles().back();

@@ -92,7 +92,7 @@ TEST(Presets, are_refused_where_they_are_no_presets) {
     EXPECT_EQ(
         refusalOf([] { addDemo(declaration, {empty}, "", [] { return std::make_unique<Kettle>(); }); }).substr(0, 24),
         "preset 'empty' of kettle");
-    // What a preset sets is a knob, and a value of it.
+    // A preset sets a knob, to a value that the knob has.
     Kettle demo;
     EXPECT_EQ(refusalOf([&] {
                   applyPreset(demo, {"x", "x", {{"watr", "1"}}});
@@ -144,7 +144,7 @@ TEST(Presets, come_before_the_other_flags) {
               std::string::npos);
 }
 
-// Where a page of the course exists, its first picture is one word away.
+// The first picture of a page of the course is one word away.
 TEST(Presets, originals_are_kept) {
     for (const char* demo : {"viewpoints", "cube-ortho", "cube-persp", "stereocube", "cube-cull", "shadow",
                              "shadow-floor", "cube-shadows", "shadow-map"}) {

@@ -21,7 +21,7 @@ using namespace mv;
 
 namespace {
 
-// What the user is told when `work` throws.
+// The sentence that the user is told when `work` throws.
 template <class Work>
 std::string told(const Work& work) {
     try {
@@ -76,7 +76,7 @@ TEST(Run, what_a_library_throws_is_said_in_our_words) {
     EXPECT_EQ(told([] { (void)std::stoi("x"); }), fault);
 }
 
-// What is said beside knobs names them as their labels do, and says what to do; a command line's words stay as they are elsewhere.
+// A sentence beside knobs names them as their labels do, and says what to do; a command line's words stay as they are elsewhere.
 TEST(Run, a_refusal_in_plain_words) {
     const auto demo = findDemo("view-volume").make();
     demo->knob("near").parse("20");

@@ -96,7 +96,7 @@ TEST(Session, a_picture_of_passes_gets_one_a_draw_and_begins_anew_with_a_setting
     stage().close();
 }
 
-// What a page needs: a demo by its name, its knobs as data and set by name, a picture, and what is known of it.
+// A page needs: a demo by its name, its knobs as data and set by name, a picture, and what is known of it.
 TEST(Session, knobs_are_data_and_set_by_name) {
     const Picture front = drawn("cube-cull", {{"cull", "front"}, {"spin-x", "30"}}, 1);
     const Picture none = drawn("cube-cull", {{"cull", "none"}, {"spin-x", "30"}}, 1);
@@ -214,7 +214,7 @@ TEST(Session, time_passes_in_frames) {
     EXPECT_EQ(stage().picture(), later);
 }
 
-// What is changed at some frame comes, also in a demo that does not move by itself.
+// A change at some frame comes, also in a demo that does not move by itself.
 TEST(Session, a_still_demo_plays_where_something_changes) {
     Session session(stage(), findDemo("cube-cull"),
                     {.width = width, .height = height, .changes = {{7, "cull", "front"}}});

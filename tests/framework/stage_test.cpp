@@ -116,7 +116,7 @@ TEST(Stage, demos_leave_no_trace) {
     EXPECT_EQ(liveObjects(), 0);
 }
 
-// What the stage undoes is what a reader has to, who pastes a draw into a loop of their own: each demo drawn twice without
+// The stage undoes what a reader has to undo, who pastes a draw into a loop of their own: each demo drawn twice without
 // it, those that then differ, and that they do not once it is undone.
 TEST(Stage, a_draw_pasted_elsewhere_needs_what_is_undone) {
     std::vector<std::string> differing;

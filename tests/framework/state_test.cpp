@@ -130,6 +130,19 @@ TEST_F(State, what_lies_over_a_picture_is_added_by_alpha) {
     EXPECT_EQ(integer(GL_BLEND_EQUATION_RGB), GL_MIN);
 }
 
+TEST_F(State, a_switch_is_set_by_a_value_where_it_differs) {
+    setEnabled(GL_CULL_FACE, false);
+    setEnabled(GL_DITHER, true);
+    EXPECT_TRUE(changedState().empty());
+    setEnabled(GL_CULL_FACE, true);
+    setEnabled(GL_DITHER, false);
+    EXPECT_EQ(glIsEnabled(GL_CULL_FACE), GL_TRUE);
+    EXPECT_EQ(glIsEnabled(GL_DITHER), GL_FALSE);
+    EXPECT_EQ(changedState().size(), 2U);
+    setEnabled(GL_CULL_FACE, false);
+    EXPECT_EQ(glIsEnabled(GL_CULL_FACE), GL_FALSE);
+}
+
 TEST_F(State, switching_off_sets_only_what_is_on) {
     switchOff(GL_BLEND);
     EXPECT_TRUE(changedState().empty());

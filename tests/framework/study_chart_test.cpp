@@ -103,7 +103,7 @@ TEST(StudyChart, each_axis_has_two_labelled_ticks) {
     }
 }
 
-// What is read off at a tick is what a point there has.
+// A reader finds at a tick the value that a point there has.
 TEST(StudyChart, points_stand_where_their_numbers_are) {
     for (const Case& each : cases()) {
         SCOPED_TRACE(each.name);

@@ -28,7 +28,7 @@ std::vector<std::size_t> allRows(const StudyRun& run) {
 
 }  // namespace
 
-// Of every committed study, at every number that it has as a bound: the row chosen keeps the bound, and none that keeps it,
+// Every committed study, at every number that it has as a bound: the row chosen keeps the bound, and none that keeps it,
 // too, is cheaper (more exact).
 TEST(StudyBound, the_row_chosen_keeps_it_and_no_other_is_better) {
     int tried = 0;

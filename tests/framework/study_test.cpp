@@ -395,7 +395,7 @@ TEST(StudyData, best_is_judged_among_equal_problems) {
     }
 }
 
-// What is committed is judged as the declaration has it, and as it is judged today.
+// A committed row is judged as the declaration has it, and as it is judged today.
 TEST(StudyData, committed_rows_are_judged_among_equal_problems) {
     int studies = 0;
     for (const DemoInfo& info : catalogue()) {

@@ -130,7 +130,7 @@ TEST(Timeline, a_knob_that_is_moved_is_another_beginning) {
     EXPECT_EQ(demo.stepped, 0) << "the way that was gone before is remembered";
 }
 
-// Somebody plays: moves knobs, goes back, lets it run. What is copied then gives the same in a fresh demo.
+// Somebody plays: moves knobs, goes back, lets it run. The copied command then gives the same in a fresh demo.
 TEST(Timeline, what_was_played_is_repeated_from_its_beginning_and_its_changes) {
     std::mt19937 random(5);
     const auto below = [&](unsigned count) { return static_cast<int>(random() % count); };

@@ -1,4 +1,4 @@
-// What OpenGL leaves undefined is found without a driver that mentions it: each check by one draw that deserves it, beside one
+// The checks find what OpenGL leaves undefined, without a driver that mentions it: each check by one draw that deserves it, beside one
 // that does not.
 #include "mv/gl/undefined.h"
 
@@ -43,7 +43,7 @@ class Undefined : public testing::Test {
         restoreInitialState();
         EXPECT_EQ(takeErrors(), std::vector<std::string>());
     }
-    // What is said of one draw of the triangle; "" where nothing is.
+    // The sentences on one draw of the triangle; "" where nothing is.
     std::string faults(const Program& program) const {
         program.use();
         mesh.draw();
@@ -119,7 +119,7 @@ TEST_F(Undefined, a_uniform_was_set) {
     another.set("tint", vec4(0));
     EXPECT_EQ(faults(another), "") << "0 is a value";
 
-    // Of an array a program reads as many elements as it is told.
+    // A program reads as many elements of an array as it is told.
     const Program lit = reading("uniform vec4 lamps[2];\nuniform int count;\n", "count > 1 ? lamps[1] : vec4(0.0)");
     lit.use();
     lit.set("count", 0);

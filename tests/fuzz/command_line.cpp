@@ -1,4 +1,4 @@
-// libFuzzer: any words into the command line, one a line of the input. They are understood or refused as not
+// libFuzzer: any words into the command line, one a line of the input. Lines are understood or refused as not
 // understood, nothing else; and what is understood prints a command line that means the same.
 #include <algorithm>
 #include <memory>

@@ -22,7 +22,7 @@ bool holds(const vec3& point) {
 
 }  // namespace
 
-// By points of the bodies: of what is outside none is in the volume, of what is inside all are.
+// Points of the bodies tell: of a body outside none is in the volume, of a body inside all are.
 TEST(InVolume, no_point_says_otherwise) {
     Random random(1);
     int seen[3] = {0, 0, 0};

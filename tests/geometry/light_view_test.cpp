@@ -71,7 +71,7 @@ TEST(LightView, IsSeenFromTheLight) {
     const LightView view = fitLightView({4, 7, 2, 1}, corners);
     const vec4 eye = view.viewFromWorld * vec4(4, 7, 2, 1);
     EXPECT_LT(glm::length(vec3(eye)), rounding);
-    // What lies behind another point on a ray from the light has its place on the map, and is farther.
+    // A point that lies behind another one on a ray from the light has its place on the map, and is farther.
     for (const vec3& p : corners) {
         const vec3 behind = vec3(4, 7, 2) + 1.1 * (p - vec3(4, 7, 2));
         const vec4 a = view.mapFromWorld() * vec4(p, 1), b = view.mapFromWorld() * vec4(behind, 1);

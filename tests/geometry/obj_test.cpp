@@ -45,7 +45,7 @@ TEST(Obj, a_vertex_for_each_that_some_corner_has_together) {
 TEST(Obj, negative_indices_count_from_where_they_stand) {
     const MeshData backwards = meshOf("v 0 0 0\nv 1 0 0\nv 1 1 0\nf -3 -2 -1\nv 0 0 5\nv 1 0 5\nv 1 1 5\nf -3 -2 -1\n");
     EXPECT_EQ(backwards, meshOf("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 0 5\nv 1 0 5\nv 1 1 5\nf 1 2 3\nf 4 5 6\n"));
-    // What comes later in the file may be named by its number
+    // A vertex that comes later in the file may be named by its number
     EXPECT_EQ(meshOf("f 1 2 3\nv 0 0 0\nv 1 0 0\nv 1 1 0\n").indices.size(), 3U);
 }
 

@@ -48,7 +48,7 @@ std::vector<vec3> worldCorners(const SceneObject& object) {
 
 // ---- the tree of boxes
 
-// What a loop over all triangles finds first.
+// The triangle that a loop over all of them finds first.
 SceneHit loopOver(const std::vector<std::vector<vec3>>& objects, const Ray& ray) {
     SceneHit best{.t = HUGE_VAL};
     for (std::size_t object = 0; object < objects.size(); ++object) {
@@ -273,7 +273,7 @@ TEST(RayCaster, NeitherShadesItselfNorLosesWhatIsNear) {
             if (!hit || glm::dot(hit->normal, light) <= 0) continue;
             ++facing;
             shaded += caster.inShadow(*hit, vec4(light, 0)) ? 1 : 0;
-            // What happens without any of it, the ray from the very point.
+            // Without any of it, the ray from the very point.
             shadedWithout += caster.nearest({hit->point, light}) ? 1 : 0;
         }
         EXPECT_GT(facing, 10000) << size;

@@ -271,7 +271,7 @@ TEST(IntersectTriangle, TakesSmallAndThinOnesAndPassesOverThoseWithoutArea) {
     EXPECT_GT(found, 0);
 }
 
-// Of 1e5 rays each, and of 1e7 where MVGL_LONG is set
+// 1e5 rays each, and 1e7 where MVGL_LONG is set
 TEST(IntersectTriangle, IsNotMetByTheRayThatLeavesIt) {
     const long count = std::getenv("MVGL_LONG") != nullptr ? 10'000'000 : 100'000;
     const auto start = [](const vec3& place, const vec3& normal, const vec3& way, const vec3& size) {
@@ -314,7 +314,7 @@ TEST(IntersectTriangle, IsNotMetByTheRayThatLeavesItsNeighbour) {
     }
 }
 
-// What is nearer to the plane than roundings of the ways is passed over, and nothing else, however slender.
+// An origin that is nearer to the plane than roundings of the ways is passed over, and nothing else, however slender.
 TEST(IntersectTriangle, IsMetFromCloseBy) {
     Random random(31);
     for (const double aspect : {1.0, 1e3, 1e6}) {

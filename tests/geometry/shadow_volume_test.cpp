@@ -169,7 +169,7 @@ TEST(ShadowVolume, HasThePartsItCounts) {
     for (std::size_t i = 0; i < volume.darkCap; ++i) {
         EXPECT_EQ(volume.positions[volume.indices[volume.sides + volume.lightCap + i]].w, 0);
     }
-    // Of a light at infinity: one triangle an edge, and no cap there.
+    // A light at infinity makes one triangle an edge, and no cap there.
     volume = shadowVolume(cube, {5, 5, 0, 0});
     EXPECT_EQ(volume.edges, 6U);
     EXPECT_EQ(volume.sides, 18U);
@@ -185,7 +185,7 @@ TEST(ShadowVolume, HasThePartsItCounts) {
     EXPECT_EQ(volume.darkCap, 12U);
 }
 
-// What the stencil counts: a point is wound round as often as the way from it to the light leaves the solid.
+// The stencil's count: a point is wound round as often as the way from it to the light leaves the solid.
 TEST(ShadowVolume, WindsRoundWhatIsInShadow) {
     Random random(7);
     int inside = 0, outside = 0, twice = 0;

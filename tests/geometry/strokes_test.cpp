@@ -144,7 +144,7 @@ TEST(Strokes, CuttingKeepsWhatIsInside) {
     for (const vec2& point : {vec2(9.1, 28.03), vec2(20.2, 30.3), vec2(12.3, 28.9), vec2(32.9, 30.9), vec2(25.5, 25.3)})
         EXPECT_NEAR(alphaAt(cut, point), alphaAt(all, point), 1e-9);
     EXPECT_EQ(alphaAt(cut, {33.5, 30}), 0);
-    // What came before is left alone, and what is whole inside, too
+    // Strokes from before are left alone, and those that are whole inside, too
     Painted both = all;
     const std::size_t first = both.size();
     fillConvex(both, circle({20, 20}, 3), 0, red);

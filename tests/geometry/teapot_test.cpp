@@ -38,7 +38,7 @@ TEST(Teapot, has_the_points_of_the_original) {
     }
 }
 
-// Where the front must look: away from the middle line of the rim, from the middle of the body, up from the lid, down from
+// The way that the front must look: away from the middle line of the rim, from the middle of the body, up from the lid, down from
 // the bottom; the knob of the lid is narrow below; a tube is symmetrical about z = 0.
 vec3 outside(std::size_t patch, const vec3& at) {
     if (patch < 4) return at - 1.45 * glm::normalize(vec3(at.x, 0, at.z)) - vec3(0, 2.4, 0);

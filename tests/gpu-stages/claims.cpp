@@ -1,4 +1,4 @@
-// What gpu-stages claims, and a test for each.
+// The claims of gpu-stages, and a test for each.
 //
 // - [counts-agree] Two queries and what transform feedback leaves in its buffer count the same primitives.
 // - [counts-follow-the-rule] The tessellator makes as many triangles as its levels say; a geometry shader, of each triangle
@@ -48,7 +48,7 @@ std::vector<Pixel> leftOf(const Picture& picture) {
     return pixels;
 }
 
-// What the four ways of counting say of the picture as it is set.
+// The numbers of the four ways of counting, for the picture as it is set.
 struct Counts {
     double into, out, written, found;
 };

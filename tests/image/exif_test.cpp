@@ -78,7 +78,7 @@ TEST(Exif, HasForEachOrientationOneThatTurnsItBack) {
     EXPECT_THROW((void)upright(picture, 9), Error);
 }
 
-// A turned file shows what the file without a note shows, turned. To the byte: nothing is decoded twice.
+// A turned file shows what the file without a note shows, turned. The same to the byte: nothing is decoded twice.
 TEST(Exif, TurnsJpegAndPngAlike) {
     const Picture picture = numbered(40, 24);
     const Sampling full{{{1, 1}, {1, 1}, {1, 1}}};

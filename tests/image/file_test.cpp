@@ -94,7 +94,7 @@ TEST(WriteFile, FollowsALinkToAFileThatIsNotThereYet) {
     EXPECT_TRUE(fs::is_symlink(folder / "link to the link"));
     EXPECT_EQ(textOf(folder / "elsewhere/file"), "new");
     EXPECT_EQ(folder.entries(), 3);
-    // Where it leads is said; it may lead nowhere, or to itself.
+    // The refusal says where the link leads; it may lead nowhere, or to itself.
     fs::create_symlink("missing/file", folder / "nowhere");
     EXPECT_TRUE(contains(messageOf([&] { writeFileAtomically(folder / "nowhere", "text"); }),
                          "nowhere -> " + (folder / "missing/file").string() + ": could not be written, No such file"));
@@ -251,7 +251,7 @@ TEST(WriteFile, AStreamIsKnownByWhatItIs) {
     }
 }
 
-// What the program itself has opened is no stream of its user's.
+// A file that the program itself has opened is no stream of its user's.
 TEST(WriteFile, AFileThatIsOpenIsReplaced) {
     const TemporaryFolder folder;
     writeFileAtomically(folder / "file", "old");

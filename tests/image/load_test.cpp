@@ -345,7 +345,7 @@ TEST(LoadPng, RefusesChunksOutOfOrder) {
     EXPECT_THROW((void)decodePicture(fileOf({"IHDR", "IDAT"}), "test"), Error);
 }
 
-// Of 200 x 200 pixels, since small ones do not reach the memory that stb_image has not written.
+// A picture of 200 x 200 pixels, since small ones do not reach the memory that stb_image has not written.
 TEST(LoadPng, ShowsOpaqueBlackForAColourBeyondThePalette) {
     for (const std::uint8_t interlaced : {std::uint8_t{0}, std::uint8_t{1}}) {
         for (const std::uint8_t depth : {std::uint8_t{1}, std::uint8_t{2}, std::uint8_t{4}, std::uint8_t{8}}) {

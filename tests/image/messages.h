@@ -1,4 +1,4 @@
-// What an Error says, for tests that check it.
+// The words of an Error, for tests that check them.
 #pragma once
 #include <gtest/gtest.h>
 

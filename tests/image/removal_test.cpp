@@ -1,4 +1,4 @@
-// What a program that is told to end leaves behind: nothing.
+// A program that is told to end leaves nothing behind.
 #include "mv/image/removal.h"
 
 #include <fcntl.h>
@@ -158,7 +158,7 @@ TEST(Removal, ASignalThatIsSeenToIsLeftAlone) {
     EXPECT_EQ(folder.entries(), 1);
 }
 
-// What is removed in the ordinary way is forgotten, and the place for its name used again.
+// A file that is removed in the ordinary way is forgotten, and the place for its name used again.
 TEST(Removal, PlacesAreUsedAgain) {
     const TemporaryFolder folder;
     const int status = endedBy(SIGTERM, [&](int ready) {

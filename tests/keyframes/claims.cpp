@@ -1,4 +1,4 @@
-// What keyframes claims, and a test for each.
+// The claims of keyframes, and a test for each.
 //
 // - [through-its-keys] Every kind of curve but the B-spline and the Bezier curve is at each key at the key's time.
 // - [formulas] The page's formulas of polynomial, spline, Catmull-Rom, B-spline and Bezier curve are those that are drawn.
@@ -13,7 +13,7 @@
 // - [float-swings-too] Even where the polynomial comes near, at sin 3x, 41 even nodes are too many for the textbook's form
 //   in float.
 // - [dolly-zoom] The angle of view computed from the distance keeps the subject's size; an angle with keys of its own has it
-//   at the keys, and less between them. What is behind the subject swells.
+//   at the keys, and less between them. The things behind the subject swell.
 // - [camera-keys] Each of a camera's five properties has keys of its own: at a key's time its matrices are those of the key, and where
 //   one property alone moves the others stay.
 #include <gtest/gtest.h>
@@ -62,7 +62,7 @@ int subjectLines(const Picture& picture) {
     return lines;
 }
 
-// To some roundings of numbers below 10.
+// Equal to some roundings of numbers below 10.
 void expectClose(const mat4& a, const mat4& b) {
     for (int column = 0; column < 4; ++column) EXPECT_LT(glm::length(a[column] - b[column]), 1e-12) << column;
 }
@@ -98,7 +98,7 @@ TEST(Keyframes, speed_jumps) {
         (void)run.set("curve", kind).picture();
         return run.readout(readout);
     };
-    // Of keys a second apart
+    // The keys are a second apart
     double largest = 0;
     for (std::size_t i = 1; i + 1 < initialKeys.size(); ++i) {
         largest = std::max(largest, glm::length(initialKeys[i + 1] - 2.0 * initialKeys[i] + initialKeys[i - 1]));
@@ -113,7 +113,7 @@ TEST(Keyframes, speed_jumps) {
     EXPECT_GT(jump("catmull-rom", "acceleration-jump"), 1);
     // Its knots are not the keys' times, so that its velocity keeps the direction alone.
     EXPECT_GT(jump("centripetal", "velocity-jump"), 0.1);
-    // What ends at 0 and starts at 0 jumps nowhere: the quadratic ease does not end so.
+    // An ease that ends at 0 and starts at 0 jumps nowhere: the quadratic ease does not end so.
     run.set("ease", "bezier");
     EXPECT_LT(jump("ease", "velocity-jump"), 1e-12);
     run.set("ease", "quadratic");
@@ -175,7 +175,7 @@ TEST(Keyframes, who_feels_a_key) {
     EXPECT_EQ(felt("catmull-rom"), (std::array{3, 6}));
     EXPECT_EQ(felt("b-spline"), (std::array{3, 6}));
     EXPECT_EQ(felt("lagrange"), (std::array{0, 8}));
-    // Of a spline it fades, by a factor of 3.7 a key, and so below what a pixel shows.
+    // The effect on a spline fades, by a factor of 3.7 a key, and so below what a pixel shows.
     EXPECT_LT(felt("natural")[0], 3);
     EXPECT_GT(felt("natural")[1], 6);
 }
@@ -281,7 +281,7 @@ TEST(Keyframes, camera_keys) {
         // Half a second later, between keys, it is another picture.
         EXPECT_GT(differentPixels(run.picture(150), at), 100);
     }
-    // What would turn the picture inside out is refused: an ease that swings beyond the keys makes an aspect below 0.1.
+    // The demo refuses what would turn the picture inside out: an ease that swings beyond the keys makes an aspect below 0.1.
     run.preset("flight");
     EXPECT_EQ(run.refusal(), "");
     run.set("curve", "ease").set("ease", "elastic");

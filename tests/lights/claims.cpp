@@ -1,4 +1,4 @@
-// What lights claims, and a test for each.
+// The claims of lights, and a test for each.
 //
 // - [adds] Linear light adds: several lights give the sum of what each gives alone. Numbers that are not encoded do not add
 //   on the screen, where encoded ones are expected.
@@ -44,7 +44,7 @@ std::vector<float> arriving(DemoRun& run) {
     return stage().measure(1);
 }
 
-// What a ray through the middle of each pixel hits; object -1: nothing.
+// The object that a ray through the middle of each pixel hits; object -1: nothing.
 std::vector<SceneHit> seen(DemoRun& run) {
     const Scene scene = run.demo().scene(FrameInfo(1, width, height));
     const RayCaster caster(scene);
@@ -246,7 +246,7 @@ TEST(Lights, colours_multiply) {
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < white.width; ++x) {
             const Pixel is = red.at(x, y);
-            // What is not black there is drawn over the scene for people.
+            // A pixel that is not black there is drawn over the scene for people.
             if (onRed.at(x, y) != Pixel{0, 0, 0}) {
                 ++drawnOver;
                 continue;
@@ -257,7 +257,7 @@ TEST(Lights, colours_multiply) {
         }
     }
     EXPECT_EQ(unlike, 0);
-    // It is the directional light's ball, arrow and number, and the cross of the mark: each within a 16th of the height.
+    // The directional light's ball, arrow and number are there, and the cross of the mark: each within a 16th of the height.
     EXPECT_LE(drawnOver, 4 * (height / 16 + 1) * (height / 16 + 1));
 }
 
@@ -282,7 +282,7 @@ TEST(Lights, finite) {
 }
 
 TEST(LightsFull, off_costs_nothing) {
-    // What is asked for nothing the audit names
+    // The audit names a light that is asked for nothing
     const AuditReport report = auditDemo(stage(), findDemo("lights"), {{"ask", "all"}, {"light-4", "off"}}, 1);
     ASSERT_EQ(report.findings.size(), 5U) << auditText(report);
     EXPECT_EQ(report.findings.front().kind, waste::needlessWork);
@@ -300,7 +300,7 @@ TEST(LightsFull, off_costs_nothing) {
     const Picture two = run.picture();
     EXPECT_EQ(run.readout("lights-sent"), 2);
     const auto work = stage().frameCounters();
-    // Where those that are off stand does not matter
+    // The places of lights that are off do not matter
     run.set("places", "1,1/-0.75,0.9/1,1/1.7,0.6/1,1/1,1/1,1/1,1");
     EXPECT_EQ(differentPixels(two, run.picture()), 0);
     EXPECT_EQ(stage().frameCounters().draws, work.draws);

@@ -55,7 +55,7 @@ TEST(Srgb, ends_and_known_values) {
 TEST(Srgb, there_and_back) {
     for (int i = 0; i <= 100000; ++i) {
         const double code = i / 100000.0;
-        // Where the two branches change they are 8e-8 apart at most; elsewhere there are roundings, of which the power's
+        // The two branches are 8e-8 apart at most where they change; elsewhere there are roundings, of which the power's
         // are multiplied by 2.4.
         const double tolerance = std::abs(code - 0.04045) < 1e-6 ? 8e-8 : 2e-15;
         ASSERT_NEAR(srgbFromLinear(linearFromSrgb(code)), code, tolerance) << code;
@@ -152,7 +152,7 @@ TEST(Oklab, known_colors) {
     EXPECT_EQ(oklabFromLinear(vec3(1)), vec3(1, 0, 0));
     EXPECT_EQ(oklabFromLinear(vec3(0)), vec3(0));
     EXPECT_EQ(linearFromOklab({1, 0, 0}), vec3(1));
-    // By the matrices of CSS Color 4 as they are printed, in order: light to cones, and their roots to L, a and b. The middle
+    // The matrices of CSS Color 4 as they are printed, in order: light to cones, and their roots to L, a and b. The middle
     // numbers are rounded to 16 digits, of sizes up to 2.4.
     const mat3 cones = transpose(mat3(0.412221469470763, 0.5363325372617348, 0.0514459932675022, 0.2119034958178252,
                                       0.6806995506452344, 0.1073969535369406, 0.0883024591900564, 0.2817188391361215,
@@ -204,7 +204,7 @@ TEST(Chromaticity, primaries_and_white_are_where_the_standard_says) {
     }
     EXPECT_LE(glm::distance(chromaticity(xyzFromLinear() * vec3(1)), srgbWhite), 1e-15);
     EXPECT_NEAR(luminance(vec3(1)), 1, 1e-15);
-    // What the standard prints: four digits, so half of the fourth.
+    // The standard prints four digits, so half of the fourth.
     EXPECT_NEAR(luminance(lights[0]), 0.2126, 5e-5);
     EXPECT_NEAR(luminance(lights[1]), 0.7152, 5e-5);
     EXPECT_NEAR(luminance(lights[2]), 0.0722, 5e-5);

@@ -1,5 +1,5 @@
 // The library's floors look down only: a file of one floor includes its own floor's files and those of the floors below it.
-// What opens windows and contexts stays on the floor that is made for it.
+// Code that opens windows and contexts stays on the floor that is made for it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -36,7 +36,7 @@ int storeyOf(const std::string& folder) {
     return -1;
 }
 
-// What is wrong with the line `line` of a file on `floor`, "demos" for a demo; empty where nothing is.
+// The mistake of the line `line` of a file on `floor`, "demos" for a demo; empty where nothing is.
 std::string wrongInclude(const std::string& floor, const std::string& line) {
     std::smatch match;
     static const std::regex ours(R"(^\s*#\s*include\s*"mv/([a-z_]+)/)");

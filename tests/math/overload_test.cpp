@@ -1,4 +1,4 @@
-// What overload_trap.cpp shows to the compiler as errors, asked here of the compiler as questions: which calls are
+// The errors that overload_trap.cpp shows to the compiler, asked here of the compiler as questions: which calls are
 // there?
 #include <gtest/gtest.h>
 

@@ -204,7 +204,7 @@ TEST(InfinitePerspective, IsTheLimitOfPerspective) {
     EXPECT_GT(ndcOf(m, {0, 0, -1e9}).z, ndcOf(m, {0, 0, -1e8}).z);
 }
 
-// What shadow volumes need: a direction in view is at depth 1, not a rounding beyond it, where it would be clipped.
+// The need of shadow volumes: a direction in view is at depth 1, not a rounding beyond it, where it would be clipped.
 TEST(InfinitePerspective, PutsDirectionsExactlyOnTheFarEnd) {
     Random random(13);
     for (int i = 0; i < 1000; ++i) {
@@ -300,7 +300,7 @@ TEST(PlanesExtremes, X07FarPlaneAtLargeRatios) {
                   0u)
             << lost;
     }
-    // Where nothing of it is left the matrix is that of a far plane at infinity.
+    // The matrix is that of a far plane at infinity where nothing of it is left.
     EXPECT_EQ(perspective(50, 1.5, 1, 1e20), infinitePerspective(50, 1.5, 1));
     EXPECT_EQ(planesFromClip(perspective(50, 1.5, 1, 1e20))[farPlane], vec4(0, 0, 0, 1));
 }
@@ -308,7 +308,7 @@ TEST(PlanesExtremes, X07FarPlaneAtLargeRatios) {
 TEST(Planes, AreThoseOfAnyMultipleOfTheMatrix) {
     const mat4 clipFromWorld = perspective(50, 1.5, 0.1, 100) * lookAt(vec3(3, 4, 5), vec3(0, 1, 0), vec3(0, 1, 0));
     const auto planes = planesFromClip(clipFromWorld);
-    // By powers of two nothing is rounded; 1e-200 and 1e200 round each element once, of which the far plane's normal, a
+    // Powers of two round nothing; 1e-200 and 1e200 round each element once, of which the far plane's normal, a
     // difference, keeps 2e-3
     for (const double power : {0x1p-60, 0x1p60, 0x1p-700, 0x1p700}) {
         EXPECT_EQ(planesFromClip(power * clipFromWorld), planes) << power;
@@ -341,7 +341,7 @@ TEST(Planes, AreFiveWhereTheFarOneIsAtInfinity) {
         }
         EXPECT_EQ(camera[farPlane], vec4(0, 0, 0, 1));
         EXPECT_EQ(world[farPlane], vec4(0, 0, 0, 1));
-        // What they hold is what the matrix shows, however far away, and a direction is held by the far plane, too.
+        // The planes hold what the matrix shows, however far away, and a direction is held by the far plane, too.
         Random random(8);
         for (int i = 0; i < 2000; ++i) {
             const vec3 p = random.logarithmic(1, 1e12) * random.direction();

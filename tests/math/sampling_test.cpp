@@ -45,7 +45,7 @@ TEST(JitteredSquare, converges_faster_than_random_points) {
 TEST(JitteredSquare, the_same_numbers_everywhere) {
     EXPECT_EQ(jitteredSquare(3, 15), jitteredSquare(3, 15));
     EXPECT_NE(jitteredSquare(3, 15), jitteredSquare(3, 16));
-    // The standard says which number the 10000th of seed 5489 is: 4123659995. It is the y of the 5000th point.
+    // The standard says which number the 10000th of seed 5489 is: 4123659995. The point is the 5000th; this is its y.
     const vec2 point = jitteredSquare(71, 5489)[4999];
     const double jitter = point.y * 71 - std::floor(point.y * 71);
     EXPECT_NEAR(jitter, 4123659995.0 / 4294967296.0, 1e-13);  // 71 units hold 1e-14

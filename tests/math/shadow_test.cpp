@@ -21,7 +21,7 @@ vec3 divided(const vec4& p) { return vec3(p) / p.w; }
 
 double distance(const vec3& a, const vec3& b) { return glm::length(a - b); }
 
-// Where the ray from the light through p meets the plane, by the parameter of the ray: another way to the same point.
+// The point where the ray from the light through p meets the plane, by the parameter of the ray: another way to the same point.
 vec3 castByRay(const vec4& light, const vec4& plane, const vec3& p) {
     const vec3 n(plane);
     const vec3 direction = light.w == 0 ? vec3(light) : vec3(light) / light.w - p;

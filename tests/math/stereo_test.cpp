@@ -26,7 +26,7 @@ TEST(Parallax, IsOfTheDistanceAlone) {
         const auto parallax = parallaxOf(points, offAxis(-separation / 2, convergence),
                                          offAxis(separation / 2, convergence), 480, 480, 0.1);
         ASSERT_TRUE(parallax);
-        // By similar triangles; a few roundings of numbers up to 480.
+        // Similar triangles tell it; a few roundings of numbers up to 480.
         const double expected = focal * separation * (1 / convergence - 1 / distance);
         EXPECT_NEAR(parallax->leastAcross, expected, 1e-12);
         EXPECT_NEAR(parallax->mostAcross, expected, 1e-12);

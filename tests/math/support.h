@@ -1,4 +1,4 @@
-// What the maths tests share: differences of matrices, and the text of a refusal.
+// Helpers that the maths tests share: differences of matrices, and the text of a refusal.
 #pragma once
 #include <gtest/gtest.h>
 

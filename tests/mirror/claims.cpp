@@ -1,4 +1,4 @@
-// What mirror claims, and a test for each.
+// The claims of mirror, and a test for each.
 //
 // - [as-by-rays] Away from edges every pixel shows the object, as bright as it is, that a ray meets which every mirror on its
 //   way turns round, by either method, with one bounce and with many.
@@ -88,7 +88,7 @@ TEST(MirrorFull, as_by_rays) {
             .set("mirror-turn", -15)
             .picture();
         EXPECT_GT(wide.readout("passes"), 2);
-        // What is at the mirrors stays there.
+        // A point of the mirrors stays there.
         EXPECT_NEAR((wide.matrix("worldFromImage1") * vec4(0, 1.2, -2, 1)).z, -2, 1e-12);
         EXPECT_NEAR((wide.matrix("worldFromImage2") * vec4(0, 1.2, 3.4, 1)).z, 3.4, 1e-12);
         EXPECT_EQ(compareWithRays(1500, 300).awayFromEdges.fraction, 0) << method;

@@ -62,8 +62,8 @@ const std::vector<Kind>& kinds() {
 
 double size(const vec3& v) { return glm::length(v); }
 
-// The largest jumps of position, velocity and acceleration at the keys (of a closed curve at its seam, too). What a span of
-// 1e-9 changes by itself is below 1e-6 for the curves here.
+// The largest jumps of position, velocity and acceleration at the keys (of a closed curve at its seam, too). The change within a
+// span of 1e-9 is below 1e-6 for the curves here.
 std::array<double, 3> jumps(const Curve<vec3>& curve) {
     std::array<double, 3> largest{};
     for (const double time : curve.breaks()) {
@@ -90,7 +90,7 @@ TEST(Curve, HasTheValuesOfItsKeysExactly) {
         EXPECT_EQ(curve.start(), keys.front().time);
         EXPECT_EQ(curve.end(), keys.back().time);
     }
-    // Where p + u (q - p) with u = 1 is 0.
+    // A case in which p + u (q - p) with u = 1 is 0.
     EXPECT_EQ(Curve<double>::linear({{0, 1e20}, {1, 1}}).position(1), 1);
     EXPECT_GT(size(Curve<vec3>::bSpline(randomKeys(9)).position(randomKeys(9)[4].time) - randomKeys(9)[4].value), 0.1);
 }
@@ -189,7 +189,7 @@ TEST(Curve, ClosedOnesAreTheSameWhereverTheyBegin) {
             EXPECT_LT(size(curve.position(t) - other.position(t)), 1e-13) << kind.name;
             EXPECT_LT(size(curve.at(t).velocity - other.at(t).velocity), 1e-12) << kind.name;
         }
-        // What jumps at the seam is that of the span which begins there.
+        // The value that jumps at the seam is that of the span which begins there.
         EXPECT_EQ(curve.at(curve.end()).velocity, curve.at(curve.start()).velocity) << kind.name;
         EXPECT_EQ(curve.at(curve.end()).acceleration, curve.at(curve.start()).acceleration) << kind.name;
     }
@@ -252,7 +252,7 @@ TEST(Spline, NaturalHasNoAccelerationAtItsEnds) {
 }
 
 TEST(Spline, NaturalBendsLeast) {
-    // Of all curves through the keys it has the least integral of the acceleration's square (Holladay).
+    // The natural spline has, of all curves through the keys, the least integral of the acceleration's square (Holladay).
     const Keys keys = randomKeys(7);
     const auto bending = [&](const Curve<vec3>& curve) {
         double sum = 0;
@@ -297,7 +297,7 @@ TEST(BSpline, StaysInTheHullOfFourKeys) {
             const double t = random.number(curve.start(), curve.end());
             std::size_t span = 0;
             while (keys[span + 1].time <= t) ++span;
-            // On no side of any plane beyond all of them. Of a closed one the key before the first is the last but one.
+            // On no side of any plane beyond all of them. The key before the first of a closed curve is the last but one.
             const vec3 normal = random.direction();
             double most = -infinite;
             for (int k = -1; k <= 2; ++k) {
@@ -394,7 +394,7 @@ TEST(Curve, ErrorsFallAsTheySay) {
     const double slope = 3 * std::cos(3.0);
     const auto clamped = [&](const Scalars& keys) { return C::clampedSpline(keys, slope, slope); };
     const auto catmullRom = [](const Scalars& keys) { return C::catmullRom(keys, Knots::uniform); };
-    // Of 40 keys on, the next terms of the error are less than a tenth.
+    // From 40 keys on, the next terms of the error are less than a tenth.
     EXPECT_NEAR(order([](const Scalars& keys) { return C::linear(keys); }, 40, false), 2, 0.1);
     EXPECT_NEAR(order(clamped, 40, false), 4, 0.1);
     EXPECT_NEAR(order(C::naturalSpline, 40, true), 4, 0.1);   // away from the ends
@@ -426,7 +426,7 @@ TEST(CurveExtremes, X29TwoKeysAreALine) {
         EXPECT_LT(size(point.velocity - vec3(1, 2, -3)), 1e-15) << kind.name;
         EXPECT_LT(size(point.acceleration), 1e-14) << kind.name;
     }
-    // Of a closed one they are the same key twice.
+    // The two keys of a closed curve are the same one.
     for (const Kind& kind : kinds()) {
         if (!kind.isClosed) continue;
         EXPECT_EQ(kind.make({{0, vec3(1)}, {2, vec3(1)}}).position(0.7), vec3(1)) << kind.name;

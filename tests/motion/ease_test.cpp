@@ -79,7 +79,7 @@ TEST(Ease, LogisticIsTheTextbooksShiftedAndScaled) {
         EXPECT_NEAR(logisticEase(t, 10) + logisticEase(1 - t, 10), 1, 1e-15);  // symmetrical
     }
     EXPECT_GT(textbook(0), 6e-3);  // the jump that the header names
-    // Where differences of the textbook's values have no digit left.
+    // Cases in which differences of the textbook's values have no digit left.
     EXPECT_NEAR(logisticEase(1e-20, 100) / (1e-20 * logisticEaseSlope(0, 100)), 1, 1e-13);
 }
 

@@ -87,7 +87,7 @@ Values somePairsAndReals(std::size_t n, Random& random) {
 
 }  // namespace
 
-// What reflections turn is a normal matrix, whose eigenvalues move by no more than its elements do: by some roundings of the
+// A matrix that reflections turn stays normal, whose eigenvalues move by no more than its elements do: by some roundings of the
 // largest for each of the n reflections here, of the n - 2 in it, and of the few steps for each value.
 TEST(Eigenvalues, AreThoseThatTheMatrixWasMadeOf) {
     Random random(11);
@@ -114,7 +114,7 @@ TEST(Eigenvalues, OfACycleAreTheRootsOfOne) {
     }
 }
 
-// What powers of two do to unknowns, balancing takes back: a matrix scaled so has its own eigenvalues, not with errors as large
+// Balancing takes back what powers of two do to unknowns: a matrix scaled so has its own eigenvalues, not with errors as large
 // as its largest element, 2^60 here.
 TEST(Eigenvalues, DoNotFeelTheUnitsOfTheUnknowns) {
     Random random(3);

@@ -136,7 +136,7 @@ TEST(EnergyMomentum, GravityAndFixedPointsKeepTheEnergy) {
     for (int i = 0; i < 600; ++i) {
         ASSERT_TRUE(stepper.step()) << stepper.failure();
         EXPECT_EQ(positionOf(stepper.state(), 0), vec3(0));
-        // Of the energies that are exchanged, 30 of height; the first one is 1.
+        // The energies that are exchanged are 30, of height; the first one is 1.
         EXPECT_NEAR(springEnergy(system, stepper.state()), energy, 30 * 1e-9);
     }
     EXPECT_LT(positionOf(stepper.state(), 3).y, 0.1);

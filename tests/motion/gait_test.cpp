@@ -65,7 +65,7 @@ TEST(Gait, TheOtherFootIsHalfACycleApart) {
     }
 }
 
-// What the lecture asks: what can forward kinematics not do? A leg of 0.5 and 0.5 whose hip is 0.9 high, hip angle from
+// The lecture asks: what can forward kinematics not do? A leg of 0.5 and 0.5 whose hip is 0.9 high, hip angle from
 // -90.
 class WalkingLeg : public testing::Test {
   protected:

@@ -15,7 +15,7 @@ constexpr std::array transports{Transport::reorthogonalize, Transport::project, 
                                 Transport::doubleReflection};
 constexpr double rounding = 2e-15;  // a few of numbers of size 1, 1.1e-16 each
 
-// What Frenet's frame turns about the path from one parameter to the other, in degrees: the minimizing frame turns back
+// The angle by which Frenet's frame turns about the path from one parameter to the other, in degrees: the minimizing frame turns back
 // by that. Simpson's rule on 2000 intervals, off by 1e-11 of it here: another method than those under test.
 double totalTorsion(const Curve& curve, double from, double to) {
     const int intervals = 2000;
@@ -29,7 +29,7 @@ PathFrame frenetFrame(const Curve& curve, double t) {
     return frameByAcceleration(curve.derivative(t, 1), curve.derivative(t, 2));
 }
 
-// By how many degrees the last frame is off that of Frenet's turned back, from many steps of one transport.
+// The degrees by which the last frame is off that of Frenet's turned back, from many steps of one transport.
 double twistError(const Curve& curve, double from, double to, int intervals, Transport transport) {
     const auto samples = samplesOf(curve.path(), from, to, intervals);
     const auto frames = minimizingFrames(samples, frenetFrame(curve, from).up, transport);
@@ -83,8 +83,8 @@ TEST(MinimizingFrames, TurnBackByTheTorsionOfAHelix) {
 }
 
 TEST(MinimizingFrames, DoNotTwistInAPlane) {
-    // An oblique up keeps its angle to the plane, at inflections and at any step, where the transport is a turn. Of the
-    // other two the one drops a part of up and the other makes it longer or shorter, unless it is along the normal.
+    // An oblique up keeps its angle to the plane, at inflections and at any step, where the transport is a turn. The other two
+    // fail: one drops a part of up, and one makes it longer or shorter, unless it is along the normal.
     const vec3 normal(0, 0, 1);
     const auto samples = samplesOf(eight().path(), 0, 2 * pi, 24);
     for (const Transport transport : transports) {

@@ -76,7 +76,7 @@ TEST(OdeAdaptive, ErrorsFollowTheTolerance) {
     }
 }
 
-// What is a sum of components in each slope is one of each state: a Rosenbrock step keeps linear invariants.
+// A sum of components that each slope keeps, each state keeps: a Rosenbrock step keeps linear invariants.
 TEST(OdeAdaptive, RodasKeepsTheMassOfRobertsonsReaction) {
     const OdeCase ode = robertsonCase();
     int steps = 0;
@@ -194,7 +194,7 @@ TEST(OdeAdaptive, GivesUpInWords) {
     const OdeProblem pole{.dimension = 1, .slope = [](double, std::span<const double> y, std::span<double> dydt) {
                               dydt[0] = y[0] * y[0];
                           }};
-    // Where t > 1 there is no f.
+    // There is no f at t > 1.
     const OdeProblem end{.dimension = 1, .slope = [](double t, std::span<const double>, std::span<double> dydt) {
                              dydt[0] = std::sqrt(1 - t);
                          }};
@@ -267,7 +267,7 @@ TEST(OdeAdaptive, StepsEndAtStops) {
         options.stops.clear();
         EXPECT_LE(stopped,
                   integrateAdaptive(ode.problem, method, 0, ode.end, ode.initial, options).counts.accepted + 10);
-        // What gives up before has fewer.
+        // A run that gives up before has fewer.
         options.stops = {1e-3, 1e10};
         options.mostSteps = 100;
         EXPECT_EQ(integrateAdaptive(ode.problem, method, 0, ode.end, ode.initial, options).atStops.size(), 1U);
@@ -303,7 +303,7 @@ TEST(OdeAdaptive, AResultIsConfirmedOrDoubted) {
         const double error = inTolerances(result.y, ode.reference, options) * options.relative;
         EXPECT_GT(found.difference, error / 2);
         EXPECT_LT(found.difference, 100 * options.relative);
-        // What was changed at a stop alone is seen there.
+        // A change at a stop alone is seen there.
         OdeResult wrong = result;
         wrong.atStops[1][0] += 0.7;
         EXPECT_NE(confirmAdaptive(ode.problem, method, 0, ode.end, ode.initial, options, wrong)

@@ -70,7 +70,7 @@ TEST(OdeFixed, ImplicitMidpointKeepsQuadraticEnergy) {
         // 1e5 steps that are off by some roundings each, in whatever direction: their sum at worst.
         ASSERT_NEAR(energyOf(stepper.state(), w) / energyOf(Values{1, 0}, w), 1, 1e-9) << i;
     }
-    // A linear problem has one matrix. Of two iterations the second one finds nothing more to correct.
+    // A linear problem has one matrix. The second of two iterations finds nothing more to correct.
     EXPECT_EQ(stepper.counts().jacobians, 1);
     EXPECT_EQ(stepper.counts().factorizations, 1);
     EXPECT_EQ(stepper.counts().newtonIterations, 200000);
@@ -93,7 +93,7 @@ TEST(OdeFixed, SymplecticMethodsKeepTheEnergyNearAndOthersDoNot) {
     EXPECT_GT(spread(OdeMethod::implicitEuler), 0.999);   // asleep
 }
 
-// By 1/16.7 a step, so to the smallest doubles in 260 of them.
+// The state falls by 1/16.7 a step, so to the smallest doubles in 260 of them.
 TEST(OdeFixed, WhatDiesAwayDoesNotFail) {
     for (const OdeMethod method : {OdeMethod::implicitEuler, OdeMethod::bdf2, OdeMethod::rodas, OdeMethod::radau}) {
         FixedStepper stepper(springCase(1000, 0).problem, method, 0, 1.0 / 60, {1, 0});
@@ -188,7 +188,7 @@ TEST(OdeFixed, WhatBlowsUpStopsAtItsLastFiniteState) {
                   "gave up at t = " + numberText(static_cast<double>(stepper.index()) * h) + ": no step " + step +
                       " by " + std::string(methodName(method)));
         EXPECT_NE(stepper.failure().find("not finite"), std::string::npos);
-        // It grows by 16.7 (explicit Euler) to 3e4 (Dormand-Prince) each step, to 1e308.
+        // The error grows by 16.7 (explicit Euler) to 3e4 (Dormand-Prince) each step, to 1e308.
         EXPECT_GT(std::abs(stepper.state()[0]), 1e270);
         const Values before(stepper.state().begin(), stepper.state().end());
         EXPECT_FALSE(stepper.step());
@@ -243,7 +243,7 @@ TEST(OdeFixed, Bdf2sHalvesKnowHowFarTheStateBeforeIs) {
     const double h = 0.125;
     const OdeProblem parabola{.dimension = 1,
                               .slope = [&](double t, std::span<const double> y, std::span<double> dydt) {
-                                  // What the first step is off dies away, by 1000 h a step.
+                                  // The error of the first step dies away, by 1000 h a step.
                                   dydt[0] = 2 * t - 1000 * (y[0] - t * t);
                                   // The first attempt at step 30 fails, and its half does not.
                                   if (t == 30 * h && !isAsked) {

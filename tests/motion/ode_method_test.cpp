@@ -57,7 +57,7 @@ std::vector<Tree> trees(int order) {
     return found;
 }
 
-// What stage i makes of the tree: `single` stands where a node has one child, `several` where it has more.
+// The term that stage i makes of the tree: `single` stands where a node has one child, `several` where it has more.
 Vector weights(const Tree& tree, const Matrix& single, const Matrix& several) {
     const std::size_t n = single.size();
     const Matrix& a = tree.children.size() == 1 ? single : several;

@@ -213,7 +213,7 @@ TEST(OdeStability, NeverReturnsNaN) {
               "velocity Verlet");
 }
 
-// Of a chain of n masses between two walls: w_j = 2 sqrt(k/m) sin(j pi/(2 (n + 1))), and damping c = ratio * k makes of
+// A chain of n masses between two walls has w_j = 2 sqrt(k/m) sin(j pi/(2 (n + 1))), and damping c = ratio * k makes of
 // each -ratio w^2/2 +- sqrt((ratio w^2/2)^2 - w^2).
 TEST(OdeStability, EigenvaluesOfAChainAreItsFormula) {
     constexpr int n = 7;
@@ -251,7 +251,7 @@ TEST(OdeStability, EigenvaluesOfAChainAreItsFormula) {
     }
 }
 
-// By either way to say a Jacobian, and by differences.
+// Either way to say a Jacobian, and differences.
 TEST(OdeStability, EigenvaluesOfAnyJacobian) {
     const Complex z(-3, 40);
     OdeProblem problem = complexProblem(z);

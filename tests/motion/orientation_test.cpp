@@ -197,7 +197,7 @@ TEST(Slerp, GoesRoundTheLongerWayUnlessThereIsNoAxis) {
     const quat none{};
     for (const double angle : {1e-3, 1e-6, 1e-9}) {
         const quat to = quatFromAxis(angle, {1, 0, 0});
-        // What is left of the ends' sum is angle/2 rad, with roundings of 1.
+        // The rest of the ends' sum is angle/2 rad, with roundings of 1.
         EXPECT_LT(angleBetween(slerp(none, to, 0.5, Way::longer), quatFromAxis(angle / 2 - 180, {1, 0, 0})),
                   degreeRounding / radians(angle / 2));
     }
@@ -256,7 +256,7 @@ TEST(YawPitchRoll, ComesBackOverTheWholeRange) {
             for (int roll = -175; roll <= 180; roll += 11) {
                 const quat q = quatFromYawPitchRoll(yaw, pitch, roll);
                 for (const YawPitchRoll& is : {yawPitchRollOf(q), yawPitchRollOf(negated(q))}) {
-                    // What rounding can do to either angle alone
+                    // The effect of rounding on either angle alone
                     const double tolerance = 2 * degreeRounding / std::cos(radians(pitch));
                     EXPECT_FALSE(is.locked);
                     EXPECT_NEAR(is.yaw, yaw, tolerance) << pitch << " " << roll;

@@ -177,7 +177,7 @@ TEST(FramesByRule, FixedUpTurnsOverInALoopAndBankingDoesNot) {
     EXPECT_TRUE(banked.flipped.empty() && banked.vanished.empty());
     EXPECT_LT(banked.frames[50].up.y, -0.9);  // at the top, upside down
 
-    // Where a sample goes straight up, its frame is carried on.
+    // The frame of a sample that goes straight up is carried on.
     const auto quarters = samplesOf(loop(fast).path(), 0, lap, 8);
     const auto run = framesByUp(quarters, {0, 1, 0});
     EXPECT_EQ(run.vanished, (std::vector<std::size_t>{2, 6}));

@@ -1,4 +1,4 @@
-// What path claims, and a test for each.
+// The claims of path, and a test for each.
 //
 // - [forward-is-velocity] The car looks where it goes, by every rule, and its frame is orthonormal and right-handed.
 // - [on-its-side] On a flat bend up by the acceleration lays the car on its side; minus gravity it leans by atan(v^2/(rg)).
@@ -28,7 +28,7 @@ using namespace mv::test;
 
 namespace {
 
-// Where the car of the last picture is, and its axes.
+// The place of the car of the last picture, and its axes.
 struct Car {
     vec3 position, forward, up, right;
 };
@@ -112,7 +112,7 @@ TEST(Path, on_its_side) {
         run.set("speed", speed);
         for (const int frame : {0, 33, 200}) {
             SCOPED_TRACE(std::to_string(speed) + " m/s, frame " + std::to_string(frame));
-            // The ring goes to the left, so both lean to the left. It is flat to the last place.
+            // The ring goes to the left, so both lean to the left. The ring is flat to the last place.
             (void)run.set("up", "acceleration").picture(frame);
             EXPECT_NEAR(run.readout("lean"), -90, 1e-9);
             // A spline through 64 keys of a circle has its curvature to h^2/12 = 8e-4; the angle changes by at most half
@@ -168,7 +168,7 @@ TEST(Path, no_turn_about_the_path) {
     }
     EXPECT_LT(turns[2], 1e-2);
     for (const std::size_t i : {1U, 2U}) EXPECT_NEAR(std::log2(turns[i - 1] / turns[i]), 2, 0.2);
-    // It does not close there, unless its closing angle is spread: evenly but for that difference, and for that between
+    // The frame does not close there, unless its closing angle is spread: evenly but for that difference, and for that between
     // ways and chords, steps of 0.14 m on radii of 4 m and more: 5e-5 of it.
     for (const char* track : {"knot", "park"}) {
         (void)run.set("track", track).set("spread", "off").picture();

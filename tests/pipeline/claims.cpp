@@ -1,4 +1,4 @@
-// What pipeline claims, and a test for each.
+// The claims of pipeline, and a test for each.
 //
 // - [same-as-gpu] The products shown are the GPU's: transform feedback gives the same, bit for bit on llvmpipe.
 // - [within-the-bound] A GPU's sum in any order is within 4 2^-24 sum |m v|, though many of the last bits differ.
@@ -167,7 +167,7 @@ TEST(Pipeline, w_is_the_distance) {
             run.set("distance", distance).picture();
             EXPECT_NEAR(run.readout("w"), w - 3 + distance, 2e-6) << vertex;
         }
-        // It changes its sign where the eye passes the vertex.
+        // The coordinate w changes its sign where the eye passes the vertex.
         run.set("distance", 3 - w + 0.001).picture();
         EXPECT_GT(run.readout("w"), 0);
         run.set("distance", 3 - w - 0.001).picture();

@@ -1,4 +1,4 @@
-// What procedural claims, and a test for each; X52 in docs/stability.md is a pattern 2^24 from the origin.
+// The claims of procedural, and a test for each; X52 in docs/stability.md is a pattern 2^24 from the origin.
 //
 // - [no-texels] At a zoom of a million, with the origin near, each pixel has the value of double precision.
 // - [float-breaks] With the origin far, neighbouring pixels round to the same point, and the picture falls into blocks.
@@ -39,7 +39,7 @@ struct Named {
 constexpr std::array<Named, 4> patterns{
     {{"brick", Pattern::brick}, {"wood", Pattern::wood}, {"marble", Pattern::marble}, {"noise", Pattern::noise}}};
 
-// What the demo draws, as numbers, the upper row first.
+// The demo's picture, as numbers, the upper row first.
 std::vector<float> drawn(DemoRun& run) {
     (void)run.picture();
     return stage().measure(1);

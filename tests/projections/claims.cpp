@@ -1,4 +1,4 @@
-// What projections claims, and a test for each.
+// The claims of projections, and a test for each.
 //
 // - [views-line-up] In the CAD panes each corner is right below its place in the top view and level with it at the side.
 // - [shortening-as-theory] The three axes are as short as the formulas say; in the isometric view sqrt(2/3), all of them.
@@ -76,7 +76,7 @@ double angle(const mat4& m, const vec3& a, const vec3& b) {
 struct Extent {
     int left = width, right = -1, top = height, bottom = -1;
 };
-// Of the house's edges, which are drawn in the colour of words.
+// Pixels of the house's edges, which are drawn in the colour of words.
 Extent extentOfDrawing(const Picture& pane) {
     Extent extent;
     for (int y = 0; y < height; ++y) {
@@ -105,7 +105,7 @@ TEST(Projections, views_line_up) {
         const vec3 p(position);
         EXPECT_NEAR(pixelOf(top, p).x, pixelOf(front, p).x, rounding);
         EXPECT_NEAR(pixelOf(side, p).y, pixelOf(front, p).y, rounding);
-        // What is towards the front is down in the top view and left in the side view, by as much
+        // A point towards the front is down in the top view and left in the side view, by as much
         EXPECT_NEAR(pixelOf(top, p).y - height / 2.0, pixelOf(side, p).x - width / 2.0, rounding);
     }
     // In the pixels, too: the house begins and ends at the same columns, and at the same rows.
@@ -266,7 +266,7 @@ TEST(ProjectionsFull, lines_meet) {
                 EXPECT_EQ(countPixels(pane, axisColors[axis]), 0);
                 continue;
             }
-            // Where a point very far along the axis is drawn, towards the side that is before the eye
+            // The place where a point very far along the axis is drawn, towards the side that is before the eye
             const double far = m[axis].w > 0 ? 1e12 : -1e12;
             const vec2 meeting = pixelOf(m, far * unit(axis));
             int count = 0;

@@ -1,4 +1,4 @@
-// What rasterizer claims, and a test for each.
+// The claims of rasterizer, and a test for each.
 //
 // - [within-half-a-pixel] Bresenham's method sets in each column, or row, the pixel nearest to the line, in all octants.
 // - [four-steps-to-it] From line to line of the lecture's improvements only the unit of the error changes, not a pixel, as long as
@@ -107,7 +107,7 @@ TEST(RasterizerFull, within_half_a_pixel) {
             ASSERT_EQ(ofFine, ofBack) << x << " " << y;
         }
     }
-    // By nearness: each column's two pixels share the colour, and their middle is the line.
+    // Each pixel has its colour by nearness: each column's two pixels share the colour, and their middle is the line.
     for (const PixelStep& pixel : linePixels(LineMethod::smooth, 0, 0, 7, 3)) EXPECT_GT(pixel.coverage, 0);
     const auto heights = lineTest(LineMethod::smooth, 96), truth = lineTruth(96);
     for (std::size_t i = 0; i < truth.size(); ++i) ASSERT_NEAR(heights[i], truth[i], 1e-12);
@@ -122,7 +122,7 @@ TEST(Rasterizer, four_steps_to_it) {
                 ASSERT_EQ(placesOf(linePixels(method, 0, 0, x, y)), last) << x << " " << y;
         }
     }
-    // Where 1/x is none, floats that add up err, and whole numbers do not.
+    // Floats that add up err where 1/x is none of them, and whole numbers do not.
     const auto truth = lineTruth(6000);
     const auto wrong = [&](LineMethod method) {
         const auto heights = lineTest(method, 6000);
@@ -365,7 +365,7 @@ TEST(Rasterizer, as_thick) {
     EXPECT_EQ(placesOf(thickLine(LineMethod::octants, Thicken::across, 1, 0, 0, 9, 4)),
               placesOf(linePixels(LineMethod::octants, 0, 0, 9, 4)));
     EXPECT_TRUE(thickLine(LineMethod::octants, Thicken::across, 5, 3, 3, 3, 3).empty()) << "without a length";
-    // What OpenGL fills is the strip across the line, but for corners snapped to its grid.
+    // OpenGL fills the strip across the line, but for corners snapped to its grid.
     DemoRun run("rasterizer", 960, 440);
     run.preset("thick").picture();
     EXPECT_GT(run.readout("differs"), 20);
@@ -403,7 +403,7 @@ TEST(RasterizerFull, circle_nearest) {
     };
     EXPECT_EQ(wrong(CircleMethod::midpoint), 0);
     EXPECT_GT(wrong(CircleMethod::turned), 0);
-    // What is out of reach is refused, and what is only out of sight is drawn.
+    // The demo refuses what is out of reach, and draws what is only out of sight.
     EXPECT_THROW((void)circlePixels(CircleMethod::midpoint, 0, 0, -1), Error);
     EXPECT_THROW((void)circlePixels(CircleMethod::midpoint, 0, 0, (1 << 20) + 1), Error);
     EXPECT_THROW((void)circlePixels(CircleMethod::midpoint, (1 << 30) + 1, 0, 1), Error);
@@ -450,7 +450,7 @@ TEST(RasterizerFull, one_decides) {
             EXPECT_EQ(at.red > 180 && at.green < 90, int(i) == step - 1) << step << ", " << i;
         }
     }
-    // To the right of 0 the line steps up. The bar is the only blue, or red, that thick below the grid
+    // The line steps up to the right of 0. The bar is the only blue, or red, that thick below the grid
     const Plot grid = rasterizer::plotOf(FrameInfo(1, 960, 440), rasterizer::Grid(rasterizer::Settings{}));
     const int row =
         439 - int(grid.box.low.y - 6 - 2.1 * 14) + 4;  // below the axis, which goes through the middle of the bar
@@ -509,7 +509,7 @@ TEST(Rasterizer, two_insides) {
     const std::vector<vec2> twice{{2, 2}, {8, 2}, {8, 8}, {2, 8}, {2, 2}, {8, 2}, {8, 8}, {2, 8}};
     EXPECT_EQ(polygonPixels(twice, 10, 10, Winding::evenOdd).size(), 0U);
     EXPECT_EQ(polygonPixels(twice, 10, 10, Winding::nonZero).size(), 36U);
-    // Of a simple polygon both are what its triangles cover.
+    // Both are what its triangles cover, for a simple polygon.
     const std::vector<vec2> triangle{{1.25, 0.75}, {9, 3.5}, {4.5, 9.25}};
     const auto covered = coveredPixels({triangle[0], triangle[1], triangle[2]}, 10, 10, FillMethod::brute).pixels;
     for (const Winding winding : {Winding::evenOdd, Winding::nonZero})

@@ -1,4 +1,4 @@
-// What ray-cast claims, and a test for each.
+// The claims of ray-cast, and a test for each.
 //
 // - [like-the-raster] Away from edges, which hold 5 % of the pixels at most, no pixel has another object or colour than GL's.
 // - [through-the-middle] The ray of a pixel goes through its middle, and u, v, w are a right-handed frame.

@@ -1,4 +1,4 @@
-// What ray-trace claims, and a test for each.
+// The claims of ray-trace, and a test for each.
 //
 // - [energy] In a white room with mirror and glass alone, the light seen and the light that the depth cuts off add up to 1.
 // - [never-itself] A ray meets the surface that it leaves only on the surface's other side.
@@ -138,7 +138,7 @@ TEST(RayTrace, never_itself) {
         EXPECT_GT(left, 10'000);
     }
     // Triangles: a floor of two in y = 0, of which a ray meets neither again, and the teapot's, of which it does not meet its own.
-    // Of 1e5 rays, and of 1e7 where MVGL_LONG is set.
+    // 1e5 rays, and 1e7 where MVGL_LONG is set.
     const long count = std::getenv("MVGL_LONG") != nullptr ? 10'000'000 : 100'000;
     const vec3 a(-4, 0, -4), b(4, 0, -4), c(4, 0, 4), d(-4, 0, 4);
     for (const bool isFloor : {true, false}) {
@@ -282,7 +282,7 @@ TEST(RayTrace, squares_averaged) {
 }
 
 TEST(RayTrace, to_the_texture) {
-    // Of the axes: u goes eastwards, seen from the north counter-clockwise, and v to the north
+    // The axes: u goes eastwards, seen from the north counter-clockwise, and v to the north
     EXPECT_NEAR(glm::distance(onTexture({1, 0, 0}), vec2(0.5, 0.5)), 0, 1e-15);
     EXPECT_NEAR(glm::distance(onTexture({0, 0, -1}), vec2(0.75, 0.5)), 0, 1e-15);
     EXPECT_NEAR(glm::distance(onTexture({0, 0, 1}), vec2(0.25, 0.5)), 0, 1e-15);

@@ -1,4 +1,4 @@
-// What robot-arm claims, and a test for each.
+// The claims of robot-arm, and a test for each.
 //
 // - [product] The product of the matrices on the way to a part places it; two links end where the slide's formula says.
 // - [by-rates] The angles of a frame are those of the start plus its number times the rates: no sum, no drift.

@@ -1,4 +1,4 @@
-// What shading claims, and a test for each; X46, X47 and X50 in docs/stability.md are its extremes.
+// The claims of shading, and a test for each; X46, X47 and X50 in docs/stability.md are its extremes.
 //
 // - [one-colour-a-face] Flat shading gives each face one colour; a body without shading has one in all.
 // - [flat-is-enough] On a diffuse body of small faces flat shading is Phong's to a sixteenth of the range; with a narrow highlight it is not.
@@ -102,7 +102,7 @@ TEST(ShadingFull, misses_the_highlight) {
     EXPECT_LT(energy("flat"), 1);
     // Phong shading has it, though a mesh of 8 edges leads it astray by its own form.
     EXPECT_GT(energy("phong"), 50);
-    // It is the mesh that misses it: a fine one does not.
+    // The mesh misses it: a fine one does not.
     run.set("edges", 256);
     EXPECT_NEAR(energy("gouraud"), 100, 10);
 }

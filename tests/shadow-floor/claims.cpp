@@ -1,4 +1,4 @@
-// What shadow-floor claims, and a test for each.
+// The claims of shadow-floor, and a test for each.
 //
 // - [cast-by-rays] The picture is what rays show: dark where the way from the floor to the light meets the square.
 // - [marker-at-the-light] The yellow ball is where the light of this frame's shadow is, not where the last one's was.

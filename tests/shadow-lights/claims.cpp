@@ -1,4 +1,4 @@
-// What shadow-lights claims, and a test for each.
+// The claims of shadow-lights, and a test for each.
 //
 // - [right-by-rays] The mean over the lights of what they light is what rays show: by volumes away from edges in all pixels
 //   but single ones that a light grazes, and by maps the better the larger they are.

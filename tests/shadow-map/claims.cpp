@@ -1,4 +1,4 @@
-// What shadow-map claims, and a test for each.
+// The claims of shadow-map, and a test for each.
 //
 // - [cast-by-rays] With a fine map the shadows are those that rays find, to a pixel at their edges.
 // - [error-is-one-over-resolution] Without a filter the misjudged part of the picture falls as 1/resolution.
@@ -66,7 +66,7 @@ void strike(DemoRun& run, const Place& place) {
     for (const KnobSetting& setting : settingsOf(place)) run.set(setting.name, setting.text);
 }
 
-// What the demo draws against rays cast here, in pixels, away from where the rays change from a pixel to the next.
+// The demo's picture against rays cast here, in pixels, away from where the rays change from a pixel to the next.
 struct Judged {
     long dark = 0, lit = 0, n = 0;  // falsely so; compared
     double darkPart() const { return double(dark) / double(n); }
@@ -109,7 +109,7 @@ Judged judge(DemoRun& run, const Place& place, const vec4& light, int only = -1)
 
 Judged judge(DemoRun& run, const Place& place, int only = -1) { return judge(run, place, vec4(place.light, 1), only); }
 
-// Where the line of sight through the middle of a pixel meets the floor y = 0.
+// The point where the line of sight through the middle of a pixel meets the floor y = 0.
 vec3 onFloor(DemoRun& run, int x, int y) {
     const mat4 worldFromClip = glm::inverse(run.matrix("clipFromView") * run.matrix("viewFromWorld"));
     const double clipX = 2 * (x + 0.5) / width - 1, clipY = 1 - 2 * (y + 0.5) / height;
@@ -185,7 +185,7 @@ TEST(ShadowMap, acne_without_bias) {
     for (const vec3& light : {vec3(-9.5, 1, 0), vec3(-6, 1.5, 2), vec3(-3, 3, 3), vec3(0, 5, 0)}) {
         const Place place{cube.scene, cube.make, light, cube.target};
         strike(run, place);
-        // What faces the light has no slope, and so no bias by it: whether its depth is the map's is for rounding to say, and
+        // A face towards the light has no slope, and so no bias by it: whether its depth is the map's is for rounding to say, and
         // another driver says so in some pixels. The least constant bias decides it.
         if (light.x == 0) run.set("bias", 1e-4);
         const long dark = judge(run, place, 0).dark;
@@ -236,7 +236,7 @@ TEST(ShadowMap, floor_left_out_needs_no_bias) {
     EXPECT_GT(judge(run, cube, 0).darkPart(), 0.3);
     const long with = stage().frameCounters().triangles;
     const Judged without = judge(run.set("receiver", "off"), cube, 0);
-    // What is left are steps of texels along the edge, a pixel or two wide.
+    // The rest are steps of texels along the edge, a pixel or two wide.
     EXPECT_LT(without.wrongPart(), 2e-3);
     EXPECT_LE(stage().frameCounters().triangles, with);
 }
@@ -285,7 +285,7 @@ TEST(ShadowMapFull, coarse_casters_throw_polygons) {
         EXPECT_LT(run.readout("falsely-dark"), 0.1) << sides << ": its corners lie on the ball";
         return run.readout("falsely-lit");
     };
-    // Of the grid's 9000 points some 300 are in the ball's shadow.
+    // Some 300 of the grid's 9000 points are in the ball's shadow.
     const double coarse = missing("6"), finer = missing("12"), fine = missing("48");
     EXPECT_NEAR(coarse / finer, 4, 2);
     EXPECT_GT(coarse, 20 * std::max(fine, 0.001));
@@ -325,7 +325,7 @@ TEST(ShadowMapFull, map_is_kept) {
         run.set("keep", "on");
         EXPECT_EQ(passes(), 1);
     }
-    // What a picture that keeps nothing leaves in the map is not taken for what was kept before it.
+    // The map of a picture that keeps nothing is not taken for what was kept before it.
     const Picture kept = run.picture();
     EXPECT_NE(run.set("keep", "off").set("light-y", 4).picture(), kept);
     EXPECT_EQ(run.set("keep", "on").set("light-y", 4.8).picture(), kept);

@@ -1,4 +1,4 @@
-// What shadow-methods claims, and a test for each.
+// The claims of shadow-methods, and a test for each.
 //
 // - [exact-on-a-plane] On the cube's plane neither the matrix nor the volumes have a wrong pixel.
 // - [least-work] The matrix draws the fewest fragments of all methods that draw a shadow, in one pass.
@@ -93,7 +93,7 @@ TEST(ShadowMethodsFull, least_work) {
         EXPECT_LE(matrix.all.fraction, row.all.fraction + 2.0 / double(row.all.n)) << row.method << row.parameter;
     }
     EXPECT_EQ(others, 27);
-    // What it adds to the scene without shadow is the shadow alone: under a twentieth of the fragments.
+    // The matrix adds the shadow alone to the scene without it: under a twentieth of the fragments.
     EXPECT_LT(countOf(matrix, "fragments"), 1.05 * countOf(rowOf(result, "no shadow"), "fragments"));
 }
 

@@ -1,4 +1,4 @@
-// What shadow-polygons claims, and a test for each; X60 in docs/stability.md are its extremes.
+// The claims of shadow-polygons, and a test for each; X60 in docs/stability.md are its extremes.
 //
 // - [as-rays-show] In every preset and for any number of polygons the computed shadows are what rays show, in the picture and at
 //   points of the polygons; without shadows they are not.
@@ -217,7 +217,7 @@ TEST(ShadowPolygons, seen_part) {
     DemoRun run("shadow-polygons", 320, 180);
     run.set("show", "scene").set("polygons", 60);
     const Picture with = run.picture(), without = run.set("method", "none").picture();
-    // What a shadow changes gets darker, in every channel.
+    // A pixel that a shadow changes gets darker, in every channel.
     long darker = 0, lighter = 0;
     for (int y = 0; y < with.height; ++y) {
         for (int x = 0; x < with.width; ++x) {

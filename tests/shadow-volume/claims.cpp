@@ -1,4 +1,4 @@
-// What shadow-volume claims, and a test for each.
+// The claims of shadow-volume, and a test for each.
 //
 // - [exact] With z-fail no pixel of any scene differs from the rays' picture, except in the band of one pixel at edges.
 // - [eye-in-volume] With the eye in a volume z-pass is wrong nearly everywhere, z-fail and a counted start are right.

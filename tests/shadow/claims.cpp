@@ -1,4 +1,4 @@
-// What shadow claims, and a test for each; rows X11 to X14 of docs/stability.md.
+// The claims of shadow, and a test for each; rows X11 to X14 of docs/stability.md.
 //
 // - [cast-by-rays] The picture is what rays show: dark where the way from the plane to the light meets the square.
 // - [textbook-matrix] The matrix is the course's T(light) M T(-light) but for a factor; +1/y_l is on the wrong side.

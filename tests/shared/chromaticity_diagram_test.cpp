@@ -31,7 +31,7 @@ TEST(ChromaticityDiagrams, primaries_and_black) {
     }
 }
 
-// What the triangle holds and what is beyond its sides is all; beyond two of them lie the three corners' wedges.
+// The triangle and what is beyond its sides is all; beyond two of them lie the three corners' wedges.
 TEST(ChromaticityDiagrams, parts_make_up_the_whole) {
     for (const Diagram which : {Diagram::xy, Diagram::uv}) {
         const ChromaticityDiagram diagram{which};

@@ -16,7 +16,7 @@ double heightAt(const ExactPatch& exact, const vec3& at) {
 }
 bool isOverIt(const vec3& at) { return std::abs(at.x) <= 1.5 && std::abs(at.z) <= 1.5; }
 
-// What halving ends with, on ways of less than 20 units.
+// The error that halving ends with, on ways of less than 20 units.
 constexpr double tolerance = 20 * 1e-13;
 
 TEST(ExactPatch, IsMetFromAboveAndFromBelow) {

@@ -97,7 +97,7 @@ TEST(Fresnel, metals_are_what_complex_numbers_say) {
         EXPECT_NEAR(fresnelOfMetal(cosine, 1.5, 0), fresnel(cosine, 1.5).reflected, 1e-14);
         EXPECT_NEAR(fresnelOfMetal(cosine, 0.75, 0), fresnel(cosine, 0.75).reflected, 1e-7);
     }
-    // What gives them their colours: they reflect more of red than of green, and more of green than of blue.
+    // The reason of their colours: they reflect more of red than of green, and more of green than of blue.
     for (const Metal& metal : {gold, copper}) {
         const vec3 headOn = fresnelOfMetal(1, metal);
         EXPECT_GT(headOn.x, headOn.y);

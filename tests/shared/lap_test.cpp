@@ -52,7 +52,7 @@ TEST(Lap, TurnsEvenlyBetweenSamples) {
         const PathFrame there = frameAt(lap, part, {0, 0, -3});
         EXPECT_LT(glm::length(there.up - rolled(PathFrame{}, 50 * part).up), 1e-14) << part;
     }
-    // Where it turns over it does so at the next sample.
+    // A frame that turns over does so at the next sample.
     const Lap over = straight(11, [](double way) { return way < 0.45 ? 0.0 : 170.0; });
     EXPECT_LT(glm::length(frameAt(over, 0.49, {0, 0, -1}).up - vec3(0, 1, 0)), 1e-14);
 }

@@ -41,14 +41,14 @@ TEST(Mirrors, show_each_other_farther_and_farther_away) {
     for (std::size_t i = 0; i < 9; ++i) {
         const SeenMirror& seen = chains[0][i];
         EXPECT_EQ(seen.which, i % 2);
-        // They are 5 apart, so each reflection is 5 farther away.
+        // The mirrors are 5 apart, so each reflection is 5 farther away.
         const vec4 middle = seen.worldFromMirror * vec4(both.at(i % 2).middle, 1);
         EXPECT_LT(glm::length(vec3(middle) - vec3(0, 0, -2 - 5.0 * double(i))), 1e-12);
         EXPECT_NEAR(glm::determinant(mat3(seen.worldFromShown)), i % 2 == 0 ? -1 : 1, 1e-12);
-        // What is in front of the mirror appears behind it.
+        // A point in front of the mirror appears behind it.
         const vec4 shown = seen.worldFromShown * vec4(0, 0, 1, 1);
         EXPECT_LT(shown.z, middle.z);
-        // What is seen of it lies within what is seen of the one before.
+        // The seen part of it lies within the seen part of the one before.
         if (i > 0) {
             EXPECT_FALSE(areBeyond(seen.outline, chains[0][i - 1].edges));
         }

@@ -6,7 +6,7 @@
 
 using namespace mv;
 
-// What is seen across is 2 tan(fovy/2) aspect at the distance 1.
+// The width that is seen is 2 tan(fovy/2) aspect at the distance 1.
 TEST(NarrowView, shows_as_much_across) {
     for (const double fovy : {20.0, 50.0, 120.0}) {
         for (const double least : {0.8, 1.0, 1.3}) {

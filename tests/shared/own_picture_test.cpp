@@ -143,7 +143,7 @@ TEST(OwnPicture, faces_become_the_cube_texel_by_texel) {
     }
 }
 
-// The two pictures of one evening, made by two formulas, show it alike. They are not the same where something is finer than
+// The two pictures of one evening, made by two formulas, show it alike. The two are not the same where something is finer than
 // a pixel of either: the mean over the faces is.
 TEST(OwnPicture, panorama_and_faces_of_one_scene_agree) {
     const std::string assets = MVGL_SOURCE_DIR "/assets/";

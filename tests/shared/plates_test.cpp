@@ -93,7 +93,7 @@ TEST(Plates, the_scenes_are_what_they_say) {
                                      .height = 200});
     };
     const auto one = [&](const std::array<Plate, 3>& plates, std::size_t i) { return seen(std::span(&plates[i], 1)); };
-    // Of each two bars that overlap one is in front, and in a cycle: each wins once.
+    // One of each two bars that overlap is in front, and in a cycle: each wins once.
     const auto bars = barsInACycle(translate(0, 0, -5));
     const auto all = seen(bars);
     std::array<std::array<long, 3>, 3> over{};

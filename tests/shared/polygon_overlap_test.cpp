@@ -38,7 +38,7 @@ double commonArea(const GridPolygon& a, const GridPolygon& b) {
     return sum;
 }
 
-// By Boost.Geometry, which computes in double.
+// The answer of Boost.Geometry, which computes in double.
 double boostArea(const GridPolygon& a, const GridPolygon& b) {
     const auto made = [](const GridPolygon& from) {
         BoostPolygon polygon;

@@ -10,7 +10,7 @@ namespace {
 PatternPlace place(Pattern pattern, double first, const vec3& centre) { return {pattern, 4, first, centre}; }
 }  // namespace
 
-// It is the same function of the point, however that is told: as centre and offset, or the other way.
+// The pattern is the same function of the point, however that is told: as centre and offset, or the other way.
 TEST(Procedural, is_a_function_of_the_point) {
     for (const Pattern pattern : {Pattern::brick, Pattern::wood, Pattern::marble, Pattern::noise}) {
         for (const vec3& at : {vec3(0.3, 0.2, 0.1), vec3(-5.7, 3.1, 2.9), vec3(1000.1, -7.3, 0.7)}) {

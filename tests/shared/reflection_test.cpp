@@ -21,7 +21,7 @@ TEST(Reflection, highlights_are_brightest_in_the_mirrored_direction) {
         for (const double exponent : {1.0, 10.0, 1000.0}) {
             EXPECT_NEAR(highlight(lobe, n, at(-30), at(30), exponent), 1, 1e-12);  // 1000 roundings of a cosine near 1
             EXPECT_LT(highlight(lobe, n, at(-30), at(40), exponent), 1);
-            // They are alike both ways before the division by the cosine.
+            // The lobes are alike both ways before the division by the cosine.
             EXPECT_NEAR(highlight(lobe, n, at(-30), at(10), exponent), highlight(lobe, n, at(10), at(-30), exponent),
                         1e-12);
         }

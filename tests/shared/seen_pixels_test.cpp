@@ -14,7 +14,7 @@ TEST(SeenPixels, regions_are_those_of_what_is_seen) {
 }
 
 TEST(SeenPixels, rms_is_over_pixels_that_both_have) {
-    // What only one of them has would add 4 and 9 to the squares
+    // Pixels that only one of them has would add 4 and 9 to the squares
     EXPECT_EQ(rmsBetween({0, 1, 1, -1}, {3, 5, -1, 2}), std::sqrt((9.0 + 16) / 2));
     EXPECT_EQ(rmsBetween({3, 5, -1, 2}, {0, 1, 1, -1}), std::sqrt((9.0 + 16) / 2)) << "in either order";
     EXPECT_EQ(rmsBetween({0.25, 1}, {0.25, 1}), 0);

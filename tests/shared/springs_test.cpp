@@ -1,4 +1,4 @@
-// What springs and its study share: scenes, the classics' solutions, and what is drawn of them.
+// The parts that springs and its study share: scenes, the classics' solutions, and what is drawn of them.
 #include <gtest/gtest.h>
 
 #include <algorithm>

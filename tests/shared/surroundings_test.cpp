@@ -91,7 +91,7 @@ TEST(Sky, is_light_and_has_no_seams) {
             EXPECT_LE(value, 1.0F);
         }
     }
-    // It is a function of the direction alone: on both sides of an edge it is the same, and its length does not matter.
+    // The light is a function of the direction alone: on both sides of an edge it is the same, and its length does not matter.
     for (int i = 0; i <= 100; ++i) {
         const double t = i / 100.0;
         EXPECT_EQ(skyAlong(cubeDirection({0, {0, t}})), skyAlong(cubeDirection({4, {1, t}})));
@@ -111,7 +111,7 @@ TEST(ShinySphere, a_mirror_shows_what_a_mirrored_ray_sees) {
 }
 
 TEST(ShinySphere, glass_divides_light_and_loses_none) {
-    // Where all around is alike, nothing of the glass is to be seen: with all its inner reflections it sends out what it gets.
+    // Nothing of the glass is to be seen where all around is alike: with all its inner reflections it sends out what it gets.
     // Walls of tiles are not; but along one axis, head on, light comes from two places only.
     ShinySphere sphere{.room = {5, 40}, .coating = {.kind = Coating::Kind::glass}, .innerReflections = 100};
     const Ray ray{{0, 0, 4}, {0, 0, -1}};
@@ -121,7 +121,7 @@ TEST(ShinySphere, glass_divides_light_and_loses_none) {
     const double r = 0.04, t = 0.96, again = 1 / (1 - r * r);
     const auto light = sphere.seenAlong(ray);
     ASSERT_TRUE(light);
-    // What is left out is less than 1e-6 of the light.
+    // The part that is left out is less than 1e-6 of the light.
     EXPECT_LT(glm::distance(*light, (r + t * t * r * again) * front + t * t * again * back), 1e-6);
     EXPECT_NEAR(r + t * t * r * again + t * t * again, 1, 1e-15);
     sphere.coating.index = 1;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr Walk walk{.upper = 1.2, .lower = 0.8, .poses = 8};
 
-// Where the near foot is, and the far one.
+// The places of the near foot and of the far one.
 std::vector<vec2> feetAt(double cycles) {
     Jointed thing = legs(walk.upper, walk.lower, walk.hip(cycles));
     const auto degrees = walk.played(cycles);

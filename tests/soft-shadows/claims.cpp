@@ -1,4 +1,4 @@
-// What soft-shadows claims, and a test for each.
+// The claims of soft-shadows, and a test for each.
 //
 // - [penumbra-width] Dark to lit takes the lamp's size times the caster's height over the lamp's height above it.
 // - [sharp-where-they-touch] The shadow of an upright edge is sharp at its foot and grows softer on the way out.
@@ -107,10 +107,10 @@ TEST(SoftShadowsFull, shape_of_the_lamp) {
         run.set("lamp-shape", c.shape).set("lamp-turn", c.turn).picture();
         SCOPED_TRACE(std::string(c.shape) + " turned by " + std::to_string(c.turn));
         EXPECT_NEAR(run.readout("penumbra-theory"), c.extent * whole, 1e-12);
-        // What ends in a corner has few points there, and the outermost of a thousandth counts as none.
+        // A penumbra that ends in a corner has few points there, and the outermost of a thousandth counts as none.
         EXPECT_NEAR(run.readout("penumbra"), c.extent * whole, 0.08 * c.extent * whole + 0.003);
     }
-    // By one map the disc is asked, not the square about it: less is dark.
+    // One map is asked for the disc, not the square about it: less is dark.
     run.preset("blurred-as-wide-as-needed");
     const auto lit = [&](const char* shape) {
         double sum = 0;

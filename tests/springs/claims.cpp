@@ -1,4 +1,4 @@
-// What springs claims, and a test for each; rows X33 to X35 of docs/stability.md.
+// The claims of springs, and a test for each; rows X33 to X35 of docs/stability.md.
 //
 // - [limits] One spring grows where the region says so, and not within 1 % below it: damped or not, by each method.
 // - [dots-tell] By velocity Verlet chain, net and cloth blow up where a dot is outside; with one substep more than leaves
@@ -82,7 +82,7 @@ double growth(DemoRun& run, int from, int to) {
     return std::log(later / before) / (2.0 * (to - from));
 }
 
-// By how much a step multiplies the swing, from four places, one after another: a linear step has q'' = T q' - D q.
+// The factor by which a step multiplies the swing, from four places, one after another: a linear step has q'' = T q' - D q.
 double factorOfAStep(DemoRun& run) {
     std::array<double, 4> q{};
     for (int i = 0; i < 4; ++i) q.at(static_cast<std::size_t>(i)) = after(run, i, "place");
@@ -298,7 +298,7 @@ TEST(SpringsFull, rests) {
             EXPECT_EQ(run.readout("steps-computed"), 0);
         }
     }
-    // What a frame uploads then: the region's matrix and nothing else
+    // The uploads of a frame then: the region's matrix and nothing else
     const std::vector<KnobSetting> still{{"gravity", "0"}, {"hand-x", "0.6"}, {"hand-y", "-0.4"}};
     const AuditReport report = auditDemo(stage(), findDemo("springs"), still, 50);
     EXPECT_TRUE(report.clean()) << auditText(report);
@@ -364,7 +364,7 @@ TEST(SpringsFull, confirmed) {
             EXPECT_TRUE(run.messages().empty()) << problem << " by " << method << ": " << run.messages()[0];
         }
     }
-    // What gives up is not tried again
+    // A method that gives up is not tried again
     (void)run.set("method", "dormand-prince").set("problem", "van-der-pol").picture();
     ASSERT_EQ(run.messages().size(), 1U);
     EXPECT_EQ(run.messages()[0].rfind("gave up at t = ", 0), 0U) << run.messages()[0];
@@ -377,7 +377,7 @@ TEST(SpringsFull, same_frame) {
     EXPECT_EQ(run.picture(200), late);
     EXPECT_EQ(run.picture(40), early);
 
-    // Somebody drags the hand and stiffens the springs. What is copied shows the same.
+    // Somebody drags the hand and stiffens the springs. A copied command shows the same.
     const std::vector<KnobSetting> knobs{{"method", "bdf2"}, {"masses", "4"}};
     Picture played;
     std::vector<TimedChange> changes;

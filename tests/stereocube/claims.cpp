@@ -1,4 +1,4 @@
-// What stereocube claims, and a test for each; row X39 of docs/stability.md.
+// The claims of stereocube, and a test for each; row X39 of docs/stability.md.
 //
 // - [left-is-red-channel] The left eye's picture is the one that changes red, on white and on black, by lines and by masks.
 // - [left-is-left] The eye behind the red filter is the one on the left: near things move right in its picture.
@@ -51,7 +51,7 @@ Ink inkOf(const Picture& picture, const std::function<bool(Pixel)>& isInk) {
     return ink;
 }
 
-// What is seen through the filters: the red one lets the red channel pass, the cyan one green and blue. Ink is what is
+// The channels that are seen through the filters: the red one lets the red channel pass, the cyan one green and blue. Ink is what is
 // not as bright as the paper.
 Ink throughRed(const Picture& picture, int paper) {
     return inkOf(picture, [=](Pixel p) { return p.red != paper; });
@@ -103,7 +103,7 @@ EyePictures pictures(DemoRun& run) {
 
 int paperOf(const std::string& background) { return background == "white" ? 255 : 0; }
 
-// Where the eye of a view matrix stands.
+// The place of the eye of a view matrix.
 vec3 placeOf(const mat4& eyeFromWorld) { return vec3(glm::inverse(eyeFromWorld) * vec4(0, 0, 0, 1)); }
 
 // A few dozen roundings of numbers up to 600, each 1e-13 at most.
@@ -138,7 +138,7 @@ TEST(Stereocube, left_is_left) {
     DemoRun run("stereocube");
     run.preset("original");
     run.picture();
-    // The original: red is the eye at x = -0.1, cyan the one at +0.1. They look along +z, so right is -x.
+    // The original: red is the eye at x = -0.1, cyan the one at +0.1. The eyes look along +z, so right is -x.
     const mat4 red = lookAt({-0.1, 0, -3}, {0, 0, -1}, {0, 1, 0}), cyan = lookAt({0.1, 0, -3}, {0, 0, -1}, {0, 1, 0});
     EXPECT_EQ(run.matrix("rightFromWorld"), red);
     EXPECT_EQ(run.matrix("leftFromWorld"), cyan);
@@ -295,7 +295,7 @@ TEST(Stereocube, eyes_turn_outwards) {
         longest = std::max(longest, inRow);
     }
     EXPECT_NEAR(static_cast<double>(longest), 63.5 / 345 * 600, 2);
-    // What lies before the screen asks for no turn outwards, however wide it is
+    // A point before the screen asks for no turn outwards, however wide it is
     run.set("z-dist", -2).set("convergence", 6).set("screen-width", 20000).picture();
     EXPECT_LT(run.readout("parallax-mm"), 0);
     EXPECT_EQ(run.messages().size(), 0U);

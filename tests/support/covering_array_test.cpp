@@ -70,7 +70,7 @@ TEST(CoveringArray, has_few_rows) {
     }
 }
 
-// What is not allowed is in no row, and in `refused` where the pair itself is to blame; every other pair is covered.
+// A pair that is not allowed is in no row, and in `refused` where the pair itself is to blame; every other pair is covered.
 TEST(CoveringArray, keeps_to_what_is_allowed) {
     const std::vector<int> levels(6, 3);
     const Row usual(6, 1);

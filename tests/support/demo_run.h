@@ -18,7 +18,7 @@ Stage& stage();
 // Opens that stage anew on another host, by OpenGL or OpenGL ES 3.0; and ends it: what asks for stage() next has that of MVGL_TEST_HOST.
 Stage& stageOn(HostKind host, bool es = false);
 void leaveStage();
-// Whether Mesa's llvmpipe draws. What is asked only of it is no promise of OpenGL's, and the page says so.
+// Whether Mesa's llvmpipe draws. A check that is asked only of it is no promise of OpenGL's, and the page says so.
 bool onLlvmpipe();
 // A function of its driver that the table has not; null where the driver has not either.
 void* driverFunction(const char* name);
@@ -28,7 +28,7 @@ bool isLong();
 // Whether the demo's picture is made in passes, since it takes long: what is tried in many settings is then tried smaller.
 inline bool hasPasses(const DemoInfo& info) { return info.make()->passes(FrameInfo(1, info.width, info.height)) > 0; }
 
-// By what such a picture's sides are divided where it is tried often; 1 for other demos.
+// The number by which such a picture's sides are divided where it is tried often; 1 for other demos.
 inline int coarser(const DemoInfo& info) { return hasPasses(info) ? 10 : 1; }
 // The same where once is enough but under the sanitizers, which see the same code in a small one.
 inline int coarserIfSanitized(const DemoInfo& info) { return sanitized ? coarser(info) : 1; }
@@ -52,7 +52,7 @@ class DemoRun {
     // A matrix of the last picture, by its shown name; a test failure where there is none.
     mat4 matrix(const std::string& name);
     std::vector<std::string> messages();
-    // What check() says of the present settings; "" where it lets them pass.
+    // The words of check() on the present settings; "" where it lets them pass.
     std::string refusal();
     Demo& demo() { return stage().demo(); }
 };
@@ -71,9 +71,9 @@ int countColors(const Picture& picture, int most = 1000);
 
 // The folder of the sources, or the one that MVGL_TREE names: with tests/goldens and assets, and with the failures (scripts/gpu.sh).
 std::string tree();
-// What is in a file; a test failure where it cannot be read.
+// The contents of a file; a test failure where it cannot be read.
 std::string fileText(const std::filesystem::path& path);
-// What is written of a demo: its file, or those of its folder, without its page.
+// The source of a demo: its file, or those of its folder, without its page.
 std::string demoText(const std::string& name);
 // Saves a picture for a person to look at after a failure, in build/failures, or in MVGL_TREE, and returns its path.
 std::string saveFailure(const std::string& name, const Picture& picture);

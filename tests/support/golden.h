@@ -30,7 +30,7 @@ std::string presentDriver();
 
 // Whether `drawn` matches the golden picture, and if not, why. Exact where the recorded driver draws. Elsewhere as much may differ as
 // the case says: of 216 presets on a GPU 199 were within 0.1 %, and one level off, as a background of 0.9 of 255 is, is no difference.
-// What differs is left in build/failures: the picture, the golden one and the difference.
+// A difference is left in build/failures: the picture, the golden one and the difference.
 std::optional<std::string> mismatch(const GoldenCase& golden, const Picture& drawn, bool keepPictures = true);
 
 }  // namespace mv::test

@@ -1,4 +1,4 @@
-// What a test program has of operator new and has not given back.
+// The bytes that a test program has of operator new and has not given back.
 #pragma once
 #include <cstddef>
 

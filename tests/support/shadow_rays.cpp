@@ -9,7 +9,7 @@
 namespace mv::test {
 namespace {
 
-// Where the way from a to b passes through the square, as a part of the way; nothing where it does not.
+// The place where the way from a to b passes through the square, as a part of the way; nothing where it does not.
 std::optional<double> throughSquare(const mat4& squareFromWorld, const vec3& a, const vec3& b) {
     const vec3 from(squareFromWorld * vec4(a, 1)), to(squareFromWorld * vec4(b, 1));
     if (from.y == to.y) return {};

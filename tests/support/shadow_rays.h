@@ -1,4 +1,4 @@
-// What rays show of a square and its shadow on the plane y = 0: the same picture by another method, in double.
+// The picture that rays make of a square and its shadow on the plane y = 0: the same picture by another method, in double.
 #pragma once
 #include <array>
 #include <optional>
@@ -18,7 +18,7 @@ struct ShadowScene {
 
 enum class Seen { background, square, floor, shadow };
 
-// What the ray through this point of the picture (normalised device coordinates) meets first. The shadow lies on the
+// The thing that the ray through this point of the picture (normalised device coordinates) meets first. The shadow lies on the
 // upper side of the plane where the way to the light, above the plane, meets the square. Where there is no floor it is
 // seen from below too.
 Seen castRay(const ShadowScene& scene, const vec2& ndc);

@@ -1,4 +1,4 @@
-// What Mesa's softpipe, the second rasterizer of ./test --long, does otherwise than llvmpipe, zink and GPUs.
+// The things that Mesa's softpipe, the second rasterizer of ./test --long, does otherwise than llvmpipe, zink and GPUs.
 #pragma once
 #include "support/demo_run.h"
 
@@ -6,14 +6,14 @@ namespace mv::test {
 
 inline bool onSoftpipe() { return stage().driver().renderer.find("softpipe") != std::string::npos; }
 
-// It adds the polygon offset to a triangle's corners and clamps it there, where OpenGL clamps the depth of each fragment: a floor that
+// Softpipe adds the polygon offset to a triangle's corners and clamps it there, where OpenGL clamps the depth of each fragment: a floor that
 // reaches a shadow map's end is pushed the less the nearer to that end, and shades itself there.
 inline bool clampsOffsetAtCorners() { return onSoftpipe(); }
 
-// It reads a footprint that is longer than the texture from the smallest levels, however narrow it is.
+// Softpipe reads a footprint that is longer than the texture from the smallest levels, however narrow it is.
 inline bool blursLongFootprints() { return onSoftpipe(); }
 
-// It sets points up to an eighth of a pixel off, so that some are set in the pixel beside theirs.
+// Softpipe sets points up to an eighth of a pixel off, so that some are set in the pixel beside theirs.
 inline bool placesPointsCoarsely() { return onSoftpipe(); }
 
 }  // namespace mv::test

@@ -1,4 +1,4 @@
-// What texture-filter claims, and a test for each.
+// The claims of texture-filter, and a test for each.
 //
 // - [texel-squares] Under magnification, nearest shows each texel as a flat shape, on the pixels that the geometry says.
 // - [nearest-aliases] Far away a checker looked up at one point stays as black and white as it was; with mipmaps it is grey.
@@ -202,7 +202,7 @@ TEST(TextureFilterFull, anisotropic_keeps) {
     EXPECT_EQ(largestChange(run.set("anisotropy", 1).picture(), run.set("filter", "trilinear").picture()), 0);
 }
 
-// What an implementation may walk is bounded, whatever the steps are: at the horizon they are thousands of repeats, or no numbers.
+// The steps of an implementation are bounded, whatever the steps are: at the horizon they are thousands of repeats, or no numbers.
 TEST(TextureFilter, bounded_footprint) {
     stage();
     const Program program =

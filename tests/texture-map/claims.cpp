@@ -1,4 +1,4 @@
-// What texture-map claims, and a test for each.
+// The claims of texture-map, and a test for each.
 //
 // - [slips] A texture interpolated along the picture slips by the formula's amount, and one interpolated correctly does not.
 // - [falls-with-the-square] The slip falls as 1/n^2 once a cell's w's are nearly alike, which takes the longer, the larger W.
@@ -140,7 +140,7 @@ TEST(TextureMap, divide_at_the_end) {
     // Along the far edge u and v are a quarter of what they should be: v = 1/4 belongs at s = W v / (1 + (W - 1) v) = 4/7
     // of the height, which is 0.8 of the picture.
     EXPECT_GT(largest(bare), 3.0 / 7 * 0.8 * side * 0.95);
-    // Where all w are 1 there is nothing to divide by.
+    // There is nothing to divide by where all w are 1.
     EXPECT_LT(largest(slips(run.set("ratio", 1))), 0.01);
 }
 
@@ -224,7 +224,7 @@ TEST(TextureMap, one_strip_runs_back) {
         (void)run.set("shape", "sphere").picture();
         EXPECT_EQ(run.readout("backward"), 4 * n - 2);  // of 2n cells, two of which are single triangles
     }
-    // It is the strip beside the seam alone that changes: on the other side of the sphere, below the pole, nothing does.
+    // The strip beside the seam alone changes: on the other side of the sphere, below the pole, nothing does.
     run.set("divisions", 4).set("turn", 100);
     const Picture shared = run.picture(), doubled = run.set("seam", "doubled").picture();
     for (int y = side / 3; y < side; ++y) {

@@ -1,4 +1,4 @@
-// What view-volume claims, and a test for each; the extreme one is X07 in docs/stability.md.
+// The claims of view-volume, and a test for each; the extreme one is X07 in docs/stability.md.
 //
 // - [planes-are-the-clip-volume] A point is inside the six planes exactly when its clip coordinates are within -w to w.
 // - [orange-is-clipped] The parts that the clip volume cuts off are orange, and none of them is left after the projection.
@@ -102,7 +102,7 @@ TEST(ViewVolume, orange_is_clipped) {
         EXPECT_EQ(orangeIn(picture, width + 1), 0);  // what is left after the projection is inside
         const mat4 clipFromWorld = run.matrix("clipFromWorld");
         const mat4 worldFromPane = glm::inverse(run.matrix("outsideFromWorld"));
-        // What a ray through the pixel meets: 0 nothing, 1 what the clip volume holds, 2 what it does not
+        // The thing that a ray through the pixel meets: 0 nothing, 1 what the clip volume holds, 2 what it does not
         const auto met = [&](int x, int y) {
             const vec2 ndc(2 * (x + 0.5) / width - 1, 1 - 2 * (y + 0.5) / height);
             const vec4 a = worldFromPane * vec4(ndc, -1, 1), b = worldFromPane * vec4(ndc, 1, 1);
@@ -253,7 +253,7 @@ TEST(ViewVolume, parameters_never_cancel) {
         const double farOverNear = std::pow(10.0, double(closer) + 1);
         EXPECT_LT(error("parameters", closer), 3e-16);  // an ulp of 1
         EXPECT_NEAR(run.readout("far-over-near"), farOverNear, 1e-9 * farOverNear);
-        // What is left of the far plane's normal is 2 near/far, beside the roundings of numbers near 1
+        // The rest of the far plane's normal is 2 near/far, beside the roundings of numbers near 1
         EXPECT_LT(error("matrix", closer), 3e-16 * farOverNear + 1e-15);
         if (closer <= 6) {
             EXPECT_LT(error("float-matrix", closer), 1.2e-7 * farOverNear);
@@ -339,7 +339,7 @@ TEST(ViewVolume, sight_becomes_parallel) {
         EXPECT_NEAR(begin.z, -1, 1e-15);
         EXPECT_NEAR(end.z, 1, 1e-15);
     }
-    // They are drawn in each pane: more of their colour than the squares of 5 x 5 pixels at their beginnings have
+    // The words are drawn in each pane: more of their colour than the squares of 5 x 5 pixels at their beginnings have
     DemoRun run("view-volume");
     const Pixel sight{140, 26, 153};
     EXPECT_EQ(countPixels(run.picture(), sight), 0);

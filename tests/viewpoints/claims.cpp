@@ -1,4 +1,4 @@
-// What viewpoints claims, and a test for each.
+// The claims of viewpoints, and a test for each.
 //
 // - [eight-views] Views 1 to 8 have the matrices of the WebGL page, to rounding, all the lap round.
 // - [car-faces-ahead] The car points where it drives; the slide's sign would turn it away by twice its direction.
@@ -83,7 +83,7 @@ double largestDifference(const mat4& a, const mat4& b) {
     return most;
 }
 
-// Where a point of the world falls in the picture, -1 to 1 across and upwards.
+// The place of a point of the world in the picture, -1 to 1 across and upwards.
 vec3 seenAt(DemoRun& run, const vec3& point) {
     return mv::ndcFromClip(run.matrix("clipFromView") * run.matrix("viewFromWorld") * vec4(point, 1));
 }
@@ -346,7 +346,7 @@ TEST(Viewpoints, lit_and_sky) {
 
 TEST(ViewpointsFull, eye_under_the_roof) {
     DemoRun run("viewpoints", small, small);
-    // What is allowed shows more than one colour all the lap round, in every view.
+    // A view that is allowed shows more than one colour all the lap round, in every view.
     for (int view = 1; view <= 9; ++view) {
         for (const double height : {-4.0, -3.0, -2.0, -1.0}) {
             run.set("view", std::to_string(view)).set("height", height);

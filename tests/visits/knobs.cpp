@@ -58,7 +58,7 @@ void expectBuffersAsDeclared() {
     EXPECT_EQ(samples, needs.samples);
 }
 
-// What is declared is what is so: its buffers, whether it moves, and all that ES 3.0 lacks and these frames have used.
+// The declaration is true: its buffers, whether it moves, and all that ES 3.0 lacks and these frames have used.
 TEST_P(Visits, ends) {
     stage();
     watchBeyondEs();
@@ -75,7 +75,7 @@ TEST_P(Visits, ends) {
                 tried.refused);
 }
 
-// What a demo asks for by has(), as if the context lacked it: it draws all the same, does not use it, and says so.
+// The features that a demo asks for by has(), as if the context lacked it: it draws all the same, does not use it, and says so.
 TEST_P(Visits, ends_without_what_a_context_may_lack) {
     stage();
     const DemoInfo& info = findDemo(GetParam());

@@ -1,4 +1,4 @@
-// What stays in memory, frame after frame.
+// The memory that stays in use, frame after frame.
 #include <cstdio>
 
 #include "mv/gl/gl.h"
@@ -8,7 +8,7 @@
 namespace mv::test {
 namespace {
 
-// What a user draws who plays with each knob: one after the other, each knob at each of its ends, and between them the demo
+// The pictures of a user who plays with each knob: one after the other, each knob at each of its ends, and between them the demo
 // as it opens, with its readouts once a round. Frames are numbered on, as in a window; but of a demo that remembers each
 // round begins with frame 1, since a knob that has moved leads it through all frames before the one that is asked for.
 class Rounds {
@@ -29,7 +29,7 @@ class Rounds {
             }
         }
         drawNext(true);
-        // What a demo with a memory has been through is kept, a bounded number of frames of it (Timeline's own test).
+        // The past of a demo with a memory is kept, a bounded number of frames of it (Timeline's own test).
         stage().timeline().beginAnew();
         stage().draw(1);
         glFinish();
@@ -52,7 +52,7 @@ TEST_P(Visits, memory_stays) {
     // A picture that the processor computes is small here: how much is kept does not grow from frame to frame with its size.
     const int by = hasPasses(findDemo(GetParam())) ? 4 : 1;
     DemoRun run(GetParam(), 64 / by, 48 / by);
-    // What drawText keeps of its last sixteen calls: a demo with fewer different words, of which one changes with the frame,
+    // The words that drawText keeps of its last sixteen calls: a demo with fewer different words, of which one changes with the frame,
     // would fill it over many rounds. These are longer than a demo's.
     for (int i = 0; i < 16; ++i) {
         drawText(FrameInfo(1, 64, 48), std::vector<TextLine>(20, {0, 0, std::to_string(i) + std::string(100, 'x')}));

@@ -23,7 +23,7 @@ std::set<int> chosen(int all, int most) {
     return draws;
 }
 
-// Whether it can be made by clears alone, of the whole and of boxes such as panes: few rows differ, and few colours. What is
+// Whether it can be made by clears alone, of the whole and of boxes such as panes: few rows differ, and few colours. A thing that is
 // drawn (a slope, a word) has tens.
 bool isClearedOnly(const Picture& picture) {
     std::set<std::vector<std::uint8_t>> rows;
@@ -127,12 +127,12 @@ TEST_P(Visits, presets) {
     for (std::size_t a = 0; a < pictures.size() && !sanitized; ++a) {
         for (std::size_t b = a + 1; b < pictures.size(); ++b) {
             if (pictures[a].width != pictures[b].width) continue;  // one of them failed
-            // What is less is not seen at a glance.
+            // A smaller difference is not seen at a glance.
             EXPECT_GT(double(differentPixels(pictures[a], pictures[b])), 0.01 * pictures[a].width * pictures[a].height)
                 << presets[a].name << " and " << presets[b].name << " are too much alike";
         }
     }
-    // What a preset leaves unsaid is initial, whatever was set before.
+    // A setting that a preset leaves unsaid is initial, whatever was set before.
     for (Knob* knob : run.demo().knobs()) knob->parse(knob->sweep().back());
     applyPreset(run.demo(), presets.front());
     for (const Knob* knob : run.demo().knobs()) EXPECT_TRUE(knob->isInitial()) << knob->name();

@@ -29,7 +29,7 @@ bool allFinite(const mat4& matrix) {
 
 std::optional<Picture> drawnOnce(int frame, bool readouts) {
     try {
-        // It throws where a readout is not finite, and Program::set where a uniform is not.
+        // A draw throws where a readout is not finite, and Program::set where a uniform is not.
         stage().draw(frame, readouts);
         for (const auto& [name, matrix] : stage().notes().matrices) EXPECT_TRUE(allFinite(matrix)) << name;
         for (const auto& [name, amount] : stage().notes().counts) EXPECT_TRUE(std::isfinite(amount)) << name;

@@ -33,7 +33,7 @@ inline bool isLeftToLong() { return sanitized && !isLong(); }
 // to draw, and each still shows something. (Under the sanitizers, where that is not looked at, a quarter of it.)
 void drawSmall();
 
-// What is tried many times in the place of an end that costs seconds a picture: tests/visits/affordable.txt.
+// The value that is tried many times in the place of an end that costs seconds a picture: tests/visits/affordable.txt.
 std::string affordable(const std::string& knob, const std::string& value);
 
 }  // namespace mv::test

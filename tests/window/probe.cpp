@@ -161,7 +161,7 @@ Study integralStudy() {
     return study;
 }
 
-// What a machine of long ago has measured: errors as the rules have them, times as if each strip took a microsecond.
+// The measurements of a machine of long ago: errors as the rules have them, times as if each strip took a microsecond.
 std::string committedIntegral() {
     const Study study = integralStudy();
     StudyRun run;

@@ -34,7 +34,7 @@ double count(const StudyRow& row, const std::string& name) {
 
 bool hasTolerance(const StudyRow& row) { return row.settings.front().name == "tolerance"; }
 
-// What the table shows beside the counts that are stored.
+// The words that the table shows beside the counts that are stored.
 void addTimesTolerance(StudyRow& row) {
     if (row.ok() && hasTolerance(row)) row.counts.emplace_back(timesTolerance, row.all.max / *parameterOf(row));
 }

@@ -27,7 +27,7 @@ StudyRun rowsFrom(const std::string& text);
 // first one's; where the last row errs more there is none. `method` in the settings is who was the best.
 StudyRun atEqualErrors(const StudyRun& run);
 
-// What the page says. The claims of the first list are about the rows, those of the second about atEqualErrors.
+// The words of the page. The claims of the first list are about the rows, those of the second about atEqualErrors.
 std::vector<Saying> sayings();
 std::vector<Saying> sayingsAtEqualErrors();
 

@@ -26,7 +26,7 @@ std::vector<Problem> problems() {
             problem.stops.push_back(ode.end * tenth / 10);
         }
         problem.stops.push_back(ode.end);
-        // What OdeCase::absolute is with a relative tolerance of 1e-6.
+        // The value of OdeCase::absolute with a relative tolerance of 1e-6.
         problem.floor = 1e6 * ode.absolute;
         problem.ode = std::move(ode);
         result.push_back(std::move(problem));

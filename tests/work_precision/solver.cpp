@@ -6,7 +6,7 @@
 namespace mv::work_precision {
 namespace {
 
-// How many numbers of y an implicit method computes by equal steps in a second, roughly. What takes longer is left out.
+// How many numbers of y an implicit method computes by equal steps in a second, roughly. A run that takes longer is left out.
 constexpr double mostNumbers = 8e6;
 
 Outcome byTolerance(const Problem& problem, OdeMethod method, double tolerance) {

@@ -1,4 +1,4 @@
-// What is compared on docs/work-precision.md: integrators, run through a problem's stops.
+// The integrators that docs/work-precision.md compares: integrators, run through a problem's stops.
 #pragma once
 #include <functional>
 #include <string>

@@ -102,7 +102,7 @@ TEST(WorkPrecision, ReferencesAreMadeAgain) {
     for (const Problem& problem : problems()) {
         const std::string& name = problem.ode.name;
         if (!isLong() && name != "van der Pol" && name.find("spring") == std::string::npos) continue;
-        // To a rounding or two of doubles.
+        // Equal to a rounding or two of doubles.
         EXPECT_LT(deviationOf(problem, computedReference(problem), committedReference(problem)).largest, 5e-16) << name;
     }
 }
@@ -212,7 +212,7 @@ TEST(WorkPrecision, WhatIsConfirmedIsNotWrong) {
     EXPECT_GE(wrong, 2);
 }
 
-// What is not the problem has an error.
+// A curve that is not the problem's has an error.
 TEST(WorkPrecision, AWrongProblemIsSeen) {
     for (Problem problem : problems()) {
         if (problem.ode.name == "Pleiades") continue;

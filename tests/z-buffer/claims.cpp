@@ -1,4 +1,4 @@
-// What z-buffer claims, and a test for each.
+// The claims of z-buffer, and a test for each.
 //
 // - [any-order-with-depth] With the depth test all orders of drawing opaque things give one picture, that of the rays.
 // - [no-order-without] Without it the bars, which overlap in a cycle, are wrong in every order, sorted ones too.
@@ -69,7 +69,7 @@ TEST(ZBuffer, no_order_without) {
         EXPECT_GT(wrong(run.set("order", "sorted")), 0.3);
         EXPECT_EQ(run.messages().size(), 1U);
     }
-    // Where there is no cycle there is an order: the panes, far to near.
+    // There is an order where there is no cycle: the panes, far to near.
     run.set("scene", "panes").set("separation", 0.01).set("spin-x", 0).set("spin-y", 0);
     EXPECT_EQ(wrong(run.set("order", "bgr")), 0);
     EXPECT_EQ(wrong(run.set("order", "sorted")), 0);

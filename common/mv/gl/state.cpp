@@ -192,9 +192,10 @@ int change(const Values& wanted) {
 
 int restoreInitialState() { return change({}); }
 
-void switchOff(GLenum capability) {
+void setEnabled(GLenum capability, bool isOn) {
     const auto found = now.switches.find(capability);
-    if (found == now.switches.end() ? initiallyOn(capability) : found->second) glDisable(capability);
+    const bool wasOn = found == now.switches.end() ? initiallyOn(capability) : found->second;
+    if (wasOn != isOn) (isOn ? glEnable : glDisable)(capability);
 }
 
 void setOverlayState(Overlay overlay) {

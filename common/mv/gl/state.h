@@ -14,8 +14,10 @@ namespace mv {
 // Sets what differs from OpenGL's initial state, and returns how many calls that took.
 int restoreInitialState();
 
-// Switches off what is on; what is off is left alone.
-void switchOff(unsigned capability);
+// glEnable or glDisable, as a setting has it. A switch that is so already is left alone.
+void setEnabled(unsigned capability, bool isOn);
+// Switches off what is on.
+inline void switchOff(unsigned capability) { setEnabled(capability, false); }
 
 // Sets what lies over a picture needs, and of that only what is not so already: blended by alpha, with the alpha of the
 // picture by itself, so that an opaque one stays opaque; without culling, polygon offset, stencil and depth test. Or

@@ -1,0 +1,34 @@
+// A value with the settings that it was made for: it is made anew only for others.
+#pragma once
+#include <optional>
+#include <tuple>
+
+namespace mv {
+
+// A member of a lesson's Gpu: `Cached<Mesh, Body, int> body;` and later
+//     const Mesh& body = gpu.body.of({s.body, s.divisions}, [&] { return Mesh(bodyOf(s), "body"); });
+template <class T, class... What>
+class Cached {
+  public:
+    // The value for these settings. `make` returns it where the value that is there was made for others, or where there is
+    // none. An error of `make` passes through, and the next call makes the value anew.
+    template <class Make>
+    T& of(const std::tuple<What...>& settings, Make make) {
+        if (madeFor_ == settings) return value_;
+        madeFor_.reset();
+        value_ = make();
+        madeFor_ = settings;
+        return value_;
+    }
+    // The value that was made last; T() before that.
+    T& operator*() { return value_; }
+    const T& operator*() const { return value_; }
+    T* operator->() { return &value_; }
+    const T* operator->() const { return &value_; }
+
+  private:
+    T value_{};
+    std::optional<std::tuple<What...>> madeFor_;
+};
+
+}  // namespace mv
