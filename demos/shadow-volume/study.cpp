@@ -51,7 +51,8 @@ Study study() {
     study.lines = {{"z-fail", {}},
                    {"z-fail, every triangle", {{"silhouette", "off"}}},
                    {"z-pass", {{"method", "z-pass"}}},
-                   {"z-pass, started", {{"method", "z-pass-started"}}}};
+                   {"z-pass, started", {{"method", "z-pass-started"}}},
+                   {"z-pass, started, geometry shader", {{"method", "z-pass-started"}, {"by", "geometry-shader"}}}};
     study.reads = {"scene",        "shells",      "eye",    "far",    "light-turn",
                    "light-height", "at-infinity", "spin-x", "spin-y", "distance"};
     study.axis = ErrorAxis::fraction;
