@@ -23,8 +23,8 @@ inline constexpr int mostLamps = 96;  // as the shaders' arrays
 struct Settings {
     Way way = Way::deferred;
     int lamps = 48;
-    double power = 0.5;  // of a lamp at 1 m, but for the end of its reach
-    double reach = 2;    // m
+    double power = 1;   // of a lamp at 1 m, but for the end of its reach
+    double reach = 2;  // m
     Sum sum = Sum::halfFloat;
     Tone tone = Tone::reinhard;
     int normalBits = 10;  // a component

@@ -74,8 +74,8 @@ std::vector<SettingsPreset<Settings>> presets() {
           .sum = Sum::bits8,
           .tone = Tone::clamp}},
         {"short-reach",
-         "Lamps that reach half a metre: asked by their own pixels only.",
-         {.way = Way::lampByLamp, .lamps = mostLamps, .power = 2, .reach = 0.6}},
+         "Lamps that reach little more than a metre: asked by their own pixels only.",
+         {.way = Way::lampByLamp, .lamps = mostLamps, .power = 1, .reach = 1.2}},
     };
 }
 

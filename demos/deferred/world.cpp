@@ -43,7 +43,7 @@ Scene sceneOf(const Settings& s, const FrameInfo& frame) {
 }
 
 // Scatter the lamps evenly: the parts after the point of the multiples of three numbers that no fraction is near
-// (Roberts 2018).
+// (Roberts 2018). They hang 10 cm above the balls at least: right beside a lamp the least error of a place would be all that counts.
 Lamps lampsOf(const Settings& s) {
     constexpr std::array<vec3, 6> hues{vec3(1, 0.75, 0.45), vec3(0.45, 0.7, 1), vec3(1, 0.45, 0.35),
                                        vec3(0.5, 1, 0.6),   vec3(0.8, 0.55, 1), vec3(1, 0.95, 0.85)};
@@ -51,7 +51,7 @@ Lamps lampsOf(const Settings& s) {
     Lamps lamps{{}, {}, s.lamps};
     for (std::size_t i = 0; i < mostLamps; ++i) {
         const double n = double(i) + 1;
-        lamps.place.emplace_back(halfX * (2 * part(0.8191725134 * n) - 1), 0.25 + 1.1 * part(0.6710436067 * n),
+        lamps.place.emplace_back(halfX * (2 * part(0.8191725134 * n) - 1), 0.95 + 0.4 * part(0.6710436067 * n),
                                  halfZ * (2 * part(0.5497004779 * n) - 1));
         lamps.power.push_back(s.power * hues.at(i % hues.size()));
     }
