@@ -63,7 +63,7 @@ static void drawWorld(Gpu& gpu, const Settings& s, const Program& program, const
 // Forward: draw the world once. Each fragment asks each lamp, and is hidden by a later one or not.
 void forward(Gpu& gpu, const Settings& s, const Frame& frame) {
     beginSum(gpu, s, frame, true);
-    const Program& program = use(gpu, "world", "forward");
+    const Program& program = use(gpu, "surface", "forward");
     setLamps(program, s, reaching(s, cameraOf(s, frame)));
     drawWorld(gpu, s, program, frame);
 }
@@ -81,7 +81,7 @@ void storeSurfaces(Gpu& gpu, const Settings& s, const Frame& frame) {
     gpu.surfaces.begin(frame.width(), frame.height(), {GL_RGBA8, ofNormals}, true, "surfaces");
     glClearColor(0, 0, 0, 0);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    drawWorld(gpu, s, use(gpu, "world", "surface"), frame);
+    drawWorld(gpu, s, use(gpu, "surface", "surface"), frame);
 }
 
 // Give a program the stored textures.

@@ -18,8 +18,7 @@ constexpr Declaration about{
     .background = vec4(0.09, 0.1, 0.12, 1),
     .needs = {.beyondEs = {{"float targets", "the sum of light has eight bits, and its error is not measured"}}},
     .waste = {{"repeated-pass", "pass into 'surfaces'", "what storing costs in every frame is the lesson"},
-              {"repeated-pass", "pass into 'sum of light'", "what many lamps cost in every frame is the lesson"},
-              {"no-sample", "draw of 'ball of a lamp'", "what a lamp reaches is known when it is drawn"}},
+              {"repeated-pass", "pass into 'sum of light'", "what many lamps cost in every frame is the lesson"}},
 };
 
 // Without targets of floats the sum has eight bits.
