@@ -1,4 +1,6 @@
 // Rings by a fragment shader, on the left, and by a compute shader; or the light that falls through such water.
+#include <array>
+
 #include "gpu-stages.h"
 #include "mv/gl/gl.h"
 
@@ -23,7 +25,7 @@ static void computePicture(Gpu& gpu, const Pane& right, const Frame& frame) {
 }
 
 // Count where the rays of light land, 16 for each pixel. The counts are kept while the size is the same.
-static void countRays(Gpu& gpu, const Pane& right) {
+static void countRays(Gpu& gpu, const Pane& right, const Frame&) {
     if (!gpu.countsFor.changed(right.width, right.height)) return;
     gpu.counts = makeTexture();
     glBindTexture(GL_TEXTURE_2D, gpu.counts.id());
@@ -39,31 +41,40 @@ static void countRays(Gpu& gpu, const Pane& right) {
     glBindImageTexture(0, 0, 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA8);
 }
 
-// Draw what the compute shader stored: colours, or counts.
-static void drawStored(Gpu& gpu, Kernel kernel, const Pane& right) {
-    const Program& program = programOf(gpu, {"ripples.vert", kernel == Kernel::rings ? "texels.frag" : "light.frag"});
+static void bindPicture(const Gpu& gpu) { gpu.image.bindColor(0); }
+static void bindCounts(const Gpu& gpu) {
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, gpu.counts.id());
+}
+
+// What a kernel stores, and how that is drawn.
+struct Stored {
+    void (*compute)(Gpu&, const Pane&, const Frame&);
+    void (*bind)(const Gpu&);
+    const char* fragment;
+};
+static constexpr std::array<Stored, 2> ofKernel{{{computePicture, bindPicture, "texels.frag"},  //
+                                                 {countRays, bindCounts, "light.frag"}}};
+
+// Compute the right picture unless it is there already, and draw what the compute shader stored: colours, or counts.
+static void drawStored(Gpu& gpu, const Stored& stored, const Pane& right, const Frame& frame) {
+    stored.compute(gpu, right, frame);
+    const Program& program = programOf(gpu, {"ripples.vert", stored.fragment});
     program.use();
     program.set("image", 0);
-    if (kernel == Kernel::rings) {
-        gpu.image.bindColor(0);
-    } else {
-        glActiveTexture(GL_TEXTURE0);
-        glBindTexture(GL_TEXTURE_2D, gpu.counts.id());
-    }
+    stored.bind(gpu);
     fill(gpu, right, program);
 }
 
 void drawCompute(Gpu& gpu, const Settings& s, const Frame& frame) {
     const Pane left = belowHeading(frame, 0), right = belowHeading(frame, 1);
-    if (s.computes && s.kernel == Kernel::rings) computePicture(gpu, right, frame);
-    if (s.computes && s.kernel == Kernel::caustics) countRays(gpu, right);
+    if (s.computes) drawStored(gpu, ofKernel.at(static_cast<std::size_t>(s.kernel)), right, frame);
 
     // Draw the left picture by a fragment shader
     const Program& byFragment = programOf(gpu, {"ripples.vert", "ripples.frag"});
     byFragment.use();
     byFragment.set("size", vec2(left.width, left.height));
     fill(gpu, left, byFragment);
-    if (s.computes) drawStored(gpu, s.kernel, right);
     glViewport(0, 0, frame.width(), frame.height());
 }
 

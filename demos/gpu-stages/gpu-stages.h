@@ -63,21 +63,28 @@ struct Gpu {
     Drawing drawing;
 };
 
-// The technique: gpu-stages.cpp, and compute.cpp for one picture by two kinds of shader.
+// Each thing that is shown is a part, in a file of its own: stages.cpp, primitives.cpp, meshes.cpp, compute.cpp.
 void draw(Gpu& gpu, const Settings& s, const Frame& frame);
 void drawStages(Gpu& gpu, const Settings& s, const Frame& frame);
 void drawPrimitives(Gpu& gpu, const Settings& s, const Frame& frame);
 void drawMeshes(Gpu& gpu, const Settings& s, const Frame& frame);
 void drawCompute(Gpu& gpu, const Settings& s, const Frame& frame);
 const Program& programOf(Gpu& gpu, const std::vector<std::string>& files);
-std::vector<std::string> filesOf(const Stages& s, Geometry stage);
+mat4 turnOf(const Settings& s);
+
+// What goes through the stages: stages.cpp.
 const Program& prepare(Gpu& gpu, const Settings& s, Geometry stage, const Frame& frame);
+std::vector<std::string> filesOf(const Stages& s, Geometry stage);
+const char* evaluationOf(const Stages& s);
+const char* fragmentOf(Geometry stage);
+vec3 colorOf(const Stages& s, Geometry stage);
+void setWireframe(const Program& program, const Frame& frame);
+void drawHiddenLines(Gpu& gpu, const Settings& s, const Program& program, const Frame& frame);
 Geometry geometryStage(const Stages& s);
 Domain domainOf(const Stages& s);
 int outerLevel(const Stages& s);
 GLenum mode(const Stages& s);
 bool hasAmount(Geometry stage);
-mat4 turnOf(const Settings& s);
 
 // Counts, and words beside the picture: figure.cpp.
 void submit(Gpu& gpu, const Stages& s);

@@ -111,7 +111,13 @@ std::vector<Row<Settings>> rows() {
                    {{"flat"},
                     {"picture", "by the corners' weights in the picture (Gouraud)"},
                     {"surface", "the same over w"}},
-                   "colour of a triangle's pixels")},
+                   "colour of a triangle's pixels"),
+              word("edges", &Triangles::edges,
+                   {{"hard", "a pixel is a triangle's if its middle is"},
+                    {"sampled", "a pixel has so much of the colour as points of it are covered"}},
+                   "what a pixel at an edge gets"),
+              oneOf("places", &Triangles::places, {1, 4}, "points of a pixel that are asked")
+                  .when([](const Triangles& s) { return s.edges == Edges::sampled; }, "edges are hard")},
              is<Subject::triangle>, "only a triangle has it"),
         part(&Settings::fill,
              {word("flood", &Fill::flood, floodWords, "how an outline is filled"),
@@ -206,30 +212,32 @@ std::optional<vec2> placeOfRim(const Settings& s, const FrameInfo& frame) {
     return placeOf(s, frame, s.circle.middle + vec2(s.circle.radius + 0.5, 0.5));
 }
 
-const bool added =
-    addLesson(about, Lesson<Settings, Gpu>{
-                         .rows = rows(),
-                         .presets = presets(),
-                         .controls = {keys(Key::left, Key::right, "step", 1)},
-                         .handles = {{"end", {"ends"}, {}, placeOfPixel<Subject::line>},
-                                     {"corner", {"corners"}, {}, placeOfPoint<Subject::triangle, Subject::fill>},
-                                     {"star's corner", {"star"}, {}, placeOfPoint<Subject::star>},
-                                     {"seed", {"seed"}, {}, placeOfPixel<Subject::fill>},
-                                     {"middle", {"middle"}, {}, placeOfPixel<Subject::circle>},
-                                     {"rim", {"radius"}, placeOfRim}},
-                         .readouts = {{"set", "pixels that are set"},
-                                      {"asked", "edge functions evaluated"},
-                                      {"doubles", "pixels that both triangles set"},
-                                      {"holes", "pixels between the triangles that neither sets"},
-                                      {"differs", "pixels that OpenGL sets otherwise"},
-                                      {"as-thick", "pixels of the line over its length", "pixels"},
-                                      {"deepest", "calls within each other, or runs that wait"}},
-                         .draw = draw,
-                         .readOut = readOut,
-                         .check = check,
-                         .values = values,
-                         .valueCounts = valueCounts,
-                     });
+const bool added = addLesson(
+    about,
+    Lesson<Settings, Gpu>{
+        .rows = rows(),
+        .presets = presets(),
+        .controls = {keys(Key::left, Key::right, "step", 1)},
+        .handles = {{"end", {"ends"}, {}, placeOfPixel<Subject::line>},
+                    {"corner", {"corners"}, {}, placeOfPoint<Subject::triangle, Subject::fill>},
+                    {"star's corner", {"star"}, {}, placeOfPoint<Subject::star>},
+                    {"seed", {"seed"}, {}, placeOfPixel<Subject::fill>},
+                    {"middle", {"middle"}, {}, placeOfPixel<Subject::circle>},
+                    {"rim", {"radius"}, placeOfRim}},
+        .readouts = {{"set", "pixels that are set"},
+                     {"asked", "edge functions evaluated"},
+                     {"doubles", "pixels that both triangles set"},
+                     {"holes", "pixels between the triangles that neither sets"},
+                     {"differs", "pixels that OpenGL sets otherwise"},
+                     {"edge-error", "root mean square error of a pixel's share of a triangle, at its edges", "pixels"},
+                     {"as-thick", "pixels of the line over its length", "pixels"},
+                     {"deepest", "calls within each other, or runs that wait"}},
+        .draw = draw,
+        .readOut = readOut,
+        .check = check,
+        .values = values,
+        .valueCounts = valueCounts,
+    });
 
 }  // namespace
 }  // namespace mv::rasterizer

@@ -22,6 +22,7 @@ namespace mv::rasterizer {
 
 enum class Subject { line, triangle, fill, star, circle };
 enum class Shade { flat, picture, surface };
+enum class Edges { hard, sampled };
 enum class Flood { recursive, spans };
 
 // The lower left corner of the grid is (0, 0), and it is 24 wide and 18 high however many pixels it has.
@@ -37,6 +38,8 @@ struct Triangles {
     EdgeRule rule = EdgeRule::bottomLeft;
     bool neighbour = true;
     Shade shade = Shade::flat;
+    Edges edges = Edges::hard;
+    int places = 4;  // of a pixel that are asked where edges are sampled
 };
 struct Fill {
     Flood flood = Flood::spans;

@@ -80,8 +80,8 @@ Picture orderOf(const Grid& grid, const std::vector<PixelStep>& pixels, const Pi
     return shown;
 }
 
-Picture byOpenGl(Gpu& gpu, MeshData data, const Grid& grid, const Frame& frame) {
-    const bool isNew = gpu.small.fit(grid.columns, grid.rows, {}, "small picture");
+Picture byOpenGl(Gpu& gpu, MeshData data, const Grid& grid, const Frame& frame, int samples) {
+    const bool isNew = gpu.small.fit(grid.columns, grid.rows, {.samples = samples}, "small picture");
     if (!isNew && data == gpu.drawn && gpu.program->id() == gpu.drawnBy) return gpu.glPicture;
     if (!isNew) gpu.small.bind();
     glClearColor(1, 1, 1, 1);
@@ -92,7 +92,7 @@ Picture byOpenGl(Gpu& gpu, MeshData data, const Grid& grid, const Frame& frame) 
     gpu.program->use();
     gpu.program->set("pixels", vec2(grid.columns, grid.rows));
     gpu.mesh.draw();
-    gpu.glPicture = gpu.small.readBound();
+    gpu.glPicture = samples == 0 ? gpu.small.readBound() : gpu.small.read();
     frame.bindTarget();
     return gpu.glPicture;
 }
@@ -133,6 +133,15 @@ void showErrors(Gpu& gpu, const std::vector<PixelStep>& pixels, const Grid& grid
         gpu.drawing.textAround(plot.pixel({pixel.x + 0.5, pixel.y + 0.5}),
                                formatted(std::abs(pixel.error) < 10 ? "%.2g" : "%.0f", pixel.error),
                                {9, pixel.coverage > 0.6 ? vec4(1) : ink, vec4(0)});
+    }
+}
+
+void showPlaces(Gpu& gpu, const std::vector<vec2>& pixels, const std::vector<vec2>& places, const Grid& grid,
+                const Frame& frame) {
+    const Plot plot = plotOf(frame.inUnits(), grid);
+    if (plot.box.size().x / grid.columns < 15) return;
+    for (const vec2& pixel : pixels) {
+        for (const vec2& place : places) gpu.drawing.point(plot.pixel(pixel + place), 3, ink);
     }
 }
 

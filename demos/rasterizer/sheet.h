@@ -41,8 +41,9 @@ Picture inked(const Grid& grid, const std::vector<PixelStep>& pixels, const Pixe
 // The colour of the order in which pixels are set, from blue, the first, to yellow.
 Picture orderOf(const Grid& grid, const std::vector<PixelStep>& pixels, const PixelMap* before = nullptr);
 
-// OpenGL's picture of a mesh whose positions are x, y in pixels and w. Kept, while the same is drawn.
-Picture byOpenGl(Gpu& gpu, MeshData data, const Grid& grid, const Frame& frame);
+// OpenGL's picture of a mesh whose positions are x, y in pixels and w, each pixel the mean of so many samples where there are
+// any. Kept, while the same is drawn.
+Picture byOpenGl(Gpu& gpu, MeshData data, const Grid& grid, const Frame& frame, int samples = 0);
 
 struct Shape {
     std::vector<std::vector<vec2>> lines;  // in the settings' coordinates
@@ -53,6 +54,9 @@ void showPictures(Gpu& gpu, const Frame& frame, const Grid& grid, const Picture&
                   Shape shape);
 // The error term of each pixel, in figures, where there is room for them.
 void showErrors(Gpu& gpu, const std::vector<PixelStep>& pixels, const Grid& grid, const Frame& frame);
+// Dots at these places of each of these pixels, where there is room for them.
+void showPlaces(Gpu& gpu, const std::vector<vec2>& pixels, const std::vector<vec2>& places, const Grid& grid,
+                const Frame& frame);
 // A frame round a pixel, in the pane that gpu.drawing is in; and one round each of these, in both panes.
 void framePixel(Gpu& gpu, int x, int y, const vec4& color, const Grid& grid, const Frame& frame);
 void showDifferent(Gpu& gpu, const std::vector<std::pair<int, int>>& pixels, const Grid& grid, const Frame& frame);

@@ -23,6 +23,7 @@ std::vector<double> values(const Settings& s) {
     const Grid grid(s);
     if (s.subject == Subject::line) return lineTest(s.line.method, grid.columns);
     if (s.subject == Subject::circle) return circleTest(s.circle.method, grid.columns);
+    if (s.triangles.edges == Edges::sampled) return shareTest(s.triangles.places, grid.columns, grid.rows);
     return triangleTest(s.triangles.method, grid.columns, grid.rows);
 }
 std::vector<std::pair<std::string, double>> valueCounts(const Settings& s) {
@@ -43,6 +44,7 @@ Reference truth(const Demo& demo) {
     const int columns = static_cast<int>(demo.number("cells"));
     if (demo.word("subject") == "line") return {.values = lineTruth(columns)};
     if (demo.word("subject") == "circle") return {.values = circleTruth(columns)};
+    if (demo.word("edges") == "sampled") return {.values = shareTruth(columns, columns * 3 / 4)};
     return {.values = triangleTruth(columns, columns * 3 / 4)};
 }
 
@@ -50,10 +52,13 @@ Study study() {
     Study study;
     study.quantity =
         "of 64 lines to the right, the height of the pixel set in each column; of 16 triangles, whether a pixel is "
-        "covered; of 32 circles, how far up or out the pixel of each column or row of an eighth is";
+        "covered, or of sampled edges what share of it is; of 32 circles, how far up or out the pixel of each column "
+        "or row of an eighth is";
     study.reference =
-        "of lines and circles their own height; of triangles the rows' crossings in fractions of whole numbers";
-    study.reads = {"subject", "cells"};
+        "of lines and circles their own height; of triangles the rows' crossings in fractions of whole numbers, and of "
+        "shares "
+        "the area of what is left of a triangle that is cut to the pixel";
+    study.reads = {"subject", "edges", "cells"};
     study.makeReference = [](const Demo& demo, const ReferenceFrame&, const auto&) { return truth(demo); };
     study.axis = ErrorAxis::fraction;
     study.ofValues = true;
@@ -62,6 +67,7 @@ Study study() {
     study.scenes = {{"lines", {{"subject", "line"}}},
                     {"triangles", {{"subject", "triangle"}}},
                     {"circles", {{"subject", "circle"}}}};
+    study.scenes.push_back({"sampled edges", {{"subject", "triangle"}, {"edges", "sampled"}}});
     const std::vector<std::string> cells{"24", "48", "96", "384"};
     for (const std::string method : {"naive", "error", "shifted", "scaled", "bresenham", "octants", "smooth"})
         study.lines.push_back(
@@ -78,6 +84,12 @@ Study study() {
                                .knob = "cells",
                                .values = cells,
                                .scenes = {"circles"}});
+    for (const std::string places : {"1", "4"})
+        study.lines.push_back({.method = places + (places == "1" ? " place" : " places"),
+                               .settings = {{"places", places}},
+                               .knob = "cells",
+                               .values = cells,
+                               .scenes = {"sampled edges"}});
     study.says = {
         claim("whole-numbers", "What computes in whole numbers, or in halves of them, sets no pixel wrongly.",
               {zero(of::wrong, rows("scaled", "bresenham", "octants", "brute", "box", "incremental", "tiles"))}),
@@ -94,6 +106,9 @@ Study study() {
         claim("columns-leave-gaps",
               "One pixel a column leaves gaps where a circle is steep: more than a tenth of the pixels are missing.",
               {atLeast(of::wrong, rows("columns"), 10)}),
+        claim("four-places",
+              "Four places of a pixel leave at most two fifths of the error that one leaves, at any number of cells.",
+              {ratio(of::rms, rows("4 places"), rows("1 place"), 0, 0.4)}),
         claim("turned-is-beside", "A point that is turned round sets pixels beside the nearest ones, too: 5 % or more.",
               {atLeast(of::wrong, rows("turned"), 5)}),
         claim("turning-costs", "At 384 across, a point that is turned takes more than twice as long as whole numbers.",

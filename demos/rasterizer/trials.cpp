@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <cstdlib>
 
+#include "samples.h"
+
 namespace mv {
 namespace {
 
@@ -140,6 +142,24 @@ std::vector<double> triangleTruth(int columns, int rows) {
         begin += area;
     }
     return covered;
+}
+
+std::vector<double> shareTest(int places, int columns, int rows) {
+    std::vector<double> all;
+    for (const auto& corners : testTriangles(columns, rows)) {
+        const std::vector<double> one = sharesByPlaces(corners, places, columns, rows);
+        all.insert(all.end(), one.begin(), one.end());
+    }
+    return all;
+}
+
+std::vector<double> shareTruth(int columns, int rows) {
+    std::vector<double> all;
+    for (const auto& corners : testTriangles(columns, rows)) {
+        const std::vector<double> one = exactShares(corners, columns, rows);
+        all.insert(all.end(), one.begin(), one.end());
+    }
+    return all;
 }
 
 std::vector<double> circleTest(CircleMethod method, int columns) {

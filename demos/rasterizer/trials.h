@@ -20,6 +20,10 @@ std::vector<double> triangleTest(FillMethod method, int columns, int rows);
 double triangleTestPixels(FillMethod method, int columns, int rows);
 std::vector<double> triangleTruth(int columns, int rows);
 
+// Of the same triangles the share of each pixel that is covered, by so many of its points; and exactly, by cutting the triangle to it.
+std::vector<double> shareTest(int places, int columns, int rows);
+std::vector<double> shareTruth(int columns, int rows);
+
 // 32 circles with radii up to half the columns: for each column of the eighth beside the top the y of the uppermost pixel, for each
 // row of the eighth beside the right the x of the outermost one, 0 where there is none; and the circle's own.
 std::vector<double> circleTest(CircleMethod method, int columns);

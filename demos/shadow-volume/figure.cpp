@@ -36,7 +36,7 @@ Scene sceneOf(const Settings& s, const FrameInfo& frame) {
 }
 
 // Draws the sides of the volumes as glass: yellow where a way from the eye enters, blue where it leaves.
-static void drawGlass(Gpu& gpu, const Scene& scene) {
+static void drawGlass(Gpu& gpu, const Settings& s, const Scene& scene) {
     glDisable(GL_STENCIL_TEST);
     glDepthFunc(GL_LESS);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
@@ -45,8 +45,13 @@ static void drawGlass(Gpu& gpu, const Scene& scene) {
     glEnable(GL_CULL_FACE);
     gpu.volumeProgram.use();
     for (const bool front : {false, true}) {
+        const vec4 color = front ? vec4(1, 0.72, 0.1, 0.2) : vec4(0.2, 0.4, 1, 0.2);
         glCullFace(front ? GL_BACK : GL_FRONT);
-        gpu.volumeProgram.set("color", front ? vec4(1, 0.72, 0.1, 0.2) : vec4(0.2, 0.4, 1, 0.2));
+        if (isByShader(s)) {
+            drawSidesByShader(gpu, s, scene, 0, gpu.volumes.casters().size(), color);
+            continue;
+        }
+        gpu.volumeProgram.set("color", color);
         for (const Caster& caster : gpu.volumes.casters()) drawVolume(gpu, scene, caster, caster.volume.sides);
     }
 }
@@ -69,6 +74,7 @@ static std::vector<Mesh> silhouettesOf(const CasterVolumes& volumes, const Scene
 static void drawSilhouettes(Gpu& gpu, const Settings& s, const Scene& scene, const Frame& frame) {
     if (gpu.silhouettesFor.changed(s.scene, s.shells, scene.lights[0].position))
         gpu.silhouettes = silhouettesOf(gpu.volumes, scene);
+    gpu.volumeProgram.use();
     gpu.volumeProgram.set("color", vec4(0.8, 0.05, 0.05, 1));
     for (std::size_t i = 0; i < gpu.silhouettes.size(); ++i) {
         // A silhouette lies in its solid's faces: draw it a little nearer
@@ -114,20 +120,32 @@ void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
     if (s.show == Show::count) drawCount(gpu, frame);
     if (s.show != Show::volumes) return;
     const Scene scene = seen(sceneOf(s, frame), frame);
-    drawGlass(gpu, scene);
+    drawGlass(gpu, s, scene);
     drawSilhouettes(gpu, s, scene, frame);
 }
 
-static std::size_t trianglesCounted(const Gpu& gpu, const Settings& s) {
-    std::size_t triangles = 0;
-    for (const Caster& caster : gpu.volumes.casters()) triangles += countedIndices(s, caster) / 3;
-    return triangles;
+// The edges that are drawn out, and the triangles that are counted. The geometry shader does not tell its own.
+static std::pair<std::size_t, std::size_t> edgesAndTriangles(const Gpu& gpu, const Settings& s, const Scene& scene) {
+    std::size_t edges = 0, triangles = 0;
+    for (const Caster& caster : gpu.volumes.casters()) {
+        if (isByShader(s)) {
+            const vec4& light = scene.lights[0].position;
+            const auto found =
+                silhouette(caster.closed, glm::inverse(scene.objects[caster.object].worldFromObject) * light).size();
+            edges += found;
+            triangles += light.w == 0 ? found : 2 * found;
+        } else {
+            edges += caster.volume.edges;
+            triangles += countedIndices(s, caster) / 3;
+        }
+    }
+    return {edges, triangles};
 }
 
 void tell(const Gpu& gpu, const Settings& s, const Scene& scene, const Frame& frame) {
     frame.show("viewFromWorld", scene.viewFromWorld);
     frame.show("clipFromView", scene.clipFromView);
-    frame.count("volume triangles", double(trianglesCounted(gpu, s)));
+    if (!isByShader(s)) frame.count("volume triangles", double(edgesAndTriangles(gpu, s, scene).second));
     const std::size_t casters = gpu.volumes.casters().size();
     const int around = volumesRoundEye(gpu, scene, 0, casters);
     if (s.method == Method::zPass && around > 0) {
@@ -140,11 +158,10 @@ void tell(const Gpu& gpu, const Settings& s, const Scene& scene, const Frame& fr
     }
 }
 
-void readOut(Gpu& gpu, const Settings& s, const Frame&, Numbers& numbers) {
-    std::size_t edges = 0;
-    for (const Caster& caster : gpu.volumes.casters()) edges += caster.volume.edges;
+void readOut(Gpu& gpu, const Settings& s, const Frame& frame, Numbers& numbers) {
+    const auto [edges, triangles] = edgesAndTriangles(gpu, s, seen(sceneOf(s, frame), frame));
     numbers.set("extruded-edges", double(edges));
-    numbers.set("volume-triangles", double(trianglesCounted(gpu, s)));
+    numbers.set("volume-triangles", double(triangles));
 }
 
 }  // namespace mv::shadow_volume

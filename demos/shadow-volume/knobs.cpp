@@ -1,5 +1,6 @@
 // The settings of shadow-volume: rows, presets, controls and declaration.
 #include "mv/demo/lesson.h"
+#include "mv/gl/beyond_es.h"
 #include "shadow-volume.h"
 #include "shared/orbit_rows.h"
 
@@ -20,7 +21,8 @@ constexpr Declaration about{
               .stencil = true,
               .beyondEs = {{"depth read-back", "shadow-pixels and stencil-max are not measured"},
                            {"stencil read-back", "shadow-pixels and stencil-max are not measured"},
-                           {"float targets", "wrong is not measured"}}},
+                           {"float targets", "wrong is not measured"},
+                           {"geometry shaders", "the processor finds the silhouettes"}}},
     .waste = {{"no-sample", "draw of 'shell #'", "what a volume counts is known when it is drawn"},
               {"no-sample", "draw of 'whole picture'", "what no volume covers is known when it is drawn"},
               {"no-sample", "draw of 'cube'", "what is wholly hidden is known when it is drawn"}},
@@ -28,6 +30,8 @@ constexpr Declaration about{
 
 bool isNested(const Settings& s) { return s.scene == Which::nested; }
 bool mayWrap(const Settings& s) { return isNested(s) && s.shells > int(mostInOneCount); }
+bool drawsSilhouette(const Settings& s) { return s.silhouette; }
+bool needsNoCaps(const Settings& s) { return s.method != Method::zFail; }
 bool hidesCount(const Settings& s) { return s.show != Show::count; }
 
 std::vector<Row<Settings>> rows() {
@@ -45,6 +49,12 @@ std::vector<Row<Settings>> rows() {
              "what is drawn"),
         toggle("silhouette", &Settings::silhouette,
                "on: only the silhouette's edges are drawn out; off: the edges of every triangle"),
+        word("by", &Settings::by,
+             {{"processor", "when the light or a solid has moved"},
+              {"geometry-shader", "in every frame, of triangles that know their neighbours"}},
+             "what finds the silhouette, and draws it out")
+            .when(drawsSilhouette, "every triangle is drawn out")
+            .when(needsNoCaps, "the caps of z-fail are the processor's"),
         toggle("groups", &Settings::groups, "count 127 casters at a time where more than 255 would wrap round")
             .when(mayWrap, "there are no more casters than eight bits count")
             .when(hidesCount, "what is shown is the stencil buffer, in one count"),
@@ -77,7 +87,16 @@ std::vector<SettingsPreset<Settings>> presets() {
         {"every-triangle",
          "Each triangle drawn out, instead of the silhouette: far more to fill, and no better.",
          {.silhouette = false}},
+        {"by-geometry-shader",
+         "Triangles that know their neighbours make the volume themselves: the light may move for nothing.",
+         {.method = Method::zPassStarted, .by = By::geometryShader, .lightTurn = 60, .lightHeight = 0.7}},
     };
+}
+
+// Without geometry shaders the processor makes the same volumes.
+Settings fallback(Settings s) {
+    if (isByShader(s) && !has(beyond_es::geometryShaders)) s.by = By::processor;
+    return s;
 }
 
 const bool added = addLesson(
@@ -91,6 +110,7 @@ const bool added = addLesson(
                .draw = draw,
                .figure = drawFigure,
                .readOut = readOut,
+               .fallback = fallback,
                .scene = sceneOf,
            });
 

@@ -16,7 +16,7 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     const Scene scene = seen(sceneOf(s, frame), frame);
     const vec4 light = scene.lights[0].position;
     gpu.meshes.follow(scene);
-    gpu.volumes.follow(scene, light, s.silhouette ? Extrude::silhouette : Extrude::everyTriangle);
+    followVolumes(gpu, s, scene);
     tell(gpu, s, scene, frame);
 
     // Draw the scene in full light, and fill the depth buffer
@@ -47,6 +47,12 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     drawObjects(gpu, scene, 0);
 }
 
+// Make each caster's volume anew where it or the light has moved. The geometry shader needs the casters alone.
+void followVolumes(Gpu& gpu, const Settings& s, const Scene& scene) {
+    if (isByShader(s)) return gpu.volumes.followCasters(scene);
+    gpu.volumes.follow(scene, scene.lights[0].position, s.silhouette ? Extrude::silhouette : Extrude::everyTriangle);
+}
+
 // Count as many casters at a time as seven bits hold, and note after each group where the count is not 0.
 void countInGroups(Gpu& gpu, const Settings& s, const Scene& scene) {
     const std::size_t casters = gpu.volumes.casters().size();
@@ -75,6 +81,7 @@ void countVolumes(Gpu& gpu, const Settings& s, const Scene& scene, std::size_t f
         glStencilOpSeparate(GL_FRONT, GL_KEEP, GL_KEEP, GL_INCR_WRAP);
         glStencilOpSeparate(GL_BACK, GL_KEEP, GL_KEEP, GL_DECR_WRAP);
     }
+    if (isByShader(s)) return drawSidesByShader(gpu, s, scene, first, last, vec4(0));
     gpu.volumeProgram.use();
     for (std::size_t i = first; i < last; ++i) {
         const Caster& caster = gpu.volumes.casters()[i];
@@ -128,7 +135,8 @@ std::size_t countedIndices(const Settings& s, const Caster& caster) {
 
 // The number of volumes, of the casters first .. last - 1, that contain the eye.
 int volumesRoundEye(const Gpu& gpu, const Scene& scene, std::size_t first, std::size_t last) {
-    return gpu.volumes.around(scene, vec3(glm::inverse(scene.viewFromWorld)[3]), first, last);
+    const vec3 eye(glm::inverse(scene.viewFromWorld)[3]);
+    return gpu.volumes.around(scene, scene.lights[0].position, eye, first, last);
 }
 
 }  // namespace mv::shadow_volume

@@ -21,6 +21,7 @@ enum class Which { cube, stillLife, nested };
 enum class Method { zPass, zPassStarted, zFail };
 enum class Show { shadow, volumes, count };
 enum class Eye { outside, inVolume };
+enum class By { processor, geometryShader };
 using Caster = CasterVolumes::Caster;
 
 struct Settings {
@@ -29,6 +30,7 @@ struct Settings {
     Method method = Method::zFail;
     Show show = Show::volumes;
     bool silhouette = true;  // false: the edges of every triangle are drawn out
+    By by = By::processor;   // finds the silhouette
     bool groups = true;
     Eye eye = Eye::outside;
     double far = 0;          // 0: the view has no end
@@ -45,10 +47,14 @@ struct Gpu {
     CasterVolumes volumes;
     std::vector<Mesh> silhouettes;  // one a caster, as lines
     MadeFor<Which, int, vec4> silhouettesFor;
+    OnDemand<Program> sidesProgram{"shadow-volume", "sides"};
+    std::vector<Mesh> neighbours;  // one a caster: its triangles with their neighbours
+    MadeFor<Which, int> neighboursFor;
 };
 
 // The technique: shadow-volume.cpp.
 void draw(Gpu& gpu, const Settings& s, const Frame& frame);
+void followVolumes(Gpu& gpu, const Settings& s, const Scene& scene);
 void countInGroups(Gpu& gpu, const Settings& s, const Scene& scene);
 void countVolumes(Gpu& gpu, const Settings& s, const Scene& scene, std::size_t first, std::size_t last);
 void startCountAt(Gpu& gpu, int start);
@@ -58,6 +64,11 @@ void drawEverywhere(Gpu& gpu, const vec4& color);
 bool needsGroups(const Settings& s, std::size_t casters);
 std::size_t countedIndices(const Settings& s, const Caster& caster);
 int volumesRoundEye(const Gpu& gpu, const Scene& scene, std::size_t first, std::size_t last);
+
+// The same by a geometry shader, where the method needs no caps: by_shader.cpp.
+bool isByShader(const Settings& s);
+void drawSidesByShader(Gpu& gpu, const Settings& s, const Scene& scene, std::size_t first, std::size_t last,
+                       const vec4& color);
 
 // The scene, and the drawing over the picture: figure.cpp.
 Scene sceneOf(const Settings& s, const FrameInfo& frame);

@@ -51,7 +51,8 @@ Study study() {
     study.lines = {{"z-fail", {}},
                    {"z-fail, every triangle", {{"silhouette", "off"}}},
                    {"z-pass", {{"method", "z-pass"}}},
-                   {"z-pass, started", {{"method", "z-pass-started"}}}};
+                   {"z-pass, started", {{"method", "z-pass-started"}}},
+                   {"z-pass, started, geometry shader", {{"method", "z-pass-started"}, {"by", "geometry-shader"}}}};
     study.reads = {"scene",        "shells",      "eye",    "far",    "light-turn",
                    "light-height", "at-infinity", "spin-x", "spin-y", "distance"};
     study.axis = ErrorAxis::fraction;
@@ -60,12 +61,18 @@ Study study() {
     study.says = {
         claim("exact",
               "Volumes drawn out from silhouettes are exact: away from edges no pixel is wrong, by z-fail, by "
-              "z-pass that starts with the count at the eye, and by plain z-pass where the eye is outside; at "
+              "z-pass that starts with the count at the eye, and by plain z-pass where "
+              "the eye is outside; at "
               "edges at most 0.0015 % are.",
               {zero(of::wrongAwayFromEdges, rows("z-fail", "z-pass, started")),
                zero(of::wrongAwayFromEdges, zPass.in("cube")), zero(of::wrongAwayFromEdges, zPass.in("still-life")),
                zero(of::wrongAwayFromEdges, zPass.in("40 shells")),
                atMost(of::wrong, rows("z-fail", "z-pass, started"), 0.0015)}),
+        claim("neighbours-know",
+              "On a processor too, silhouettes that a geometry shader finds are exact: away from edges no pixel is "
+              "wrong.",
+              {zero(of::wrongAwayFromEdges, rows("z-pass, started, geometry shader")),
+               atMost(of::wrong, rows("z-pass, started, geometry shader"), 0.0015)}),
         claim("eye-in-volume", "With the eye in a volume, plain z-pass is wrong everywhere.",
               {atLeast(of::wrong, zPass.in("eye in a volume"), 100)}),
         claim("every-triangle-costs",

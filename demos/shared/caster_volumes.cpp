@@ -43,13 +43,13 @@ void CasterVolumes::forget() {
     for (Caster& caster : casters_) caster.made.reset();
 }
 
-int CasterVolumes::around(const Scene& scene, const vec3& point, std::size_t first, std::size_t last) const {
+int CasterVolumes::around(const Scene& scene, const vec4& light, const vec3& point, std::size_t first,
+                          std::size_t last) const {
     int sum = 0;
     for (std::size_t i = first; i < last; ++i) {
         const Caster& caster = casters_[i];
         const mat4 objectFromWorld = glm::inverse(scene.objects[caster.object].worldFromObject);
-        const vec3 pointInObject(objectFromWorld * vec4(point, 1));
-        if (caster.made) sum += volumesAround(caster.closed, caster.made->first, pointInObject);
+        sum += volumesAround(caster.closed, objectFromWorld * light, vec3(objectFromWorld * vec4(point, 1)));
     }
     return sum;
 }

@@ -26,14 +26,16 @@ class CasterVolumes {
     // of a caster whose mesh is as it was are kept; and its volume where it also stands to the light as it stood, and
     // `extrude` is the same. True when one was made. Error: what ClosedMesh or shadowVolume refuses.
     bool follow(const Scene& scene, const vec4& light, Extrude extrude = Extrude::silhouette);
+    // Finds the edges alone, and makes no volume. Error: what ClosedMesh refuses.
+    void followCasters(const Scene& scene);
     // The next follow() makes all of them.
     void forget();
     const std::vector<Caster>& casters() const { return casters_; }
-    // How many volumes of the casters numbered first .. last - 1 a point of the world is in, after follow().
-    int around(const Scene& scene, const vec3& point, std::size_t first, std::size_t last) const;
+    // How many volumes of the casters numbered first .. last - 1, of this light, a point of the world is in, after follow() or
+    // followCasters().
+    int around(const Scene& scene, const vec4& light, const vec3& point, std::size_t first, std::size_t last) const;
 
   private:
-    void followCasters(const Scene& scene);
     std::vector<Caster> casters_;
 };
 

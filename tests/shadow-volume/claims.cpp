@@ -8,18 +8,31 @@
 //   and a sentence says so.
 // - [light-anywhere] A light at infinity, exactly in the plane of a face, or below the casters: still no pixel wrong (llvmpipe; with
 //   other drivers at most one in a thousand, where a side meets the floor at a flat angle).
+// - [neighbours-know] The geometry shader finds the edges that the processor finds, of any light, and all of them close to loops where a
+//   light is in the plane of faces, or rounding decides; so z-pass counts by it as it does by the processor's volumes.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <map>
+#include <set>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "mv/demo/demo.h"
+#include "mv/geometry/shapes.h"
+#include "mv/gl/feedback.h"
 #include "mv/gl/gl.h"
+#include "mv/gl/mesh.h"
+#include "mv/gl/program.h"
 #include "mv/math/transform.h"
 #include "mv/study/study.h"
+#include "shadow-volume/neighbours.h"
 #include "support/demo_run.h"
 
 using namespace mv;
@@ -242,5 +255,86 @@ TEST(ShadowVolumeFull, light_anywhere) {
         run.set("light-height", height).picture();
         EXPECT_EQ(run.readout("wrong"), 0) << height;
         EXPECT_EQ(run.readout("extruded-edges"), 4) << height;  // of one side: the upper face is not lit
+    }
+}
+
+namespace {
+
+using Place = std::tuple<float, float, float>;
+using EdgeRun = std::pair<Place, Place>;  // an edge, as the triangle that faces the light runs it
+Place placeOf(const fvec4& p) { return {p.x, p.y, p.z}; }
+
+// The edges that the shader draws out. In clip space the solid is where it is in its own, so that a corner that is captured is one of the
+// mesh's positions, bit for bit. A side is a strip b, a, far b, far a of two triangles.
+std::multiset<EdgeRun> runsByShader(const ClosedMesh& closed, const vec4& light) {
+    const Program program("shadow-volume", "sides");
+    const Mesh mesh(withNeighbours(closed), "neighbours");
+    program.use();
+    program.set("clipFromObject", mat4(1));
+    program.set("light", light);
+    const Captured sides = captured(GL_TRIANGLES, [&] { mesh.drawAs(GL_TRIANGLES_ADJACENCY); });
+    EXPECT_EQ(sides.generated, sides.written);
+    std::multiset<EdgeRun> runs;
+    for (std::size_t i = 0; i + 5 < sides.positions.size(); i += 6)
+        runs.emplace(placeOf(sides.positions[i + 1]), placeOf(sides.positions[i]));
+    return runs;
+}
+std::multiset<EdgeRun> runsByProcessor(const ClosedMesh& closed, const vec4& light) {
+    std::multiset<EdgeRun> runs;
+    for (const ClosedMesh::Edge& edge : silhouette(closed, light)) {
+        const fvec3 &a = closed.positions()[edge.vertex[0]], &b = closed.positions()[edge.vertex[1]];
+        runs.emplace(Place(a.x, a.y, a.z), Place(b.x, b.y, b.z));
+    }
+    return runs;
+}
+// In a loop each corner is left as often as it is come to.
+bool areLoops(const std::multiset<EdgeRun>& runs) {
+    std::map<Place, int> balance;
+    for (const auto& [from, to] : runs) {
+        ++balance[from];
+        --balance[to];
+    }
+    return std::all_of(balance.begin(), balance.end(), [](const auto& one) { return one.second == 0; });
+}
+
+}  // namespace
+
+TEST(ShadowVolume, neighbours_know) {
+    DemoRun run("shadow-volume");  // a context
+    const std::vector<ClosedMesh> solids{ClosedMesh(box(vec3(-0.5), vec3(0.5))), ClosedMesh(torus(1, 0.45, 24, 17)),
+                                         ClosedMesh(sphere(1, 31, 20))};
+    for (const ClosedMesh& solid : solids) {
+        EXPECT_EQ(withNeighbours(solid).indices.size(), 6 * solid.triangles().size());
+        std::size_t found = 0;
+        for (int i = 0; i < 100; ++i) {
+            // All round, near and far, and every third one at infinity
+            const double height = 2 * (i + 0.5) / 100 - 1, turn = 2.39996 * i, around = std::sqrt(1 - height * height);
+            const vec4 light(1.7 * (1 + i % 7) * vec3(around * std::cos(turn), height, around * std::sin(turn)),
+                             i % 3 == 0 ? 0 : 1);
+            const std::multiset<EdgeRun> runs = runsByShader(solid, light);
+            EXPECT_EQ(runs, runsByProcessor(solid, light)) << i;
+            found += runs.size();
+        }
+        EXPECT_GT(found, 400U);
+    }
+    // A light in the plane of a cube's face: that face is none that faces it
+    EXPECT_EQ(runsByShader(solids[0], vec4(0.5, 3, 0.2, 1)), runsByProcessor(solids[0], vec4(0.5, 3, 0.2, 1)));
+    // In the planes of the sphere's and the ring's faces themselves, as nearly as a float tells: each face may get either answer, but it
+    // is one answer for all who ask
+    for (const ClosedMesh& solid : solids) {
+        for (std::size_t t = 0; t < solid.triangles().size(); t += 7) {
+            const auto& [i, j, k] = solid.triangles()[t];
+            const vec3 a(solid.positions()[i]), b(solid.positions()[j]), c(solid.positions()[k]);
+            const vec3 light = a + 3.3 * (b - a) + 1.9 * (c - a);
+            EXPECT_TRUE(areLoops(runsByShader(solid, vec4(light, 1)))) << t;
+            EXPECT_TRUE(areLoops(runsByShader(solid, vec4(light - a, 0)))) << t;
+        }
+    }
+    // In the picture
+    for (const char* scene : {"cube", "still-life", "nested"}) {
+        for (const char* eye : {"outside", "in-volume"}) {
+            run.set("scene", scene).set("eye", eye).set("method", "z-pass-started").set("by", "geometry-shader");
+            EXPECT_LE(compareWithRays().awayFromEdges.fraction, onLlvmpipe() ? 0 : 0.001) << scene << ", " << eye;
+        }
     }
 }

@@ -96,6 +96,7 @@ std::string primitiveName(GLenum mode) {
     static constexpr const char* names[] = {"GL_POINTS",    "GL_LINES",          "GL_LINE_LOOP",   "GL_LINE_STRIP",
                                             "GL_TRIANGLES", "GL_TRIANGLE_STRIP", "GL_TRIANGLE_FAN"};
     if (mode < std::size(names)) return names[mode];
+    if (mode == GL_TRIANGLES_ADJACENCY) return "GL_TRIANGLES_ADJACENCY";
     return mode == GL_PATCHES ? "GL_PATCHES" : hexadecimal(mode);
 }
 

@@ -1,0 +1,4 @@
+uniform vec4 color;
+out vec4 fragColor;
+
+void main() { fragColor = color; }

@@ -1,0 +1,141 @@
+// What deferred claims, and a test for each.
+//
+// - [three-ways-one-light] Forward, deferred and lamp by lamp make one picture, of no lamp, one and ninety-six, from afar and with the
+//   eye within reach of lamps.
+// - [several-targets] One pass stores the colours, the normals and the depths of what is seen.
+// - [beyond-one] The sum goes beyond 1 and keeps colours, which eight bits cut off: faces are white then, and with L/(1 + L) none is.
+// - [no-upper-end] Twice the power is nowhere darker, and nowhere 1, by L/(1 + L).
+// - [half-a-step-is-nothing] Lamps of less than half a step of eight bits add nothing one by one, and all in one they do.
+// - [eight-bits-without-floats] Without targets of floats the sum has eight bits, and a sentence says so.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+#include "mv/gl/beyond_es.h"
+#include "mv/math/color.h"
+#include "support/demo_run.h"
+
+using namespace mv;
+using namespace mv::test;
+
+namespace {
+
+// The largest difference of a channel, and the number of pixels with one above `most`.
+struct Difference {
+    int largest = 0;
+    long beyond = 0;
+};
+Difference between(const Picture& a, const Picture& b, int most) {
+    Difference found;
+    for (std::size_t i = 0; i < a.rgba.size(); i += 4) {
+        int largest = 0;
+        for (std::size_t k = 0; k < 3; ++k)
+            largest = std::max(largest, std::abs(int(a.rgba[i + k]) - int(b.rgba[i + k])));
+        found.largest = std::max(found.largest, largest);
+        found.beyond += largest > most ? 1 : 0;
+    }
+    return found;
+}
+long whites(const Picture& picture) { return countPixels(picture, {255, 255, 255}); }
+
+}  // namespace
+
+TEST(Deferred, three_ways_one_light) {
+    DemoRun run("deferred", 400, 240);
+    for (const auto& [lamps, distance] : {std::pair{0, 0.0}, {1, 0.0}, {96, 0.0}, {96, -4.0}, {48, 12.0}}) {
+        run.set("lamps", lamps).set("distance", distance);
+        const Picture forward = run.set("way", "forward").picture();
+        EXPECT_GT(countColors(forward), lamps == 0 ? 5 : 20) << lamps;  // without lamps there are colours alone
+        for (const char* way : {"deferred", "lamp-by-lamp"}) {
+            // Normals of 10 bits lean by up to a thousandth, and sums of half floats are off by 1/2048 of themselves. An edge's pixel may be
+            // another surface's
+            const Difference found = between(forward, run.set("way", way).picture(), 3);
+            EXPECT_LE(found.beyond, 40) << way << ", " << lamps << ", " << distance;
+        }
+    }
+}
+
+TEST(Deferred, several_targets) {
+    DemoRun run("deferred");
+    const Picture four = run.preset("targets").picture();
+    // The floor in front, in each quarter
+    const int x = 150, y = 170;
+    const auto expected = [](double part) { return int(std::lround(255 * part)); };
+    const Pixel color = four.at(x, y), normal = four.at(400 + x, y), depth = four.at(x, 240 + y);
+    EXPECT_NEAR(color.red, expected(srgbFromLinear(0.75)), 1);
+    EXPECT_NEAR(color.blue, expected(srgbFromLinear(0.7)), 1);
+    EXPECT_NEAR(normal.red, 128, 1);
+    EXPECT_NEAR(normal.green, 255, 1);  // up
+    EXPECT_NEAR(normal.blue, 128, 1);
+    EXPECT_EQ(depth.red, depth.green);
+    // Farther away it is deeper
+    EXPECT_GT(four.at(250, 240 + 70).red, depth.red + 20);
+    // And above the balls there is nothing
+    for (const auto& [left, upper] : {std::pair{0, 0}, {400, 0}, {0, 240}, {400, 240}})
+        EXPECT_TRUE(sameColor(four.at(left + 200, upper + 5), {23, 26, 31})) << left << ", " << upper;
+    EXPECT_NE(run.set("show", "picture").picture(), four);
+}
+
+TEST(Deferred, beyond_one) {
+    DemoRun run("deferred");
+    const Picture pressed = run.picture();
+    EXPECT_GT(run.readout("beyond-one"), 3);
+    EXPECT_EQ(whites(pressed), 0);
+    const Picture cut = run.preset("clamped").picture();
+    EXPECT_EQ(run.readout("beyond-one"), 0);
+    EXPECT_GT(whites(cut), 2000);
+    // What is cut off before it is pressed is half of white at most
+    const Picture late = run.set("tone", "reinhard").picture();
+    int brightest = 0;
+    for (std::size_t i = 0; i < late.rgba.size(); ++i)
+        brightest = std::max(brightest, i % 4 == 3 ? 0 : int(late.rgba[i]));
+    EXPECT_LE(brightest, int(std::lround(255 * srgbFromLinear(1 / (1 + 0.0722)))));
+}
+
+TEST(Deferred, no_upper_end) {
+    DemoRun run("deferred", 200, 120);
+    Picture before = run.set("power", 0.03125).picture();
+    for (double power = 0.0625; power <= 4; power *= 2) {
+        const Picture now = run.set("power", power).picture();
+        // The luminance, not each channel: a surface's colour stays
+        const auto luminance = [](const Pixel& p) {
+            return 0.2126 * linearFromSrgb(p.red / 255.0) + 0.7152 * linearFromSrgb(p.green / 255.0) +
+                   0.0722 * linearFromSrgb(p.blue / 255.0);
+        };
+        for (int y = 0; y < now.height; ++y) {
+            for (int x = 0; x < now.width; ++x)
+                ASSERT_GE(luminance(now.at(x, y)), luminance(before.at(x, y)) - 0.012) << power;
+        }
+        EXPECT_EQ(whites(now), 0);
+        before = now;
+    }
+}
+
+TEST(Deferred, half_a_step_is_nothing) {
+    DemoRun run("deferred", 200, 120);
+    run.preset("too-dim-to-add").set("power", 0.001).set("lamps", 0);
+    const Picture none = run.picture();
+    run.set("lamps", 96);
+    // Within 0.7 m of a lamp a white surface gets half a step or more
+    const long one = between(none, run.picture(), 0).beyond,
+               all = between(none, run.set("way", "deferred").picture(), 0).beyond;
+    EXPECT_GT(all, 6000) << "a quarter of the picture";
+    EXPECT_LT(one, all / 4);
+}
+
+TEST(Deferred, eight_bits_without_floats) {
+    stage().close();
+    withhold({beyond_es::floatTargets});
+    {
+        DemoRun run("deferred", 200, 120);
+        const Picture picture = run.picture();
+        ASSERT_EQ(run.messages().size(), 1U);
+        EXPECT_NE(run.messages()[0].find("the sum of light has eight bits"), std::string::npos) << run.messages()[0];
+        EXPECT_GT(countColors(picture), 20);
+    }
+    withhold({});
+    stage().close();
+}
