@@ -27,7 +27,7 @@ void writeMovie(const Command& command) {
     Film film(command.movie, width, height);
     HeadlessStage headless(command.host);
     Stage& stage = headless.stage;
-    stage.setSamples(command.samples);
+    stage.setSamples(command.samples.value_or(0));
     stage.open(info, width, height);
     stage.setDensity(command.density);
     stage.begin(command.knobs, command.changes);
