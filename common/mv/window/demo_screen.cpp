@@ -349,8 +349,9 @@ void DemoScreen::showPicture() {
 void DemoScreen::chooseSamples() {
     choosesSamples_ = false;
     // What the processor makes in passes has no edges of OpenGL's, and what takes so long without is not tried with.
+    const double compiling = 200;  // ms that a first frame may take for it
     if (session_.passes() > 0 || comparison_.on() || !session_.error().empty() ||
-        session_.times(1).medianMs > mostMilliseconds)
+        session_.lastMilliseconds() > compiling || session_.times(1).medianMs > mostMilliseconds)
         return;
     const auto measured = [&] {
         return std::ranges::count_if(session_.demo().readouts(),
