@@ -134,6 +134,27 @@ tips() { # words about a widget come when the mouse has rested on it, and go whe
     awaitReport tip ""
     quit
 }
+widened() { # the panel by its edge, and the study's plot with it
+    local left top right bottom before
+    start 'mvgl: integral' "$launcher" integral --size 900x900
+    IFS=, read -r left top right bottom <<<"${values["at plot"]}"
+    before=$((${right%.*} - ${left%.*}))
+    at 901 500 && buttonDown
+    at 701 500 && buttonUp
+    await "a narrower picture" pictureIs 701x900
+    IFS=, read -r left top right bottom <<<"${values["at plot"]}"
+    equal "the plot's width" $((before + 199)) $((${right%.*} - ${left%.*}))
+    atLeast "the plot's height" $((${bottom%.*} - ${top%.*})) $(((before + 199) * 65 / 100))
+    # Not narrower than it was, and a quarter stays to the picture
+    at 700 500 && buttonDown
+    at 1100 500 && buttonUp
+    await "the picture as it was" pictureIs 900x900
+    at 900 500 && buttonDown
+    at 100 500 && buttonUp
+    await "a quarter of the window" pictureIs 315x900
+    quit
+}
+
 isTold() { says && [ -n "$(reported tip)" ]; }
 
 folds() { # a section stays folded, in this window and in the next one; what does nothing is folded
@@ -1443,7 +1464,7 @@ case $case in
     storm) stormOfProbe ;;
     storm.*) stormOf "${case#storm.}" ;;
     motion.*) motion "${case#motion.}" ;;
-    opens | people | tips | folds | keys | keyboard | undo | sweep | whole | one_by_one | held | slider | preset | typed | choice | wheel | drag | hand | replay | save | clipboard | matrices | desktop | error | torn | twice | density | paused | memory | reload | idle | steps | study | bound | measure | drop | vanish)
+    opens | people | tips | widened | folds | keys | keyboard | undo | sweep | whole | one_by_one | held | slider | preset | typed | choice | wheel | drag | hand | replay | save | clipboard | matrices | desktop | error | torn | twice | density | paused | memory | reload | idle | steps | study | bound | measure | drop | vanish)
         "$case"
         ;;
     *) fail "there is no case '$case'" ;;

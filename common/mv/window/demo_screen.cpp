@@ -22,6 +22,7 @@ namespace mv {
 namespace {
 
 constexpr double panelUnits = 360;    // pixels at ordinary density
+constexpr double edgeReach = 4;       // likewise: so near to the panel's edge the mouse takes it
 constexpr double dividerReach = 8;    // pixels at ordinary density: so near to it the mouse takes the divider
 constexpr double dividerStep = 0.02;  // of the picture's width, with [ and ]
 constexpr double reloadSeconds = 0.25;
@@ -62,6 +63,7 @@ DemoScreen::DemoScreen(Window& window, Gui& gui, Stage& stage, const Command& co
       samples_(command.samples),
       choosesSamples_(forPeople(command) && !command.samples && !command.until && info_.needs.samples == 0),
       program_(command.program),
+
       menu_(menu),
       fromMenu_(fromMenu),
       knobs_(gui, session_),
@@ -93,7 +95,22 @@ double DemoScreen::room(double width, double height, double panel) const {
 
 // ---- What the user does
 
-double DemoScreen::panelPixels() const { return panelUnits * window_.contentScale() * gui_.zoom(); }
+double DemoScreen::panelPixels() const {
+    return std::max(panelUnits, panelWidth_) * window_.contentScale() * gui_.zoom();
+}
+
+bool DemoScreen::overPanelEdge(double x) const {
+    const double edge = pictureWidth() / window_.size().pixelsPerUnit();
+    return panelShown_ && !gui_.popupOpen() && pictureWidth() > 0 &&
+           std::abs(x - edge) <= edgeReach * double(gui_.scale());
+}
+
+// The panel's left edge goes there, in window coordinates: not narrower than it opened, and a quarter is left to the picture.
+void DemoScreen::widenPanel(double edge) {
+    const double width = window_.size().width();
+    const double pixels = (width - std::max(edge, width / 4)) * window_.size().pixelsPerUnit();
+    panelWidth_ = pixels / (window_.contentScale() * gui_.zoom());
+}
 
 int DemoScreen::pictureWidth() const {
     if (!panelShown_) return window_.size().pixelWidth();
@@ -139,6 +156,8 @@ void DemoScreen::handle(const Event& event) {
             hint_ = false;
             if (overPicture(event.x)) leavePanel();
             if (event.key != GLFW_MOUSE_BUTTON_LEFT) break;
+            draggingPanel_ = overPanelEdge(event.x);
+            if (draggingPanel_) break;
             draggingDivider_ = overDivider(event.x);
             if (overPicture(event.x) && !draggingDivider_ &&
                 !handles_.press(session_.demo(), shownFrame(), pictureInWindow().pixel(event.x, event.y),
@@ -150,11 +169,12 @@ void DemoScreen::handle(const Event& event) {
             break;
         case Event::Kind::release:
             if (event.key != GLFW_MOUSE_BUTTON_LEFT) break;
-            draggingDivider_ = false;
+            draggingDivider_ = draggingPanel_ = false;
             handles_.release();
             session_.pointerUp();
             break;
         case Event::Kind::move:
+            if (draggingPanel_) widenPanel(event.x);
             if (draggingDivider_) moveDivider(event.x);
             if (handles_.drag(session_.demo(), shownFrame(), pictureInWindow().pixel(event.x, event.y)))
                 session_.touch();
@@ -397,6 +417,8 @@ void DemoScreen::draw() {
     handled_ = showHandles(handles_, session_.demo(), shownFrame(), pictureInWindow(),
                            overPicture(double(ImGui::GetMousePos().x)), gui_);
     showDividerHandle();
+    if (draggingPanel_ || overPanelEdge(double(ImGui::GetMousePos().x)))
+        ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     remember();
     gui_.end();
 }

@@ -50,6 +50,8 @@ class DemoScreen final : public Screen {
     void remember();
     void recall(std::vector<std::vector<KnobSetting>>& from, std::vector<std::vector<KnobSetting>>& to);
     double panelPixels() const;
+    bool overPanelEdge(double x) const;
+    void widenPanel(double edge);
     double room(double width, double height, double panel) const;
     void onDrop(const std::string& file);
     void reloadShaders();
@@ -93,6 +95,8 @@ class DemoScreen final : public Screen {
     std::string handled_;  // what the hand is on
 
     bool panelShown_ = true, hint_ = false;
+    double panelWidth_ = 0;  // asked for, in pixels at ordinary density; 0: as it opens
+    bool draggingPanel_ = false;
     int panelComes_ = 0;  // frames until the keys that have gone to the panel are seen there
     std::vector<std::vector<KnobSetting>> past_, future_;  // settings, to go back and forth
     std::vector<KnobSetting> present_;

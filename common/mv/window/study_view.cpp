@@ -62,7 +62,8 @@ ImVec2 onScreen(double x, double y) { return {static_cast<float>(x), static_cast
 
 // ---- The plot's frame
 
-constexpr float plotHeight = 230;  // pixels at ordinary density
+constexpr float plotHeight = 230;      // pixels at ordinary density, at least
+constexpr float plotPartHigh = 0.65F;  // of its width, in a wide panel
 
 double widthOf(const std::string& text) { return double(ImGui::CalcTextSize(text.c_str()).x); }
 
@@ -81,7 +82,7 @@ std::optional<Plot> layOut(const StudyRun& run, const std::string& scene, ImVec2
     plot.space.mark = 4 * double(scale);
     plot.space.width = widthOf;
     plot.low = {corner.x, corner.y + 1.6F * plot.line};
-    plot.high = {corner.x + width, plot.low.y + plotHeight * scale};
+    plot.high = {corner.x + width, plot.low.y + std::max(plotHeight * scale, plotPartHigh * width)};
     const auto setArea = [&] {
         plot.space.area = {double(plot.low.x), double(plot.low.y), double(plot.high.x), double(plot.high.y)};
     };
@@ -290,6 +291,7 @@ StudyPlotClick showStudyPlot(const StudyRun& run, const std::string& scene, cons
         return {};
     }
     const bool clicked = ImGui::InvisibleButton("plot", {width, plot->high.y - corner.y + 2 * plot->line + 6 * scale});
+    notePlace("plot");
     const bool over = ImGui::IsItemHovered();
     ImDrawList& list = *ImGui::GetWindowDrawList();
     drawFrame(list, run, *plot, corner, scale);
@@ -340,6 +342,11 @@ StudyPlotClick showStudyPlot(const StudyRun& run, const std::string& scene, cons
         besidePlot(*plot, corner, [&](float tipWidth) { rowTip(run, run.rows[nearest->row], tipWidth); });
         ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
         if (clicked) click.row = nearest->row;
+    }
+    if (clicked && !over && !chart.points.empty()) {  // by the keyboard: one point after the other
+        const auto at =
+            std::ranges::find_if(chart.points, [&](const ChartPoint& point) { return marks.here == point.row; });
+        click.row = (at == chart.points.end() || at + 1 == chart.points.end() ? chart.points.front() : *(at + 1)).row;
     }
     showLegend(run, *plot, marks, scale);
     return click;
