@@ -285,16 +285,102 @@ keyboard() { # all of the panel without a mouse
     awaitReport focused ""
     quit
 }
-isFocused() { says focused "$1"; }
-isComparing() { says && [ -n "$(reported compare)" ]; }
-# goTo WIDGET: by Tab
-goTo() {
-    local i
-    for ((i = 0; i < 60; ++i)); do
-        [ "$(reported focused)" != "$1" ] || return 0
+
+# All that a demo's panel has, by the keyboard alone: the mouse is never moved.
+keysOf() { # DEMO
+    local before name knob='' presets=() preset i
+    start "mvgl: $1" "$(dirname "$cubeCull")/$1"
+    [ "$(reported playing)" = false ] || press space
+    awaitReport playing false
+    for ((i = 0; i < 20; ++i)); do # past the handles, if there are any
+        [ -z "$(reported focused)" ] || break
         press Tab
     done
-    die "Tab does not come to '$1', but to '$(reported focused)'"
+    [ -n "$(reported focused)" ] || die "Tab does not come to the panel"
+    for name in "${!values[@]}"; do
+        case $name in
+            "at preset "*) presets+=("${name#at }") ;;
+            "at sweep "*) knob=${name#at sweep } ;;
+        esac
+    done
+    # A knob, by arrows; one that takes numbers has a bar
+    [ -z "$knob" ] || {
+        before=$(reported "$knob")
+        goTo "$knob"
+        press space Right Right space
+        [ "$(reported "$knob")" != "$before" ] || press space Left Left space # it was at its end
+        [ "$(reported "$knob")" != "$before" ] || fail "$knob has not moved by the keys"
+        for ((i = 0; i < 4; ++i)); do # each arrow is a step of its own
+            [ "$(reported "$knob")" = "$before" ] || press ctrl+z
+        done
+        equal "$knob after all was undone" "$before" "$(reported "$knob")"
+    }
+    before=$(reported command)
+    for preset in "${presets[@]}"; do # one of them is there already
+        goTo "$preset"
+        press space
+        [ "$(reported command)" = "$before" ] || break
+    done
+    [ "$(reported command)" != "$before" ] || fail "no preset has been set by the keys"
+    goTo "Compare with"
+    press space Down space
+    await "a comparison" isComparing
+    goTo "Stop comparing"
+    press space
+    await "the end of the comparison" isNotComparing
+    goTo "Step through the draws"
+    press space
+    awaitReport until 1
+    goTo "Show the whole frame"
+    press space
+    awaitReport until ""
+    if isThere Pause; then
+        goTo Step
+        before=$(reported frame)
+        press space
+        awaitReport frame $((before + 1))
+        goTo Pause
+        press space
+        await "time to go on" isPlaying
+        press space
+        awaitReport playing false
+    fi
+    if isThere plot; then
+        goTo plot
+        before=$(reported here)
+        press space
+        [ "$(reported here)" != "$before" ] || fail "no point of the study has been taken by the keys"
+    fi
+    press F6
+    awaitReport focused ""
+    quit
+    equal "standard error" "" "$(grep -v '^note: ' "$state/err")"
+}
+isNotComparing() { says && [ -z "$(reported compare)" ]; }
+isPlaying() { [ "$(reported playing)" = true ]; }
+isFocused() { says focused "$1"; }
+isComparing() { says && [ -n "$(reported compare)" ]; }
+# goTo WIDGET: by Tab, with Shift for what is further up, and along a row by arrows
+goTo() {
+    local i x y toX toY before=none
+    for ((i = 0; i < 120; ++i)); do
+        [ "$(reported focused)" != "$1" ] || return 0
+        read -r x y <<<"$(place "$(reported focused)")"
+        read -r toX toY <<<"$(place "$1")"
+        if [ "$before" = "$(reported focused)" ] || [ -z "$x" ] || [ -z "$toX" ]; then
+            press Tab # along the row there is nothing
+        elif [ $((toY - y)) -ge -8 ] && [ $((toY - y)) -le 8 ]; then
+            before=$(reported focused)
+            if [ "$toX" -gt "$x" ]; then press Right; else press Left; fi
+            continue
+        elif [ "$toY" -lt "$y" ]; then
+            press shift+Tab
+        else
+            press Tab
+        fi
+        before=none
+    done
+    die "Tab and arrows do not come to '$1', but to '$(reported focused)'"
 }
 
 undo() {
@@ -1462,6 +1548,7 @@ case $case in
     launcher) launcher_ ;;
     resize) resizing ;;
     storm) stormOfProbe ;;
+    keys.*) keysOf "${case#keys.}" ;;
     storm.*) stormOf "${case#storm.}" ;;
     motion.*) motion "${case#motion.}" ;;
     opens | people | tips | widened | folds | keys | keyboard | undo | sweep | whole | one_by_one | held | slider | preset | typed | choice | wheel | drag | hand | replay | save | clipboard | matrices | desktop | error | torn | twice | density | paused | memory | reload | idle | steps | study | bound | measure | drop | vanish)

@@ -263,6 +263,9 @@ bool KnobPanel::bar(const Knob& knob, double& value, double low, double high, do
     if (sweep_ == rowName_) return value != before;
     if (shown == before || !ImGui::IsItemActive()) return false;
     value = std::clamp(rounded(shown, static_cast<int>(digits)), low, high);
+    // An arrow key moves by a hundredth of the bar; where that is less than the bar tells apart, by as much as it does
+    if (value == before && !ImGui::IsMouseDown(ImGuiMouseButton_Left))
+        value = std::clamp(before + std::copysign(std::pow(10, -digits), shown - before), low, high);
     return value != before;
 }
 
@@ -278,7 +281,7 @@ bool KnobPanel::advance(double seconds) {
 void KnobPanel::sweepButton(float width) {
     const bool isOn = sweep_ == rowName_;
     ImGui::PushID("sweep");
-    if (ImGui::Button(isOn ? "\u25A0" : "\u25B6", {width, 0})) {
+    if (ImGui::Button(isOn ? "\u25A0###" : "\u25B6###", {width, 0})) {
         sweep_ = isOn ? "" : rowName_;
         place_ = barPlace_;
         backwards_ = false;

@@ -281,7 +281,7 @@ bool showTime(Session& session, float scale) {
     bool moved = false;
     const ImVec2 size{70 * scale, 0};
     const bool playing = playback.playing();
-    if (ImGui::Button(playing ? "Pause" : "Play", size)) playback.toggle();
+    if (ImGui::Button(playing ? "Pause###pause" : "Play###pause", size)) playback.toggle();
     notePlace("Pause");
     tooltip("or the space bar");
     ImGui::SameLine();

@@ -292,8 +292,14 @@ StudyPlotClick showStudyPlot(const StudyRun& run, const std::string& scene, cons
     }
     const bool clicked = ImGui::InvisibleButton("plot", {width, plot->high.y - corner.y + 2 * plot->line + 6 * scale});
     notePlace("plot");
-    const bool over = ImGui::IsItemHovered();
     ImDrawList& list = *ImGui::GetWindowDrawList();
+    // The keys are at it, or have pressed it; to Dear ImGui it is hovered then, too
+    const bool byKeys = clicked && !ImGui::IsMouseReleased(ImGuiMouseButton_Left);
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    const bool over = !byKeys && ImGui::IsItemHovered() && ImGui::IsMouseHoveringRect(low, high);
+    if (ImGui::IsItemFocused() && (ImGui::GetIO().ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard) != 0)
+        list.AddRect({low.x - 2, low.y - 2}, {high.x + 2, high.y + 2}, ImGui::GetColorU32(ImGuiCol_NavHighlight), 0, 0,
+                     2 * scale);
     drawFrame(list, run, *plot, corner, scale);
     noteAxes(*plot, corner);
     const Chart& chart = plot->chart;
@@ -343,7 +349,7 @@ StudyPlotClick showStudyPlot(const StudyRun& run, const std::string& scene, cons
         ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
         if (clicked) click.row = nearest->row;
     }
-    if (clicked && !over && !chart.points.empty()) {  // by the keyboard: one point after the other
+    if (byKeys && !chart.points.empty()) {  // one point after the other
         const auto at =
             std::ranges::find_if(chart.points, [&](const ChartPoint& point) { return marks.here == point.row; });
         click.row = (at == chart.points.end() || at + 1 == chart.points.end() ? chart.points.front() : *(at + 1)).row;
