@@ -8,6 +8,7 @@ ViewFigure figureOf(const Settings& s) {
 }
 
 void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
+    tellStretch(clipFromView(s), frame);
     if (s.volume) drawViewFigure(gpu.drawing, gpu.program, gpu.cube, figureOf(s), frame);
 }
 

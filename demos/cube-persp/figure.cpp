@@ -6,6 +6,7 @@ namespace mv::cube_persp {
 ViewFigure figureOf(const Settings& s) { return {viewFromModel(s), clipFromView(s), s.near, s.far, true}; }
 
 void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
+    tellStretch(clipFromView(s), frame);
     if (s.volume) drawViewFigure(gpu.drawing, gpu.program, gpu.cube, figureOf(s), frame);
 }
 

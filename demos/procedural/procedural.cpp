@@ -10,6 +10,7 @@
 #include "mv/gl/functions.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
+#include "shared/narrow_view.h"
 
 namespace mv::procedural {
 
@@ -99,7 +100,7 @@ BodyMatrices bodyMatrices(const Settings& s, const FrameInfo& frame) {
     const mat4 turn = rotateX(20) * rotateY(s.turn);
     if (s.view == View::wall)
         return {scale(2) * rotateX(90), turn, scale(3 * frame.aspect() / s.zoom, 3 / s.zoom, 1) * rotateX(90)};
-    const mat4 clipFromView = perspective(40, frame.aspect(), 0.1, 1000);
+    const mat4 clipFromView = perspective(fovyAcross(40, frame.aspect()), frame.aspect(), 0.1, 1000);
     const vec3 up(0, 1, 0);
     if (s.view == View::sphere)
         return {clipFromView * lookAt(vec3(0, 0, 4.2), vec3(0), up) * rotateX(20) * rotateY(s.turn), turn, mat4(1)};
