@@ -120,9 +120,9 @@ void readPlot(const std::string& text, Command& command) {
     const std::size_t equals = text.rfind('=');
     command.plot = equals == std::string::npos ? text : text.substr(equals + 1);
     if (equals != std::string::npos) command.plotScene = text.substr(0, equals);
-    if (!command.plot.ends_with(".svg") || command.plot == ".svg")
-        throw UsageError("--plot", "must be [SCENE=]FILE.svg; rsvg-convert and Inkscape make a PNG of it",
-                         "'" + text + "'");
+    const bool known = command.plot.ends_with(".svg") || command.plot.ends_with(".png");
+    if (!known || command.plot.size() <= std::string_view(".svg").size())
+        throw UsageError("--plot", "must be [SCENE=]FILE.svg or FILE.png", "'" + text + "'");
 }
 
 void checkMovie(const Command& command) {
