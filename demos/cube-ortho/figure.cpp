@@ -12,6 +12,7 @@ Pane paneOf(const Settings& s, const FrameInfo& frame) {
 }
 
 void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
+    tellStretch(clipFromView(s), frame);
     if (s.volume) drawViewFigure(gpu.drawing, gpu.program, gpu.cube, figureOf(s), frame);
 }
 

@@ -8,6 +8,7 @@
 #include "mv/math/projection.h"
 #include "mv/math/shadow.h"
 #include "mv/math/transform.h"
+#include "shared/narrow_view.h"
 #include "shared/scenes.h"
 
 namespace mv::cube_shadows {
@@ -83,7 +84,7 @@ Scene sceneOf(const Settings& s, const FrameInfo& frame) {
     scene.lights = {{.position = lightOf(s)}};
     // The eye looks at the middle, whose distance from the world's origin drops out of the product in double
     scene.viewFromWorld = lookAt(eyeFromMiddle(s), vec3(0), vec3(0, 0, 1)) * translate(-middleOf(s));
-    scene.clipFromView = perspective(s.fov, frame.aspect(), 1, 100);
+    scene.clipFromView = perspective(fovyAcross(s.fov, frame.aspect()), frame.aspect(), 1, 100);
     return scene;
 }
 

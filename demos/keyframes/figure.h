@@ -15,7 +15,7 @@ double unit(const Pane& pane);
 double metre(const Pane& pane);
 TextStyle wordStyle(const FrameInfo& frame, const vec4& color);
 Pane wholePane(const FrameInfo& frame);
-// On the right, with room for what is written along the axes.
+// On the right, or below in a picture that is higher than wide, with room for what is written along the axes.
 Box boxOf(const FrameInfo& frame, Part part);
 void words(Drawing& drawing, const FrameInfo& frame, int line, const std::string& text, const vec4& color = ink);
 

@@ -77,7 +77,8 @@ void check(const Settings& s) {
 
 std::optional<vec2> placeOfKey(const Settings& s, const FrameInfo& frame, const vec2& key) {
     if (!isBall(s)) return std::nullopt;
-    return pixelOf(leftPane(frame), key);
+    const Pane pane = leftPane(frame);
+    return vec2(pane.x, pane.y) + pixelOf(pane, key);
 }
 std::optional<vec2> placeOfHandle(const Settings& s, const FrameInfo& frame, const vec2& handle) {
     if (!isBall(s) || !s.curve.isBezierEase()) return std::nullopt;

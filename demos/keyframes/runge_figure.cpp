@@ -31,7 +31,9 @@ void sayValues(Drawing& drawing, const Settings& s, const Sampled& shown, const 
     const double off = shown.polynomialError();
     words(drawing, frame, 0, std::string(isRunge ? "1/(1 + 25 x^2)" : "sin 3x") + ", grey, at " + where);
     words(drawing, frame, 1, nameOf(s.curve.kind) + ": off by " + formatted("%.2g", shown.curveError()), blue);
-    const std::string isCut = off > 0.5 ? ", which the graph below cuts off and the one on the right does not" : "";
+    const std::string cut = frame.isUpright() ? ", which the upper graph cuts off and the lower does not"
+                                              : ", which the graph below cuts off and the one on the right does not";
+    const std::string isCut = off > 0.5 ? cut : "";
     words(drawing, frame, 2, "one polynomial: off by " + formatted("%.2g", off) + isCut, red);
     if (!shown.warning) return;
     const std::size_t comma = shown.warning->find("; ") + 2;
@@ -47,10 +49,11 @@ void showValues(Drawing& drawing, const Settings& s, const Sampled& shown, const
     const bool isRunge = s.nodes.function == FunctionNodes::Function::runge;
     const double top = frame.height() - std::min(140.0, frame.height() / 3.5);
     const double x = std::min(50.0, frame.width() / 12.0), y = std::min(48.0, frame.height() / 8.0);
-    const Plot plot{{{x, y}, {pane.width - x / 2, top}}, {-1, 1, "x"}, {isRunge ? -0.5 : -2, isRunge ? 1.5 : 2}};
+    const Plot plot{
+        {{x, pane.y + y}, {pane.width - x / 2, top}}, {-1, 1, "x"}, {isRunge ? -0.5 : -2, isRunge ? 1.5 : 2}};
     // How far they are off, however far that is
     Box box = boxOf(frame, Part::both);
-    box.high.y = top;
+    if (!frame.isUpright()) box.high.y = top;
     const double highest = std::max({10.0, 10 * shown.polynomialError(), 10 * shown.curveError()});
     const Plot errors{box, {-1, 1, "x"}, {1e-17, highest, "how far they are off, drawn as 1e-17 at least", true}};
 

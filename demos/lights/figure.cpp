@@ -21,7 +21,12 @@ vec3 aim(const Settings& s) { return {s.aim.x, 0, s.aim.y}; }
 vec3 marked(const Settings& s) { return {s.mark.x, 0, s.mark.y}; }
 
 // The scene on the left; words and the graph on the right.
-Pane paneOf(const FrameInfo& frame) { return {0, 0, std::max(1, frame.width() * 13 / 20), frame.height()}; }
+// In a picture that is higher than wide above them.
+Pane paneOf(const FrameInfo& frame) {
+    const int high = std::max(1, frame.height() * 12 / 20);
+    if (frame.isUpright()) return {0, frame.height() - high, frame.width(), high};
+    return {0, 0, std::max(1, frame.width() * 13 / 20), frame.height()};
+}
 // A quantity is measured all over.
 Pane drawnPane(const Frame& frame) {
     return frame.measuring() ? Pane{0, 0, frame.width(), frame.height()} : paneOf(frame);
@@ -72,8 +77,9 @@ void drawLight(Drawing& drawing, const Settings& s, const FrameInfo& frame, std:
     const vec4 color(tinted(s.lightColor, hues.at(light)), 1);
     const vec3 at = placeOf(s, light);
     if (s.kinds[light] == Kind::directional) {
-        const auto inPicture = [&](const vec3& point) { return pictureFromPane(paneOf(frame), clipFromWorld, point); };
-        const auto from = inPicture(at), to = inPicture(at - 0.5 * towardsSun(s, light));
+        const Pane pane{0, 0, paneOf(frame).width, paneOf(frame).height};
+        const auto inPane = [&](const vec3& point) { return pictureFromPane(pane, clipFromWorld, point); };
+        const auto from = inPane(at), to = inPane(at - 0.5 * towardsSun(s, light));
         if (from && to) drawing.arrow(*from, *to, {color, 4 * unit});
     }
     if (s.kinds[light] == Kind::spot) drawCone(drawing, s, light, clipFromWorld);
@@ -88,10 +94,10 @@ void drawCross(Drawing& drawing, const mat4& clipFromWorld, const vec3& at, cons
     drawing.edge(clipFromWorld, at - vec3(0, -0.003, 0.1), at + vec3(0, 0.003, 0.1), {color, 3});
 }
 
-// A table of what each light gives to the mark; above the graph there may be room for those alone that are on.
-void drawTable(Drawing& drawing, const Settings& s, const Pane& pane, double unit) {
+// A table of what each light gives to the mark; in `room` pixels there may be some for those alone that are on.
+void drawTable(Drawing& drawing, const Settings& s, const Pane& pane, double room, double unit) {
     const double line = std::max(20 * unit, leastWords + 3.0);
-    const bool isRoomForAll = (lightCount + 2) * line < pane.height / 2.0;
+    const bool isRoomForAll = (lightCount + 2) * line < room;
     double y = pane.height - 8 * unit;
     const auto say = [&](const std::string& words, const vec4& color) {
         drawing.text({12 * unit, y}, words, style(unit, color));
@@ -137,19 +143,19 @@ void drawLamps(Drawing& drawing, const Settings& s, const Plot& plot, double uni
     }
 }
 
-void drawGraph(Drawing& drawing, const Settings& s, const Pane& pane, double unit) {
+void drawGraph(Drawing& drawing, const Settings& s, const Pane& pane, double high, double unit) {
     const double left = std::min(58.0, pane.width / 5.0), low = std::min(52.0, pane.height / 8.0);
-    const Box box{{left, low}, {pane.width - 14 * unit - 0.5, 0.5 * pane.height}};
+    const Box box{{left, low}, {pane.width - 14 * unit - 0.5, high}};
     const Plot plot{box,
                     {s.logLog ? 0.01 : 0, s.logLog ? 10.0 : 4.0, "distance, m", s.logLog},
                     {s.logLog ? 1e-3 * s.power : 0, (s.logLog ? 1e4 : 3) * s.power, "light", s.logLog}};
     drawCurves(drawing, s, plot);
     drawLamps(drawing, s, plot, unit);
     drawing.axes(plot);
-    const double words = left + 0.5 * box.size().x;
+    const double words = left + 0.5 * box.size().x, line = std::max(20 * unit, leastWords + 3.0);
     drawing.text({words, box.high.y}, "falloff chosen", style(unit, blue));
-    drawing.text({words, box.high.y - 20 * unit}, "1/d^2", style(unit, grey));
-    if (std::isfinite(reach(s))) drawing.text({words, box.high.y - 40 * unit}, "cut off", style(unit, red));
+    drawing.text({words, box.high.y - line}, "1/d^2", style(unit, grey));
+    if (std::isfinite(reach(s))) drawing.text({words, box.high.y - 2 * line}, "cut off", style(unit, red));
 }
 
 }  // namespace
@@ -165,12 +171,19 @@ void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
     drawCross(drawing, clipFromWorld, marked(s), red);
     if (isOn(s, Kind::spot)) drawCross(drawing, clipFromWorld, aim(s), vec4(1, 1, 1, 1));
 
-    const Pane left = paneOf(frame);
-    const Pane right{left.width, 0, std::max(1, frame.width() - left.width), frame.height()};
-    drawing.in(right);
-    drawing.fill({vec2(0), vec2(right.width, right.height)}, vec4(1, 1, 1, 1));
-    drawTable(drawing, s, right, unitOf(frame));
-    drawGraph(drawing, s, right, unitOf(frame));
+    // Table and graph share what is beside the scene: one above the other, and below the scene side by side
+    const Pane scene = paneOf(frame);
+    const bool isBelow = frame.isUpright();
+    const Pane rest = isBelow ? Pane{0, 0, frame.width(), std::max(1, scene.y)}
+                              : Pane{scene.width, 0, std::max(1, frame.width() - scene.width), frame.height()};
+    drawing.in(rest);
+    drawing.fill({vec2(0), vec2(rest.width, rest.height)}, vec4(1, 1, 1, 1));
+    const double high = isBelow ? rest.height : 0.5 * rest.height;
+    drawTable(drawing, s, rest, high, unitOf(frame));
+    const int left = isBelow ? rest.width / 2 : 0;
+    const Pane graph{rest.x + left, rest.y, std::max(1, rest.width - left), rest.height};
+    drawing.in(graph);
+    drawGraph(drawing, s, graph, isBelow ? high - 30 * unitOf(frame) - leastWords : high, unitOf(frame));
     drawing.draw(frame);
 }
 

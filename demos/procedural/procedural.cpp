@@ -10,6 +10,7 @@
 #include "mv/gl/functions.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
+#include "shared/narrow_view.h"
 
 namespace mv::procedural {
 
@@ -98,7 +99,7 @@ PatternPlace placeOf(const Settings& s) {
 
 static mat4 turnOf(const Settings& s) { return rotateX(20) * rotateY(s.turn); }
 static mat4 clipFromWorld(const FrameInfo& frame, const vec3& eye, const vec3& at) {
-    return perspective(40, frame.aspect(), 0.1, 1000) * lookAt(eye, at, vec3(0, 1, 0));
+    return perspective(fovyAcross(40, frame.aspect()), frame.aspect(), 0.1, 1000) * lookAt(eye, at, vec3(0, 1, 0));
 }
 
 // Place each body before the eye. `offsetFromBody` maps its points to the pattern, relative to the pattern's centre.

@@ -101,7 +101,10 @@ void JointedOverlay::product(const Frame& frame, const Jointed& thing, const std
                              const std::vector<std::string>& told) {
     const int size = !told.empty() ? size_ * 9 / 8 : isInPlane ? size_ : std::max(leastWords, size_ * 7 / 8);
     const std::vector<int> rows = isInPlane ? std::vector{0, 1, 3} : std::vector{0, 1, 2, 3};
-    const int from = 10 * size, to = from + static_cast<int>(rows.size()) * 7 * size / 2;
+    // Names stand left of their matrices, or above them where there is no room
+    const int entries = static_cast<int>(rows.size()) * 7 * size / 2;
+    const bool isNarrow = 10 * size + entries + size > beside.width;
+    const int from = isNarrow ? size / 2 : 10 * size, to = from + entries;
     const int left = beside.x;
     TextColumn column(left, frame.height() - beside.y - beside.height + size / 2, size);
     std::size_t written = 0;
@@ -116,8 +119,12 @@ void JointedOverlay::product(const Frame& frame, const Jointed& thing, const std
     };
     const auto write = [&](const std::string& sign, const std::string& name, const mat4& matrix, const vec4& color) {
         frame.show(name, matrix);
+        if (isNarrow) {
+            column.left(size / 2, sign + name);
+            column.next();
+        }
         for (const int row : rows) {
-            if (row == 1) column.left(size / 2, sign + name);
+            if (row == 1 && !isNarrow) column.left(size / 2, sign + name);
             int right = from;
             for (const int k : rows) column.right(right += 7 * size / 2, shortNumber(matrix[k][row]));
             column.next();

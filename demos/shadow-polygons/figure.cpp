@@ -18,8 +18,9 @@ namespace mv::shadow_polygons {
 static const vec4 ink(0.1, 0.1, 0.1, 1), grey(0.6, 0.6, 0.6, 1), inVain(0.93, 0.55, 0.15, 1), dark(0.10, 0.35, 0.75, 1);
 
 static Pane besidePane(const Settings& s, const FrameInfo& frame) {
-    const int left = scenePane(s, frame).width;
-    return {left, 0, std::max(1, frame.width() - left), frame.height()};
+    const Pane scene = scenePane(s, frame);
+    if (frame.isUpright()) return {0, 0, frame.width(), std::max(1, scene.y)};
+    return {scene.width, 0, std::max(1, frame.width() - scene.width), frame.height()};
 }
 
 // The sphere laid flat, equal areas to equal areas: straight down from the light in the middle, straight up along the rim.

@@ -84,6 +84,8 @@ Scene sceneOf(const Settings& s, const FrameInfo& frame) {
 // Left of the sphere, or all of the picture.
 Pane scenePane(const Settings& s, const FrameInfo& frame) {
     if (s.show == Show::scene) return {0, 0, frame.width(), frame.height()};
+    const int high = std::max(1, frame.height() * 9 / 16);
+    if (frame.isUpright()) return {0, frame.height() - high, frame.width(), high};
     return {0, 0, std::max(1, frame.width() * 9 / 16), frame.height()};
 }
 Pane drawnPane(const Settings& s, const Frame& frame) {

@@ -151,4 +151,13 @@ void drawViewFigure(Drawing& drawing, const Program& program, const Mesh& cube, 
     drawing.draw(frame);
 }
 
+void tellStretch(const mat4& clipFromView, const Frame& frame) {
+    const double picture = frame.aspect(), volume = std::abs(clipFromView[1][1] / clipFromView[0][0]);
+    const double wide = picture / volume;
+    if (std::abs(std::log(wide)) < 0.02) return;  // a pixel or two of rounding
+    frame.say("Shapes are shown " + formatted("%.2f times as ", std::max(wide, 1 / wide)) +
+              (wide > 1 ? "wide" : "high") + " as they are: the picture is " +
+              formatted("%.2f times as wide as high, the volume of view ", picture) + formatted("%.2f.", volume));
+}
+
 }  // namespace mv

@@ -27,4 +27,7 @@ mat4 outsideFromView(const ViewFigure& figure, const Pane& pane);
 void drawViewFigure(Drawing& drawing, const Program& program, const Mesh& cube, const ViewFigure& figure,
                     const Frame& frame);
 
+// Says by how much shapes are stretched, where the picture is of another shape than the volume of view.
+void tellStretch(const mat4& clipFromView, const Frame& frame);
+
 }  // namespace mv

@@ -13,6 +13,7 @@
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
 #include "shared/narrow_view.h"
+#include "shared/wide_lines.h"
 
 namespace mv::view_volume {
 
@@ -36,11 +37,13 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     gpu.faces.set("clipFromWorld", clipFromWorld);
     beginPane(gpu, panes[0], outside, false);
     drawThings(gpu, kept, gpu.house, gpu.tree);
+    drawWide(frame, panes[0], [&] { gpu.ground.draw(); });
     beginPane(gpu, panes[1], right * stageFromWorld, true);
     if (s.stage == Stage::plane)
-        drawThings(gpu, kept, *gpu.houseOutline, *gpu.treeOutline);
+        drawWide(frame, panes[1], [&] { drawThings(gpu, kept, *gpu.houseOutline, *gpu.treeOutline); });
     else
         drawThings(gpu, kept, gpu.house, gpu.tree);
+    drawWide(frame, panes[1], [&] { gpu.ground.draw(); });
 }
 
 // Divide the picture into two panes, side by side or, where it is higher than wide, above each other.
@@ -135,7 +138,6 @@ void drawThings(const Gpu& gpu, const Kept& kept, const Mesh& house, const Mesh&
         (i == 0 ? house : tree).draw();
     }
     gpu.faces.set("worldFromObject", mat4(1));
-    gpu.ground.draw();
 }
 
 Corners boxOf(const SceneObject& object) {

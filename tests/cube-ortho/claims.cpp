@@ -9,6 +9,7 @@
 // - [nothing-is-refused] A box of no size, and one that misses every face of the cube, are refused.
 // - [volume-beside] With the box of view shown, the picture is the same in a smaller pane; the planes of near and far are where their
 //   handles are, and follow them.
+// - [stretch-is-said] Where the picture's shape is not the volume's, a note says how many times as wide or high shapes are; else none does.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -39,6 +40,26 @@ mat4 diagonal(double x, double y, double z) {
 
 DemoRun& straight(DemoRun& run) { return run.set("spin-x", 0).set("spin-y", 0); }
 DemoRun& turned(DemoRun& run) { return run.set("spin-x", 30).set("spin-y", 40); }
+
+TEST(CubeOrtho, stretch_is_said) {
+    const auto said = [](int width, int height, double volume) {
+        DemoRun run("cube-ortho", width, height);
+        (void)run.set("width", volume).picture();
+        const std::vector<std::string> messages = run.messages();
+        return messages.empty() ? "" : messages.at(0);
+    };
+    EXPECT_EQ(said(300, 300, 2), "");
+    EXPECT_EQ(said(300, 200, 3), "") << "a window of the volume's shape";
+    EXPECT_EQ(
+        said(300, 200, 2),
+        "Shapes are shown 1.50 times as wide as they are: the picture is 1.50 times as wide as high, the volume of "
+        "view 1.00.");
+    EXPECT_EQ(
+        said(200, 200, 3),
+        "Shapes are shown 1.50 times as high as they are: the picture is 1.00 times as wide as high, the volume of "
+        "view 1.50.");
+    EXPECT_EQ(said(300, 297, 2), "") << "a pixel or two are a rounding";
+}
 
 }  // namespace
 

@@ -9,6 +9,7 @@
 // - [near-below-far] Near not below far is refused with both, and so is a pyramid that shows no face.
 // - [volume-beside] With the pyramid of view shown, the picture is the same in a smaller pane; the planes of near and far are where their
 //   handles are, and follow them.
+// - [stretch-is-said] Where the picture's shape is not the volume's, a note says how many times as wide or high shapes are; else none does.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -56,6 +57,26 @@ std::array<float, 2> cubeDepths(DemoRun& run) {
         if (depth < 1) range = {std::min(range[0], depth), std::max(range[1], depth)};
     }
     return range;
+}
+
+TEST(CubePersp, stretch_is_said) {
+    const auto said = [](int width, int height, double volume) {
+        DemoRun run("cube-persp", width, height);
+        (void)run.set("aspect", volume).picture();
+        const std::vector<std::string> messages = run.messages();
+        return messages.empty() ? "" : messages.at(0);
+    };
+    EXPECT_EQ(said(300, 300, 1), "");
+    EXPECT_EQ(said(300, 200, 1.5), "") << "a window of the volume's shape";
+    EXPECT_EQ(
+        said(300, 200, 1),
+        "Shapes are shown 1.50 times as wide as they are: the picture is 1.50 times as wide as high, the volume of "
+        "view 1.00.");
+    EXPECT_EQ(
+        said(200, 200, 1.5),
+        "Shapes are shown 1.50 times as high as they are: the picture is 1.00 times as wide as high, the volume of "
+        "view 1.50.");
+    EXPECT_EQ(said(300, 297, 1), "") << "a pixel or two are a rounding";
 }
 
 }  // namespace

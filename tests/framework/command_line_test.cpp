@@ -280,7 +280,8 @@ TEST(CommandLine, what_a_lecture_asks) {
     const Command plot = parseCommandLine({"shadow-methods", "--plot", "still life=a.svg"});
     EXPECT_EQ(plot.plot, "a.svg");
     EXPECT_EQ(plot.plotScene, "still life");
-    EXPECT_TRUE(has(refusal({"shadow-methods", "--plot", "a.png"}), "must be [SCENE=]FILE.svg"));
+    EXPECT_TRUE(has(refusal({"shadow-methods", "--plot", "a.jpg"}), "must be [SCENE=]FILE.svg or FILE.png"));
+    EXPECT_EQ(parseCommandLine({"shadow-methods", "--plot", "still life=a.png"}).plot, "a.png");
 
     for (const char* odd : {"0", "0.5", "9", "nan", "2x", "-2"})
         EXPECT_EQ(refusal({"cube-cull", "--density", odd}),

@@ -122,6 +122,30 @@ TEST_F(Lectures, a_plot_is_of_one_scene) {
     EXPECT_NE(refusal(writePlot, {"cube-ortho", "--plot", file}).find("needs a demo with a study"), std::string::npos);
 }
 
+// By a program that stands for rsvg-convert: it keeps the SVG that it is given, or fails.
+TEST_F(Lectures, a_plot_may_be_a_png) {
+    const std::string before = std::getenv("PATH");
+    const auto standIn = [&](const std::string& script) {
+        const std::string program = folder.file("rsvg-convert");
+        writeFileAtomically(program, "#!/bin/sh\n" + script);
+        ::chmod(program.c_str(), 0755);
+    };
+    const std::string file = folder.file("a.png"), svg = folder.file("a.svg");
+    const std::vector<std::string> words{"shadow-methods", "--plot", "still life=" + file};
+    ::setenv("PATH", folder.path().c_str(), 1);
+    EXPECT_NE(refusal(writePlot, words).find("needs rsvg-convert for a PNG, which is not installed"),
+              std::string::npos);
+    ::setenv("PATH", (folder.path().string() + ":" + before).c_str(), 1);
+    standIn("cp \"$5\" \"$4\"\n");
+    writePlot(parseCommandLine(words));
+    writePlot(parseCommandLine({"shadow-methods", "--plot", "still life=" + svg}));
+    EXPECT_EQ(readTextFile(file, 1 << 20), readTextFile(svg, 1 << 20));
+    standIn("exit 1\n");
+    EXPECT_EQ(refusal(writePlot, words), "rsvg-convert: must make a PNG of the plot; it says why above");
+    EXPECT_EQ(readTextFile(file, 1 << 20), readTextFile(svg, 1 << 20)) << "the last plot is still there";
+    ::setenv("PATH", before.c_str(), 1);
+}
+
 // By a program that stands for ffmpeg: it keeps the bytes that it is given, or fails.
 TEST_F(Lectures, a_movie_has_every_picture) {
     const std::string before = std::getenv("PATH");

@@ -19,6 +19,7 @@ server=
 trap '[ -z "$pid" ] || kill $pid 2>/dev/null; [ -z "$server" ] || kill $server; rm -rf "$folder" "$state"' EXIT
 # Wayland's library complains on standard error where there is none, before GLFW turns to X.
 [ -n "${XDG_RUNTIME_DIR:-}" ] || export XDG_RUNTIME_DIR=$state
+export XDG_STATE_HOME=$state/kept # what a panel remembers is the test's own
 
 # ---- Cases
 
@@ -79,6 +80,117 @@ keys() {
     equal "level after S" 0.375 "$(reported level)"
     equal "pictures saved by a key that the demo has for itself" "" "$(ls)"
 }
+
+people() { # a window that reports to no program opens as it is best on this machine
+    alone() { # TITLE PROGRAM ARGUMENTS...: it is driven without a report, and saves a picture, $saved, whose line is $line
+        "${@:2}" 2>"$state/err" &
+        pid=$!
+        await "a window for people" isCalled "$1"
+        window=$(windowCalled "$1")
+        saved=${1#mvgl: }-1.png
+        await "a picture" savesPicture
+        geometry=$(xdotool getwindowgeometry "$window" | sed -n 's/.*Geometry: //p')
+        local ending=$pid
+        pid=
+        await "its end after Escape" escaped $ending
+        line=$("$2" --from "$saved" --copyable)
+    }
+    savesPicture() { # the key may come before the window hears it
+        [ -s "$saved" ] && return
+        xdotool key --window "$window" s
+        return 1
+    }
+    # A small picture takes no time: smooth edges, and its line says so.
+    alone 'mvgl: cube-cull' "$cubeCull" --size 64x64
+    equal "line of a small picture" "$cubeCull --size 64x64 --multisample 4" "$line"
+    sh -c "$line --shot again.png" && cmp "$saved" again.png || fail "the line '$line' makes another picture"
+    rm ./*.png
+    # Who has asked for none gets none, and so does who opens that line again.
+    alone 'mvgl: cube-cull' "$cubeCull" --size 64x64 --multisample 0
+    equal "line of a picture without" "$cubeCull --size 64x64 --multisample 0" "$line"
+    rm ./*.png
+    # 64 shadow maps take longer than 8 ms.
+    alone 'mvgl: soft-shadows' "$(dirname "$cubeCull")/soft-shadows" --size 800x900 --method maps --lights 64
+    case $line in *--multisample*) fail "smooth edges in a window that is slow: $line" ;; esac
+    rm ./*.png
+    # 80 % of the screen's height, as wide as high beside 360 for the panel
+    alone 'mvgl: cube-cull' "$cubeCull"
+    equal "the window of a picture of 600x600 on a screen of 1280x1024" 1179x819 "$geometry"
+    case $line in "$cubeCull --size 819x819"*) ;; *) fail "the line has another size: $line" ;; esac
+}
+
+tips() { # words about a widget come when the mouse has rested on it, and go when it is pressed
+    start 'mvgl: cube-cull' "$cubeCull"
+    local x y
+    read -r x y <<<"$(place z-dist)"
+    at "$x" "$y"
+    equal "words as soon as the mouse is there" "" "$(reported tip)"
+    await "words about z-dist" says tip 'where the eye stands on the z axis, looking at the middle\n-10 .. 10; initially -4'
+    buttonDown
+    awaitReport tip ""
+    buttonUp
+    await "words again" isTold
+    at 300 300
+    awaitReport tip ""
+    quit
+}
+widened() { # the panel by its edge, and the study's plot with it
+    local left top right bottom before
+    start 'mvgl: integral' "$launcher" integral --size 900x900
+    IFS=, read -r left top right bottom <<<"${values["at plot"]}"
+    before=$((${right%.*} - ${left%.*}))
+    at 901 500 && buttonDown
+    at 701 500 && buttonUp
+    await "a narrower picture" pictureIs 701x900
+    IFS=, read -r left top right bottom <<<"${values["at plot"]}"
+    equal "the plot's width" $((before + 199)) $((${right%.*} - ${left%.*}))
+    atLeast "the plot's height" $((${bottom%.*} - ${top%.*})) $(((before + 199) * 65 / 100))
+    # Not narrower than it was, and a quarter stays to the picture
+    at 700 500 && buttonDown
+    at 1100 500 && buttonUp
+    await "the picture as it was" pictureIs 900x900
+    at 900 500 && buttonDown
+    at 100 500 && buttonUp
+    await "a quarter of the window" pictureIs 315x900
+    quit
+}
+
+isTold() { says && [ -n "$(reported tip)" ]; }
+
+folds() { # a section stays folded, in this window and in the next one; what does nothing is folded
+    local y
+    start 'mvgl: cube-cull' "$cubeCull"
+    y=${values["at section Compare"]}
+    clickOn "section Settings"
+    await "a section less" isGone z-dist
+    [ "$y" != "${values["at section Compare"]}" ] || fail "what is below has not moved up"
+    quit
+    start 'mvgl: probe' "$launcher" probe --frame 1
+    isGone level || fail "the section is open again in the next window"
+    clickOn "section Settings"
+    await "the section" isThere level
+    quit
+    equal "what is kept when all are open" "" "$(cat "$XDG_STATE_HOME/mvgl/folded")"
+    start 'mvgl: cube-cull' "$cubeCull"
+    isThere z-dist || fail "the section is folded again"
+    isGone divisions || fail "the teapot's divisions do nothing for a cube, and must be folded"
+    clickOn "idle settings"
+    await "what does nothing" isThere divisions
+    clickOn "idle settings"
+    await "that it is folded again" isGone divisions
+    clickOn body
+    clickOn "body teapot"
+    await "divisions, which do something now" isThere divisions
+    quit
+    # Where nothing can be written it is said once, and kept as long as the program runs.
+    XDG_STATE_HOME=/dev/null/none start 'mvgl: cube-cull' "$cubeCull"
+    clickOn "section Settings"
+    await "a section less" isGone z-dist
+    quit
+    equal "lines about it" 1 "$(grep -c '^note: /dev/null/none/mvgl/folded: could not be written' "$state/err")"
+}
+isGone() { says && [ -z "${values["at $1"]-}" ]; }
+isThere() { says && [ -n "${values["at $1"]-}" ]; }
 
 drop() { # a picture of one's own, and what is none
     local drops own assets
@@ -173,16 +285,102 @@ keyboard() { # all of the panel without a mouse
     awaitReport focused ""
     quit
 }
-isFocused() { says focused "$1"; }
-isComparing() { says && [ -n "$(reported compare)" ]; }
-# goTo WIDGET: by Tab
-goTo() {
-    local i
-    for ((i = 0; i < 60; ++i)); do
-        [ "$(reported focused)" != "$1" ] || return 0
+
+# All that a demo's panel has, by the keyboard alone: the mouse is never moved.
+keysOf() { # DEMO
+    local before name knob='' presets=() preset i
+    start "mvgl: $1" "$(dirname "$cubeCull")/$1"
+    [ "$(reported playing)" = false ] || press space
+    awaitReport playing false
+    for ((i = 0; i < 20; ++i)); do # past the handles, if there are any
+        [ -z "$(reported focused)" ] || break
         press Tab
     done
-    die "Tab does not come to '$1', but to '$(reported focused)'"
+    [ -n "$(reported focused)" ] || die "Tab does not come to the panel"
+    for name in "${!values[@]}"; do
+        case $name in
+            "at preset "*) presets+=("${name#at }") ;;
+            "at sweep "*) knob=${name#at sweep } ;;
+        esac
+    done
+    # A knob, by arrows; one that takes numbers has a bar
+    [ -z "$knob" ] || {
+        before=$(reported "$knob")
+        goTo "$knob"
+        press space Right Right space
+        [ "$(reported "$knob")" != "$before" ] || press space Left Left space # it was at its end
+        [ "$(reported "$knob")" != "$before" ] || fail "$knob has not moved by the keys"
+        for ((i = 0; i < 4; ++i)); do # each arrow is a step of its own
+            [ "$(reported "$knob")" = "$before" ] || press ctrl+z
+        done
+        equal "$knob after all was undone" "$before" "$(reported "$knob")"
+    }
+    before=$(reported command)
+    for preset in "${presets[@]}"; do # one of them is there already
+        goTo "$preset"
+        press space
+        [ "$(reported command)" = "$before" ] || break
+    done
+    [ "$(reported command)" != "$before" ] || fail "no preset has been set by the keys"
+    goTo "Compare with"
+    press space Down space
+    await "a comparison" isComparing
+    goTo "Stop comparing"
+    press space
+    await "the end of the comparison" isNotComparing
+    goTo "Step through the draws"
+    press space
+    awaitReport until 1
+    goTo "Show the whole frame"
+    press space
+    awaitReport until ""
+    if isThere Pause; then
+        goTo Step
+        before=$(reported frame)
+        press space
+        awaitReport frame $((before + 1))
+        goTo Pause
+        press space
+        await "time to go on" isPlaying
+        press space
+        awaitReport playing false
+    fi
+    if isThere plot; then
+        goTo plot
+        before=$(reported here)
+        press space
+        [ "$(reported here)" != "$before" ] || fail "no point of the study has been taken by the keys"
+    fi
+    press F6
+    awaitReport focused ""
+    quit
+    equal "standard error" "" "$(grep -v '^note: ' "$state/err")"
+}
+isNotComparing() { says && [ -z "$(reported compare)" ]; }
+isPlaying() { [ "$(reported playing)" = true ]; }
+isFocused() { says focused "$1"; }
+isComparing() { says && [ -n "$(reported compare)" ]; }
+# goTo WIDGET: by Tab, with Shift for what is further up, and along a row by arrows
+goTo() {
+    local i x y toX toY before=none
+    for ((i = 0; i < 120; ++i)); do
+        [ "$(reported focused)" != "$1" ] || return 0
+        read -r x y <<<"$(place "$(reported focused)")"
+        read -r toX toY <<<"$(place "$1")"
+        if [ "$before" = "$(reported focused)" ] || [ -z "$x" ] || [ -z "$toX" ]; then
+            press Tab # along the row there is nothing
+        elif [ $((toY - y)) -ge -8 ] && [ $((toY - y)) -le 8 ]; then
+            before=$(reported focused)
+            if [ "$toX" -gt "$x" ]; then press Right; else press Left; fi
+            continue
+        elif [ "$toY" -lt "$y" ]; then
+            press shift+Tab
+        else
+            press Tab
+        fi
+        before=none
+    done
+    die "Tab and arrows do not come to '$1', but to '$(reported focused)'"
 }
 
 undo() {
@@ -223,8 +421,28 @@ sweep() { # a bar that goes there and back by itself
     equal "z-dist after the sweep was stopped" "$rest" "$(reported z-dist)"
     press ctrl+z
     awaitReport z-dist -4 # all of it is one step
+    # Its speed stands below while it moves: a click at the right end of that bar makes it slow.
+    at "$x" "$y"
+    xdotool click 1
+    await "a bar for the speed" isShown "sweep seconds"
+    local left top right bottom
+    IFS=, read -r left top right bottom <<<"${values["at sweep seconds"]}"
+    xdotool mousemove --window "$window" $((${right%.*} - 12)) $(((${top%.*} + ${bottom%.*}) / 2)) click 1
+    buttons=4
+    await "the click" isPressed
+    local before after
+    before="$(reported seconds) $(reported z-dist)"
+    await "two seconds" secondsAfter "${before% *}" 2
+    after="$(reported seconds) $(reported z-dist)"
+    # 20 units in 60 s, and not in 4
+    atMost "units a second" "$(echo "$before $after" | awk '{ print ($4 > $2 ? $4 - $2 : $2 - $4) / ($3 - $1) }')" 0.5
+    xdotool mousemove --window "$window" "$x" "$y" click 1
+    await "no bar for the speed" isGone "sweep seconds"
     quit
 }
+isShown() { [ -n "${values["at $1"]-}" ]; }
+isPressed() { [ "$(reported buttons)" -ge $buttons ]; }
+secondsAfter() { awk -v a="$(reported seconds)" -v b="$1" -v c="$2" 'BEGIN { exit !(a >= b + c) }'; }
 above() { awk -v a="$(reported "$1")" -v b="$2" 'BEGIN { exit !(a != "" && a + 0 >= b + 0) }'; }
 
 whole() { # full screen, and larger words
@@ -313,6 +531,7 @@ preset() { # its button sets every knob, and the copied line makes the same pict
     local x y
     read -r x y <<<"$(place "preset front-culled")"
     at "$x" "$y"
+    await "words about the preset" isTold
     screenshot "$state/pointed.ppm"
     for shown in unpointed pointed; do
         convert "$state/$shown.ppm" -fill black -draw "rectangle 600,$((y - 14)) 960,$((y + 14))" -crop 358x600+602+0 +repage "$state/$shown-panel.ppm"
@@ -506,6 +725,22 @@ steps() { # by the panel, and what is saved and copied
     for draws in 0 1; do
         "$cubeCull" --size 600x960 --until $draws --headless --shot "$state/until$draws.png" >"$state/said" || fail "no picture of $draws draws"
     done
+    # The mouse over the picture: the pixel's values, and its neighbourhood magnified, with it in the middle
+    reach "pixel values"
+    turn 5 6
+    at 300 480
+    await "a magnified pixel" isThere "loupe color"
+    screenshot "$state/loupe.ppm"
+    local x y
+    read -r x y <<<"$(place "loupe color")"
+    equal "the middle of the magnified pixels" "srgb(0,0,255)" "$(pixel "$state/loupe.ppm" "$x,$y")"
+    read -r x y <<<"$(place "buffer color")"
+    at 3 3
+    await "another one" isThere "loupe color"
+    screenshot "$state/loupe.ppm"
+    equal "the same buffer's place" "$x $y" "$(place "buffer color")"
+    read -r x y <<<"$(place "loupe color")"
+    equal "the middle of the magnified background" "srgb(230,255,255)" "$(pixel "$state/loupe.ppm" "$x,$y")"
     equal "pixels outlined" "$(differing "$state/until0.png" "$state/until1.png")" "$(reported outlined)"
     press s
     awaitReport until 1
@@ -632,6 +867,12 @@ resizing() {
     start 'mvgl: cube-cull' "$cubeCull"
     press h
     await "a picture without the panel" pictureIs 960x600
+    isThere hint || fail "nothing tells how to come back"
+    screenshot "$state/hinted.ppm"
+    press b
+    isGone hint || fail "the hint stays when something else is done"
+    screenshot "$state/unhinted.ppm"
+    atLeast "pixels of the hint" "$(differing "$state/hinted.ppm" "$state/unhinted.ppm")" 500
     quit
     start 'mvgl: cube-cull' "$cubeCull" --size 333x217
     xdotool windowsize "$window" 200 100 # no room for a picture at all
@@ -1307,9 +1548,10 @@ case $case in
     launcher) launcher_ ;;
     resize) resizing ;;
     storm) stormOfProbe ;;
+    keys.*) keysOf "${case#keys.}" ;;
     storm.*) stormOf "${case#storm.}" ;;
     motion.*) motion "${case#motion.}" ;;
-    opens | keys | keyboard | undo | sweep | whole | one_by_one | held | slider | preset | typed | choice | wheel | drag | hand | replay | save | clipboard | matrices | desktop | error | torn | twice | density | paused | memory | reload | idle | steps | study | bound | measure | drop | vanish)
+    opens | people | tips | widened | folds | keys | keyboard | undo | sweep | whole | one_by_one | held | slider | preset | typed | choice | wheel | drag | hand | replay | save | clipboard | matrices | desktop | error | torn | twice | density | paused | memory | reload | idle | steps | study | bound | measure | drop | vanish)
         "$case"
         ;;
     *) fail "there is no case '$case'" ;;

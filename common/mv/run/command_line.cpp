@@ -120,9 +120,9 @@ void readPlot(const std::string& text, Command& command) {
     const std::size_t equals = text.rfind('=');
     command.plot = equals == std::string::npos ? text : text.substr(equals + 1);
     if (equals != std::string::npos) command.plotScene = text.substr(0, equals);
-    if (!command.plot.ends_with(".svg") || command.plot == ".svg")
-        throw UsageError("--plot", "must be [SCENE=]FILE.svg; rsvg-convert and Inkscape make a PNG of it",
-                         "'" + text + "'");
+    const bool known = command.plot.ends_with(".svg") || command.plot.ends_with(".png");
+    if (!known || command.plot.size() <= std::string_view(".svg").size())
+        throw UsageError("--plot", "must be [SCENE=]FILE.svg or FILE.png", "'" + text + "'");
 }
 
 void checkMovie(const Command& command) {
@@ -210,7 +210,8 @@ void declareFlags(CLI::App& app, Flags& flags, bool launcher) {
            "read there")
         ->type_name("D");
     app.add_option("--multisample", flags.samples,
-                   "samples of each pixel, 0 or 4: with 4 edges are smooth; 0 if not given")
+                   "samples of each pixel, 0 or 4: with 4 edges are smooth; if not given 0, and in a "
+                   "window 4 where a frame takes less than 8 ms so")
         ->type_name("N");
     app.add_flag("--headless{automatic}", flags.headless,
                  "open no window; =osmesa, =egl or =egl-device chooses the host");

@@ -48,7 +48,8 @@ struct Command {
     std::vector<TimedChange> changes;  // --at
     int width = 0, height = 0;         // 0: the original's canvas
     double density = 1;                // --density
-    int samples = 0;                   // --multisample
+    // --multisample; a picture without has none, and a window chooses by how long a frame takes
+    std::optional<int> samples;
     HostKind host = HostKind::automatic;
     std::string
         shot;  // the picture's file; "" for none, "-" standard output. With several frames it contains %d or %04d

@@ -29,7 +29,7 @@ std::string startOf(const std::string& program, const DemoInfo& info) {
 
 std::string copyableCommand(const std::string& start, const DemoInfo& info, const Demo& demo, int frame, int width,
                             int height, const ComparedKnob& compared, const Timeline* timeline,
-                            std::optional<int> until, double density, int samples) {
+                            std::optional<int> until, double density, std::optional<int> samples) {
     std::string text = start;
     const auto set = [&](const std::string& knob, const std::string& value) {
         if (knob != compared.name) text += " --" + knob + " " + quotedForShell(value);
@@ -59,7 +59,7 @@ std::string copyableCommand(const std::string& start, const DemoInfo& info, cons
         figureUnit(width, height, info.width, info.height)) {
         text += " --density " + portable::shortestText(density);
     }
-    if (samples > 0) text += " --multisample " + std::to_string(samples);
+    if (samples) text += " --multisample " + std::to_string(*samples);
     if (until) text += " --until " + std::to_string(*until);
     return text;
 }

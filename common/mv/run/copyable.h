@@ -19,7 +19,7 @@ struct ComparedKnob {
 // those that it begins with.
 std::string copyableCommand(const std::string& start, const DemoInfo& info, const Demo& demo, int frame, int width,
                             int height, const ComparedKnob& compared = {}, const Timeline* timeline = nullptr,
-                            std::optional<int> until = {}, double density = 1, int samples = 0);
+                            std::optional<int> until = {}, double density = 1, std::optional<int> samples = {});
 
 // The same of what was typed, for that frame. A picture's file tells it with the demo's name for `start` (--from).
 std::string lineOf(const Command& command, const std::string& start, int frame);

@@ -1,6 +1,11 @@
 #include "mv/run/lecture.h"
 
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
@@ -27,7 +32,7 @@ void writeMovie(const Command& command) {
     Film film(command.movie, width, height);
     HeadlessStage headless(command.host);
     Stage& stage = headless.stage;
-    stage.setSamples(command.samples);
+    stage.setSamples(command.samples.value_or(0));
     stage.open(info, width, height);
     stage.setDensity(command.density);
     stage.begin(command.knobs, command.changes);
@@ -155,6 +160,28 @@ void printVersus(const Command& command) {
 
 // ---- A plot of one scene
 
+namespace {
+
+// By rsvg-convert, in twice the SVG's size, so that a slide may enlarge it.
+std::vector<std::byte> pngOf(const std::string& svg) {
+    const ScratchFolder scratch("plot");
+    const std::string from = (scratch.path() / "plot.svg").string(), to = (scratch.path() / "plot.png").string();
+    writeFileAtomically(from, svg);
+    std::vector<std::string> words{"rsvg-convert", "--zoom", "2", "--output", to, from};
+    std::vector<char*> argv;
+    for (std::string& word : words) argv.push_back(word.data());
+    argv.push_back(nullptr);
+    pid_t process = 0;
+    int status = ::posix_spawnp(&process, argv[0], nullptr, nullptr, argv.data(), environ);
+    while (status == 0 && ::waitpid(process, &status, 0) < 0 && errno == EINTR) {
+    }
+    if (status != 0) throw Error("rsvg-convert", "must make a PNG of the plot; it says why above");
+    constexpr std::size_t mostBytes = 64U << 20;
+    return readFile(to, mostBytes);
+}
+
+}  // namespace
+
 void writePlot(const Command& command) {
     const std::string& name = command.demo->name;
     std::optional<StudyRun> run = committedStudy(name);
@@ -167,7 +194,14 @@ void writePlot(const Command& command) {
     if (!command.plotScene.empty() && std::find(scenes.begin(), scenes.end(), command.plotScene) == scenes.end())
         throw UsageError("--plot", "must name a scene of the study: " + all, "'" + command.plotScene + "'");
     std::erase_if(run->rows, [&](const StudyRow& row) { return row.scene != command.plotScene && scenes.size() > 1; });
-    writeFileAtomically(command.plot, studySvg(*run));
+    const std::string svg = studySvg(*run);
+    if (command.plot.ends_with(".svg")) return writeFileAtomically(command.plot, svg);
+    if (!isInPath("rsvg-convert"))
+        throw Error("--plot",
+                    "needs rsvg-convert for a PNG, which is not installed (sudo apt install librsvg2-bin); "
+                    "FILE.svg needs nothing");
+    requireWritable(command.plot);
+    writeFileAtomically(command.plot, pngOf(svg));
 }
 
 }  // namespace mv

@@ -70,7 +70,7 @@ void render(const Command& command) {
     const int height = command.height ? command.height : info.height;
     if (!command.compareKnob.empty()) requireRoomToCompare(width, height);
     listenToDriver(command.report != ReportForm::none || command.until.has_value());
-    stage.setSamples(command.samples);
+    stage.setSamples(command.samples.value_or(0));
     stage.open(info, width, height);
     stage.setDensity(command.density);
     stage.begin(command.knobs, command.changes);

@@ -76,10 +76,14 @@ Wish show(Window& window, Gui& gui, Screen& screen, bool reporting) {
     for (;;) {
         const bool hidden = window.hidden();
         const bool awake = !hidden && (settling > 0 || screen.moving() || screen.pending() || window.eventsLeft());
-        for (const Event& event : window.waitForEvents(awake ? 0 : idleSeconds)) {
+        for (const Event& event : window.waitForEvents(awake ? 0 : std::min(idleSeconds, gui.untilTip()))) {
             if (!isOfTheWindow(window, gui, event)) screen.handle(event);
             gui.feed(event);
             settling = framesToSettle;
+            due = true;
+        }
+        if (!hidden && gui.untilTip() <= 0) {
+            settling = std::max(settling, 2);  // a tooltip's size is known to its second frame
             due = true;
         }
         const auto now = Clock::now();

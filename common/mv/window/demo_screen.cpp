@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <iostream>
 
+#include "mv/formatted.h"
 #include "mv/gl/program.h"
 #include "mv/gl/shader_folder.h"
 #include "mv/image/png.h"
@@ -21,9 +22,13 @@ namespace mv {
 namespace {
 
 constexpr double panelUnits = 360;    // pixels at ordinary density
+constexpr double edgeReach = 4;       // likewise: so near to the panel's edge the mouse takes it
 constexpr double dividerReach = 8;    // pixels at ordinary density: so near to it the mouse takes the divider
 constexpr double dividerStep = 0.02;  // of the picture's width, with [ and ]
 constexpr double reloadSeconds = 0.25;
+constexpr double mostMilliseconds =
+    8;  // of a frame with smooth edges that are chosen by themselves: half of one at 60 a second
+constexpr double mostOfScreen = 0.8;  // of its height, that a window takes as it opens
 
 constexpr ImGuiWindowFlags fixedWindow = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
@@ -41,6 +46,10 @@ SessionStart startOf(const Command& command) {
             .until = command.until};
 }
 
+// A window that reports is driven by a program, which wants the same on every machine: it has what the command line says, and nothing
+// that depends on how fast the machine is or how large its screen.
+bool forPeople(const Command& command) { return command.report == ReportForm::none; }
+
 }  // namespace
 
 DemoScreen::DemoScreen(Window& window, Gui& gui, Stage& stage, const Command& command, bool menu, bool fromMenu)
@@ -51,13 +60,16 @@ DemoScreen::DemoScreen(Window& window, Gui& gui, Stage& stage, const Command& co
       session_(stage, *command.demo, startOf(command)),
       report_(command.report),
       density_(command.density),
+      samples_(command.samples),
+      choosesSamples_(forPeople(command) && !command.samples && !command.until && info_.needs.samples == 0),
       program_(command.program),
+
       menu_(menu),
       fromMenu_(fromMenu),
       knobs_(gui, session_),
       study_(*command.demo, gui, stage.driver().renderer),
       steps_(window, stage, session_) {
-    session_.setSamples(command.samples);
+    session_.setSamples(command.samples.value_or(0));
     const bool sizeGiven = command.width > 0;
     const int width = stage_.front().width(), height = stage_.front().height();
     if (!command.compareKnob.empty()) {
@@ -69,13 +81,36 @@ DemoScreen::DemoScreen(Window& window, Gui& gui, Stage& stage, const Command& co
     const double units = (sizeGiven ? 1 : window_.contentScale()) / window_.size().pixelsPerUnit();
     const double panel = panelPixels() / window_.size().pixelsPerUnit();
     window_.setTitle("mvgl: " + info_.name);
-    window_.show(static_cast<int>(std::lround(width * units + panel)), static_cast<int>(std::lround(height * units)),
-                 !sizeGiven);
+    const double grown = sizeGiven || !forPeople(command) ? 1 : room(width * units, height * units, panel);
+    window_.show(static_cast<int>(std::lround(width * units * grown + panel)),
+                 static_cast<int>(std::lround(height * units * grown)), !sizeGiven);
+}
+
+// How many times as large a picture is to open, beside a panel: so that the panel shows settings and readouts at once.
+double DemoScreen::room(double width, double height, double panel) const {
+    const std::optional<WorkArea> area = window_.workArea();
+    if (!area) return 1;
+    return std::max(1.0, std::min(mostOfScreen * area->height / height, (area->width - panel) / width));
 }
 
 // ---- What the user does
 
-double DemoScreen::panelPixels() const { return panelUnits * window_.contentScale() * gui_.zoom(); }
+double DemoScreen::panelPixels() const {
+    return std::max(panelUnits, panelWidth_) * window_.contentScale() * gui_.zoom();
+}
+
+bool DemoScreen::overPanelEdge(double x) const {
+    const double edge = pictureWidth() / window_.size().pixelsPerUnit();
+    return panelShown_ && !gui_.popupOpen() && pictureWidth() > 0 &&
+           std::abs(x - edge) <= edgeReach * double(gui_.scale());
+}
+
+// The panel's left edge goes there, in window coordinates: not narrower than it opened, and a quarter is left to the picture.
+void DemoScreen::widenPanel(double edge) {
+    const double width = window_.size().width();
+    const double pixels = (width - std::max(edge, width / 4)) * window_.size().pixelsPerUnit();
+    panelWidth_ = pixels / (window_.contentScale() * gui_.zoom());
+}
 
 int DemoScreen::pictureWidth() const {
     if (!panelShown_) return window_.size().pixelWidth();
@@ -118,8 +153,11 @@ void DemoScreen::handle(const Event& event) {
             return onKey(event);
         case Event::Kind::press:
             dropError_.clear();  // it has been read
+            hint_ = false;
             if (overPicture(event.x)) leavePanel();
             if (event.key != GLFW_MOUSE_BUTTON_LEFT) break;
+            draggingPanel_ = overPanelEdge(event.x);
+            if (draggingPanel_) break;
             draggingDivider_ = overDivider(event.x);
             if (overPicture(event.x) && !draggingDivider_ &&
                 !handles_.press(session_.demo(), shownFrame(), pictureInWindow().pixel(event.x, event.y),
@@ -131,11 +169,12 @@ void DemoScreen::handle(const Event& event) {
             break;
         case Event::Kind::release:
             if (event.key != GLFW_MOUSE_BUTTON_LEFT) break;
-            draggingDivider_ = false;
+            draggingDivider_ = draggingPanel_ = false;
             handles_.release();
             session_.pointerUp();
             break;
         case Event::Kind::move:
+            if (draggingPanel_) widenPanel(event.x);
             if (draggingDivider_) moveDivider(event.x);
             if (handles_.drag(session_.demo(), shownFrame(), pictureInWindow().pixel(event.x, event.y)))
                 session_.touch();
@@ -174,6 +213,7 @@ void DemoScreen::onDrop(const std::string& file) {
 
 void DemoScreen::onKey(const Event& event) {
     dropError_.clear();
+    hint_ = false;
     // The field first: newer Dear ImGui may give it the keyboard back only frames after a refusal.
     if (event.key == GLFW_KEY_ESCAPE && knobs_.fieldOpen()) return knobs_.closeField();
     if (gui_.typing()) return;
@@ -201,7 +241,10 @@ void DemoScreen::onKey(const Event& event) {
     if (control && pressed == key('Z'))
         return (event.modifiers & GLFW_MOD_SHIFT) != 0 ? recall(future_, past_) : recall(past_, future_);
     if (event.repeat) return;
-    if (pressed == key('H')) panelShown_ = !panelShown_;
+    if (pressed == key('H')) {
+        panelShown_ = !panelShown_;
+        hint_ = !panelShown_;
+    }
     if (pressed == key('S')) save();
     if (event.key == GLFW_KEY_SPACE) session_.playback().toggle();
     if (event.key == GLFW_KEY_BACKSPACE && menu_) wish_ = {Wish::Kind::menu};
@@ -322,9 +365,36 @@ void DemoScreen::showPicture() {
     if (shown) shown->blitToWindow(0, window_.size().pixelHeight() - shown->height());
 }
 
+// Smooth edges for a window that nobody has told, where they leave a frame time enough: tried with the picture that it opens with.
+void DemoScreen::chooseSamples() {
+    choosesSamples_ = false;
+    // What the processor makes in passes has no edges of OpenGL's, and what takes so long without is not tried with.
+    const double compiling = 200;  // ms that a first frame may take for it
+    if (session_.passes() > 0 || comparison_.on() || !session_.error().empty() ||
+        session_.lastMilliseconds() > compiling || session_.times(1).medianMs > mostMilliseconds)
+        return;
+    const auto measured = [&] {
+        return std::ranges::count_if(session_.demo().readouts(),
+                                     [](const Readout* readout) { return readout->value().has_value(); });
+    };
+    const auto before = measured();
+    session_.setSamples(4);
+    redraw();
+    // Of the later ones, since the first allocates; and some readouts cannot be had of such a picture
+    const double milliseconds = session_.times(3).medianMs;
+    const bool isSmooth = session_.error().empty() && measured() == before && milliseconds < mostMilliseconds;
+    whySamples_ = formatted("%.1f ms a frame with them, as it opened: ", milliseconds) + (isSmooth ? "on" : "off");
+    if (isSmooth) return;
+    session_.setSamples(0);
+    redraw();
+}
+
 void DemoScreen::draw() {
     session_.setDensity(std::max({1.0, window_.contentScale(), density_}));
-    if (pictureWidth() > 0 && session_.due(pictureWidth(), window_.size().pixelHeight())) redraw();
+    if (pictureWidth() > 0 && session_.due(pictureWidth(), window_.size().pixelHeight())) {
+        redraw();
+        if (choosesSamples_) chooseSamples();
+    }
     if (shownTarget())
         steps_.outline(std::clamp(static_cast<int>(std::lround(2 * window_.size().pixelsPerUnit())), 1, 16));
     showPicture();
@@ -347,6 +417,8 @@ void DemoScreen::draw() {
     handled_ = showHandles(handles_, session_.demo(), shownFrame(), pictureInWindow(),
                            overPicture(double(ImGui::GetMousePos().x)), gui_);
     showDividerHandle();
+    if (draggingPanel_ || overPanelEdge(double(ImGui::GetMousePos().x)))
+        ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     remember();
     gui_.end();
 }
@@ -390,7 +462,7 @@ void DemoScreen::showPanel() {
 // With the panel away, what went wrong is still told: over the picture's lower edge.
 void DemoScreen::showOverlay() {
     const std::vector<Message> shown = messages(true);
-    if (shown.empty()) return;
+    if (shown.empty()) return hint_ ? showHint() : void();
     const auto width = float(window_.size().width()), height = float(window_.size().height());
     const float padding = ImGui::GetStyle().WindowPadding.x;
     const float tall = messagesHeight(shown, width - 2 * padding, height * 0.5F) + 2 * padding;
@@ -399,6 +471,18 @@ void DemoScreen::showOverlay() {
     ImGui::Begin("overlay", nullptr, fixedWindow);
     showMessages(shown, 0);
     ImGui::End();
+}
+
+// The way back, faint in a corner until something else is done.
+void DemoScreen::showHint() {
+    const std::string words = std::string(isBound(session_.demo(), 'H') ? "Ctrl+H" : "H") + ": the panel again";
+    const ImVec2 padding = ImGui::GetStyle().FramePadding, size = ImGui::CalcTextSize(words.c_str());
+    const ImVec2 low{padding.x, float(window_.size().height()) - size.y - 3 * padding.y};
+    const ImVec2 high{low.x + size.x + 2 * padding.x, low.y + size.y + 2 * padding.y};
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    list.AddRectFilled(low, high, ImGui::GetColorU32(ImGuiCol_WindowBg, 0.7F), ImGui::GetStyle().FrameRounding);
+    list.AddText({low.x + padding.x, low.y + padding.y}, ImGui::GetColorU32(ImGuiCol_Text, 0.9F), words.c_str());
+    notePlace("hint", {low.x, low.y, high.x, high.y});
 }
 
 // A grip on the line between the two pictures; the mouse over it shows which way it goes.
@@ -492,21 +576,32 @@ std::string DemoScreen::defaultName() const {
 
 std::string DemoScreen::commandLine(const std::string& start) const {
     const Target& target = stage_.front();
+    const std::optional<int> until = comparison_.on() ? std::optional<int>() : session_.until();
+    // None is said where somebody asked for none: a window would choose
+    std::optional<int> samples;
+    if (stage_.samples() > info_.needs.samples || (samples_ && info_.needs.samples == 0 && !until))
+        samples = stage_.samples();
     return copyableCommand(start, info_, session_.demo(), session_.drawnFrame(), target.width(), target.height(),
-                           comparison_.on() ? comparison_.compared() : ComparedKnob{}, &stage_.timeline(),
-                           comparison_.on() ? std::optional<int>() : session_.until(), stage_.density(),
-                           stage_.samples() - info_.needs.samples);
+                           comparison_.on() ? comparison_.compared() : ComparedKnob{}, &stage_.timeline(), until,
+                           stage_.density(), samples);
+}
+
+void DemoScreen::showSmoothEdges() {
+    bool smooth = stage_.samples() > 0;
+    ImGui::BeginDisabled(session_.until().has_value());
+    if (ImGui::Checkbox("smooth edges", &smooth)) {
+        samples_ = smooth ? 4 : 0;
+        session_.setSamples(*samples_);
+        whySamples_.clear();
+    }
+    notePlace("smooth edges");
+    ImGui::EndDisabled();
+    tooltip("four samples for each pixel (--multisample 4); a frame that is stopped after a draw has one");
+    if (!whySamples_.empty()) wrapped(color::dim, whySamples_);
 }
 
 void DemoScreen::showFile() {
-    if (info_.needs.samples == 0) {
-        bool smooth = stage_.samples() > 0;
-        ImGui::BeginDisabled(session_.until().has_value());
-        if (ImGui::Checkbox("smooth edges", &smooth)) session_.setSamples(smooth ? 4 : 0);
-        notePlace("smooth edges");
-        ImGui::EndDisabled();
-        tooltip("four samples for each pixel (--multisample 4); a frame that is stopped after a draw has one");
-    }
+    if (info_.needs.samples == 0) showSmoothEdges();
     bool light = gui_.light();
     if (ImGui::Checkbox("light panel", &light)) gui_.setLight(light);
     notePlace("light panel");

@@ -50,6 +50,9 @@ class DemoScreen final : public Screen {
     void remember();
     void recall(std::vector<std::vector<KnobSetting>>& from, std::vector<std::vector<KnobSetting>>& to);
     double panelPixels() const;
+    bool overPanelEdge(double x) const;
+    void widenPanel(double edge);
+    double room(double width, double height, double panel) const;
     void onDrop(const std::string& file);
     void reloadShaders();
     void redraw(bool whole = false);  // with all passes of the picture, or one more
@@ -59,7 +62,10 @@ class DemoScreen final : public Screen {
     void showPanel();
     void showPanelContent();
     void showOverlay();
+    void showHint();
     void showFile();
+    void showSmoothEdges();
+    void chooseSamples();
     void save();
     void copyCommand();
     void showFiles();
@@ -75,8 +81,11 @@ class DemoScreen final : public Screen {
     const DemoInfo& info_;
     Session session_;
     ReportForm report_;
-    double density_;       // asked for
-    std::string program_;  // how it was started
+    double density_;              // asked for
+    std::optional<int> samples_;  // asked for by the command line or the switch
+    bool choosesSamples_;         // with the first picture
+    std::string whySamples_;      // what was chosen, and by which time of a frame
+    std::string program_;         // how it was started
     bool menu_, fromMenu_;
     KnobPanel knobs_;
     Comparison comparison_;
@@ -85,7 +94,9 @@ class DemoScreen final : public Screen {
     HandleInput handles_;
     std::string handled_;  // what the hand is on
 
-    bool panelShown_ = true;
+    bool panelShown_ = true, hint_ = false;
+    double panelWidth_ = 0;  // asked for, in pixels at ordinary density; 0: as it opens
+    bool draggingPanel_ = false;
     int panelComes_ = 0;  // frames until the keys that have gone to the panel are seen there
     std::vector<std::vector<KnobSetting>> past_, future_;  // settings, to go back and forth
     std::vector<KnobSetting> present_;

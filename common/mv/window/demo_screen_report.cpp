@@ -35,6 +35,7 @@ void DemoScreen::report(const WindowState& state) {
     window["hovered"] = handled_;
     if (steps_.outlined()) window["outlined"] = *steps_.outlined();
     window["focused"] = gui_.focused();
+    window["tip"] = gui_.tip();
     if (study_.any()) {
         window["study"] = study_.origin();
         window["here"] = study_.here(session_.demo());

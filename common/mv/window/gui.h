@@ -6,6 +6,8 @@
 #include <map>
 #include <string>
 
+#include "mv/window/colors.h"
+#include "mv/window/folds.h"
 #include "mv/window/window.h"
 
 namespace mv {
@@ -13,11 +15,6 @@ namespace mv {
 // The places of a frame's widgets, for those who drive the window by program: name -> upper left and lower right corner
 // in window coordinates.
 using Places = std::map<std::string, ImVec4>;
-
-// Colours of words that mean something, as Gui::setLight() has them.
-namespace color {
-inline ImVec4 dim, heading, note, error, noteBack, errorBack;
-}  // namespace color
 
 class Gui {
   public:
@@ -55,6 +52,15 @@ class Gui {
     // Asked inside of an open list.
     bool wantsPopupClosed() const { return closePopup_; }
 
+    // Whether words about the widget that stands there, under the mouse, are due: it has rested on it for a moment.
+    bool tipDue(const ImVec2& corner);
+    // Seconds until such words are to be drawn; infinity where none wait.
+    double untilTip() const;
+    // Those that are shown; "" for none.
+    const std::string& tip() const { return tip_; }
+    void setTip(const std::string& text) { tip_ = text; }
+    Folds& folds() { return folds_; }
+
     // The places of the widgets of the last frame, as notePlace() was told; --window --report=json prints them.
     const Places& places() const { return places_; }
     void forgetPlaces() { places_.clear(); }
@@ -75,6 +81,11 @@ class Gui {
     bool navigating_ = false;
     int tabAs_ = 0;                   // the key that Tab went down as
     std::string focused_, focusing_;  // of the last frame, and of this one so far
+    ImVec2 tipCorner_{};
+    bool tipAsked_ = false, tipShown_ = false;
+    double tipSince_ = 0;  // seconds of GLFW's clock
+    std::string tip_;
+    Folds folds_;
     Places places_;
 };
 
@@ -83,7 +94,8 @@ void notePlace(const std::string& name);
 void notePlace(const std::string& name, const ImVec4& place);
 // A button whose place is noted under its label.
 bool button(const char* label, ImVec2 size = {0, 0});
-// Words about the last widget while the mouse is on it, also where it is disabled: left of the panel, or under the widget.
+// Words about the last widget once the mouse has rested on it for half a second, also where it is disabled: left of the panel, or
+// under the widget. No button of the mouse is down meanwhile.
 void tooltip(const std::string& text);
 // The widget that the keys are at is framed from now on, also where the mouse has just moved.
 void showFocus();

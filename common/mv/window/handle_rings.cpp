@@ -56,7 +56,7 @@ std::string showHandles(HandleInput& hand, const Demo& demo, const FrameInfo& fr
         if (!mouseOver && !hand.holds() && !hand.picks()) continue;
         // Light within dark, to be seen on any picture
         list.AddCircle(middle, radius, ImGui::GetColorU32(ImGuiCol_WindowBg), 0, (place.active ? 5.0F : 3.5F) * scale);
-        list.AddCircle(middle, radius, ImGui::GetColorU32(place.active ? ImGuiCol_SliderGrabActive : ImGuiCol_Text), 0,
+        list.AddCircle(middle, radius, ImGui::GetColorU32(place.active ? ImGuiCol_CheckMark : ImGuiCol_Text), 0,
                        (place.active ? 2.5F : 1.5F) * scale);
     }
     if (hand.isOver() || hand.holds()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);

@@ -61,13 +61,26 @@ bool KnobPanel::show(Comparison& comparison, const std::vector<std::string>& ref
     }
     // A very long name goes above its widget instead of leaving the widget no room.
     labelWidth = std::min(labelWidth, ImGui::GetContentRegionAvail().x * 0.4F) + ImGui::GetStyle().ItemSpacing.x;
-    bool moved = false;
-    for (Knob* knob : demo.knobs()) {
-        const bool compared = knob == comparison.knob();
-        ImGui::PushID(knob->name().c_str());
-        moved |= row(*knob, labelWidth, compared ? sideA : "");
-        if (compared) moved |= otherRow(*knob, labelWidth, comparison);
-        ImGui::PopID();
+    // No row goes from under a hand that moves something
+    if (!ImGui::IsAnyMouseDown() && typed_.empty() && sweep_.empty()) {
+        idle_.clear();
+        for (const Knob* knob : demo.knobs()) {
+            if (!knob->idleReason().empty() && knob != comparison.knob()) idle_.push_back(knob);
+        }
+    }
+    std::vector<Knob*> working, idle;
+    for (Knob* knob : demo.knobs()) (std::ranges::find(idle_, knob) == idle_.end() ? working : idle).push_back(knob);
+    bool moved = rows(working, labelWidth, comparison);
+    if (!idle.empty()) {
+        const std::string words = std::to_string(idle.size()) + (idle.size() == 1 ? " that does" : " that do") +
+                                  " nothing in these settings###idle";
+        const bool open =
+            ImGui::TreeNodeEx(words.c_str(), ImGuiTreeNodeFlags_NoTreePushOnOpen | ImGuiTreeNodeFlags_SpanAvailWidth);
+        notePlace("idle settings");
+        std::string names;
+        for (const Knob* knob : idle) names += (names.empty() ? "" : ", ") + knob->name();
+        tooltip(names);
+        if (open) moved |= rows(idle, labelWidth, comparison);
     }
     const bool initial = std::all_of(demo.knobs().begin(), demo.knobs().end(), [](Knob* k) { return k->isInitial(); });
     ImGui::BeginDisabled(initial);
@@ -77,6 +90,18 @@ bool KnobPanel::show(Comparison& comparison, const std::vector<std::string>& ref
         moved = true;
     }
     ImGui::EndDisabled();
+    return moved;
+}
+
+bool KnobPanel::rows(const std::vector<Knob*>& knobs, float labelWidth, Comparison& comparison) {
+    bool moved = false;
+    for (Knob* knob : knobs) {
+        const bool compared = knob == comparison.knob();
+        ImGui::PushID(knob->name().c_str());
+        moved |= row(*knob, labelWidth, compared ? sideA : "");
+        if (compared) moved |= otherRow(*knob, labelWidth, comparison);
+        ImGui::PopID();
+    }
     return moved;
 }
 
@@ -140,6 +165,13 @@ bool KnobPanel::row(Knob& knob, float labelWidth, const std::string& side) {
         }
         notePlace("reset " + rowName_);
         tooltip("back to " + knob.initialText());
+    }
+    if (isBar && sweep_ == rowName_) {
+        ImGui::SetCursorPosX(left + labelWidth);
+        ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - resetWidth - style.ItemSpacing.x);
+        ImGui::SliderFloat("##seconds", &sweepSeconds_, 1, 60, "%.1f s there, as long back",
+                           ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoInput);
+        notePlace("sweep seconds");
     }
     if (typing && !refusal_.empty()) wrapped(color::error, refusal_);
     for (const Option& option : knob.options()) {
@@ -231,13 +263,15 @@ bool KnobPanel::bar(const Knob& knob, double& value, double low, double high, do
     if (sweep_ == rowName_) return value != before;
     if (shown == before || !ImGui::IsItemActive()) return false;
     value = std::clamp(rounded(shown, static_cast<int>(digits)), low, high);
+    // An arrow key moves by a hundredth of the bar; where that is less than the bar tells apart, by as much as it does
+    if (value == before && !ImGui::IsMouseDown(ImGuiMouseButton_Left))
+        value = std::clamp(before + std::copysign(std::pow(10, -digits), shown - before), low, high);
     return value != before;
 }
 
-// Four seconds there and four back.
 bool KnobPanel::advance(double seconds) {
     if (sweep_.empty()) return false;
-    place_ += (backwards_ ? -1 : 1) * seconds / 4;
+    place_ += (backwards_ ? -1 : 1) * seconds / double(sweepSeconds_);
     if (place_ >= 1 || place_ <= 0) backwards_ = place_ >= 1;
     place_ = std::clamp(place_, 0.0, 1.0);
     hasMoved_ = true;
@@ -247,7 +281,7 @@ bool KnobPanel::advance(double seconds) {
 void KnobPanel::sweepButton(float width) {
     const bool isOn = sweep_ == rowName_;
     ImGui::PushID("sweep");
-    if (ImGui::Button(isOn ? "\u25A0" : "\u25B6", {width, 0})) {
+    if (ImGui::Button(isOn ? "\u25A0###" : "\u25B6###", {width, 0})) {
         sweep_ = isOn ? "" : rowName_;
         place_ = barPlace_;
         backwards_ = false;

@@ -16,7 +16,7 @@ class KnobPanel {
     KnobPanel(Gui& gui, Session& session) : gui_(gui), session_(session) {}
 
     // A row for each knob: name, widget, unit, and a button that sets it back; a second row for the other value of the
-    // one that is compared. True when one was moved.
+    // one that is compared. Those that do nothing now are folded below. True when one was moved.
     // `refused`: names of knobs whose values make no picture together.
     bool show(Comparison& comparison, const std::vector<std::string>& refused);
     // A bar that goes there and back by itself; true while it does.
@@ -30,6 +30,7 @@ class KnobPanel {
   private:
     bool row(Knob& knob, float labelWidth, const std::string& side);
     bool otherRow(Knob& knob, float labelWidth, Comparison& comparison);
+    bool rows(const std::vector<Knob*>& knobs, float labelWidth, Comparison& comparison);
     // The widget of a knob. True when it was moved.
     bool widget(Knob& knob);
     bool slider(const Knob& knob, double& value);
@@ -55,9 +56,11 @@ class KnobPanel {
     std::string refusal_;
     bool focusField_ = false;
     std::vector<std::string> refused_;
-    std::string sweep_;    // the row whose bar goes by itself; "" for none
-    double place_ = 0;     // of it, 0..1
-    double barPlace_ = 0;  // of the bar that was made last
+    std::vector<const Knob*> idle_;  // what does nothing now, as of when nothing was moved
+    std::string sweep_;              // the row whose bar goes by itself; "" for none
+    double place_ = 0;               // of it, 0..1
+    float sweepSeconds_ = 4;         // there, and as long back
+    double barPlace_ = 0;            // of the bar that was made last
     bool backwards_ = false, hasMoved_ = false;
 };
 

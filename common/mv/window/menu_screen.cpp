@@ -215,7 +215,7 @@ void MenuScreen::showCard(const DemoInfo& info, float width, float height, float
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float rounding = 2 * ImGui::GetStyle().FrameRounding;
     list.AddRectFilled(low, high, ImGui::GetColorU32(hovered ? ImGuiCol_HeaderHovered : ImGuiCol_Header), rounding);
-    if (selected) list.AddRect(low, high, ImGui::GetColorU32(ImGuiCol_SliderGrab), rounding, 0, 2 * gui_.scale());
+    if (selected) list.AddRect(low, high, ImGui::GetColorU32(ImGuiCol_CheckMark), rounding, 0, 2 * gui_.scale());
 
     const ImVec2 frame{low.x + padding, low.y + padding};
     const auto card = cards_.made.find(info.name);

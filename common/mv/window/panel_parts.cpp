@@ -157,9 +157,13 @@ bool showCompared(Comparison& comparison) {
 bool section(const char* title) {
     ImGui::Spacing();
     ImGui::PushStyleColor(ImGuiCol_Text, color::heading);
-    const bool open = ImGui::CollapsingHeader(title, ImGuiTreeNodeFlags_DefaultOpen);
+    Folds& folds = static_cast<Gui*>(ImGui::GetIO().UserData)->folds();
+    const bool folded = folds.has(title);
+    ImGui::SetNextItemOpen(!folded);
+    const bool open = ImGui::CollapsingHeader(title);
     notePlace(std::string("section ") + title);
     ImGui::PopStyleColor();
+    if (open == folded) folds.set(title, !open);
     return open;
 }
 
@@ -277,7 +281,7 @@ bool showTime(Session& session, float scale) {
     bool moved = false;
     const ImVec2 size{70 * scale, 0};
     const bool playing = playback.playing();
-    if (ImGui::Button(playing ? "Pause" : "Play", size)) playback.toggle();
+    if (ImGui::Button(playing ? "Pause###pause" : "Play###pause", size)) playback.toggle();
     notePlace("Pause");
     tooltip("or the space bar");
     ImGui::SameLine();
@@ -313,6 +317,12 @@ bool showTime(Session& session, float scale) {
     return moved;
 }
 
+bool isBound(const Demo& demo, char letter) {
+    return std::any_of(demo.bindings().begin(), demo.bindings().end(), [&](const Binding& binding) {
+        return binding.gesture == Gesture::key && binding.key == key(letter);
+    });
+}
+
 void showControls(const Demo& demo, bool animated, bool menu, bool fromMenu, bool comparing) {
     std::vector<std::pair<std::string, std::string>> lines = controlsOf(demo);
     if (!demo.handles().empty())
@@ -320,14 +330,9 @@ void showControls(const Demo& demo, bool animated, bool menu, bool fromMenu, boo
     if (std::any_of(demo.handles().begin(), demo.handles().end(),
                     [](const Handle& handle) { return bool(handle.add); }))
         lines.emplace_back("Ins, Del", "one more of what is picked or under the mouse, or one less");
-    const auto bound = [&](char letter) {
-        return std::any_of(demo.bindings().begin(), demo.bindings().end(), [&](const Binding& binding) {
-            return binding.gesture == Gesture::key && binding.key == key(letter);
-        });
-    };
     // A letter that the demo has for itself does the window's part together with Ctrl.
-    lines.emplace_back(bound('H') ? "Ctrl+H" : "H", "hide and show this panel");
-    lines.emplace_back(bound('S') ? "Ctrl+S" : "S", "save the picture");
+    lines.emplace_back(isBound(demo, 'H') ? "Ctrl+H" : "H", "hide and show this panel");
+    lines.emplace_back(isBound(demo, 'S') ? "Ctrl+S" : "S", "save the picture");
     if (comparing) lines.emplace_back("[ and ]", "move the line between A and B");
     if (animated) lines.emplace_back("Space", "pause and play");
     if (menu) lines.emplace_back("Backspace", "back to the menu");

@@ -30,6 +30,8 @@ bool showTime(Session& session, float scale);
 // How far a picture made in passes is.
 void showPasses(int done, int passes);
 
+// Whether a key of that letter is one of the demo's own.
+bool isBound(const Demo& demo, char letter);
 // The keys, drag and wheel: the demo's own, then the window's.
 void showControls(const Demo& demo, bool animated, bool menu, bool fromMenu, bool comparing);
 

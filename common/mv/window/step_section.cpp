@@ -11,8 +11,28 @@ namespace mv {
 namespace {
 
 constexpr int longestSide = 320;  // of a buffer's picture, in pixels
+constexpr int loupeReach = 5;     // pixels to each side of the one that is magnified
 
 std::string sizeText(int width, int height) { return std::to_string(width) + " x " + std::to_string(height); }
+
+// The pixels round that one, magnified, and a frame round it; `cell` is the side of each.
+void showLoupe(const Picture& picture, const glm::ivec2& pixel, ImVec2 corner, float cell) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    for (int y = -loupeReach; y <= loupeReach; ++y) {
+        for (int x = -loupeReach; x <= loupeReach; ++x) {
+            const glm::ivec2 at = pixel + glm::ivec2(x, y);
+            if (at.x < 0 || at.y < 0 || at.x >= picture.width || at.y >= picture.height) continue;
+            const std::uint8_t* rgba =
+                &picture.rgba[4 * (std::size_t(at.y) * std::size_t(picture.width) + std::size_t(at.x))];
+            const ImVec2 low{corner.x + float(x + loupeReach) * cell, corner.y + float(y + loupeReach) * cell};
+            list.AddRectFilled(low, {low.x + cell, low.y + cell}, IM_COL32(rgba[0], rgba[1], rgba[2], 255));
+        }
+    }
+    // Light within dark, to be seen on any colour
+    const ImVec2 low{corner.x + float(loupeReach) * cell, corner.y + float(loupeReach) * cell};
+    list.AddRect({low.x - 2, low.y - 2}, {low.x + cell + 2, low.y + cell + 2}, IM_COL32_BLACK);
+    list.AddRect({low.x - 1, low.y - 1}, {low.x + cell + 1, low.y + cell + 1}, IM_COL32_WHITE);
+}
 
 }  // namespace
 
@@ -140,6 +160,8 @@ void StepSection::showBuffers(const FrameSteps& steps, std::optional<glm::ivec2>
                            int((at.y - top) / (bottom - top) * float(picture.height)));
     }
     placed_.assign(buffers_.size(), {});
+    const float width = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemSpacing.x;
+    const ImVec2 top = ImGui::GetCursorPos();
     std::string values;
     for (const BufferPicture& buffer : shown.buffers) {
         const std::string value = pixel ? valueAt(buffer, pixel->x, pixel->y) : "";
@@ -151,13 +173,25 @@ void StepSection::showBuffers(const FrameSteps& steps, std::optional<glm::ivec2>
         wrapped("pixel " + std::to_string(pixel->x) + ", " + std::to_string(pixel->y) + " from the upper left" +
                 values);
     notePlace("pixel values");
-    const float width = ImGui::GetContentRegionAvail().x;
+    // As high without a pixel, so that no buffer moves from under the mouse
+    const float cell = std::floor((width - 2 * gap) / 3 / (2 * loupeReach + 1)), side = cell * (2 * loupeReach + 1);
+    const float loupes = top.y + float(shown.buffers.size() + 1) * ImGui::GetTextLineHeightWithSpacing();
+    ImGui::SetCursorPos({top.x, loupes});
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    for (std::size_t i = 0; pixel && i < shown.buffers.size(); ++i) {
+        const BufferPicture& buffer = shown.buffers[i];
+        if (valueAt(buffer, pixel->x, pixel->y).empty()) continue;
+        const ImVec2 at{corner.x + float(i) * (side + gap), corner.y};
+        showLoupe(buffer.picture, *pixel, at, cell);
+        notePlace("loupe " + buffer.name, {at.x, at.y, at.x + side, at.y + side});
+    }
+    ImGui::Dummy({width, side});
     for (std::size_t i = 0; i < buffers_.size(); ++i) {
         const BufferPicture& buffer = shown.buffers[i];
         wrapped(color::dim, buffer.name + ": " + buffer.range);
         if (buffer.picture.rgba.empty()) continue;
-        const float side = std::min(width, width * float(buffers_[i].width()) / float(buffers_[i].height()));
-        ImGui::Image(buffers_[i].imguiId(), {side, side * float(buffers_[i].height()) / float(buffers_[i].width())});
+        const float wide = std::min(width, width * float(buffers_[i].width()) / float(buffers_[i].height()));
+        ImGui::Image(buffers_[i].imguiId(), {wide, wide * float(buffers_[i].height()) / float(buffers_[i].width())});
         notePlace("buffer " + buffer.name);
         const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
         placed_[i] = {low.x, low.y, high.x, high.y};

@@ -230,12 +230,12 @@ void StudySection::chooseScene() {
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
     const bool open = ImGui::BeginCombo("##scene", ("Scene: " + scenes_[scene_]).c_str());
     if (!open) {
-        notePlace("scene");
+        notePlace("plot scene");
         return;
     }
     for (std::size_t i = 0; i < scenes_.size(); ++i) {
         if (ImGui::Selectable(scenes_[i].c_str(), i == scene_)) scene_ = i;
-        notePlace("scene " + scenes_[i]);
+        notePlace("plot scene " + scenes_[i]);
     }
     if (gui_.wantsPopupClosed()) ImGui::CloseCurrentPopup();
     ImGui::EndCombo();

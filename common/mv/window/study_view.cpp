@@ -62,7 +62,8 @@ ImVec2 onScreen(double x, double y) { return {static_cast<float>(x), static_cast
 
 // ---- The plot's frame
 
-constexpr float plotHeight = 230;  // pixels at ordinary density
+constexpr float plotHeight = 230;      // pixels at ordinary density, at least
+constexpr float plotPartHigh = 0.65F;  // of its width, in a wide panel
 
 double widthOf(const std::string& text) { return double(ImGui::CalcTextSize(text.c_str()).x); }
 
@@ -81,7 +82,7 @@ std::optional<Plot> layOut(const StudyRun& run, const std::string& scene, ImVec2
     plot.space.mark = 4 * double(scale);
     plot.space.width = widthOf;
     plot.low = {corner.x, corner.y + 1.6F * plot.line};
-    plot.high = {corner.x + width, plot.low.y + plotHeight * scale};
+    plot.high = {corner.x + width, plot.low.y + std::max(plotHeight * scale, plotPartHigh * width)};
     const auto setArea = [&] {
         plot.space.area = {double(plot.low.x), double(plot.low.y), double(plot.high.x), double(plot.high.y)};
     };
@@ -290,8 +291,15 @@ StudyPlotClick showStudyPlot(const StudyRun& run, const std::string& scene, cons
         return {};
     }
     const bool clicked = ImGui::InvisibleButton("plot", {width, plot->high.y - corner.y + 2 * plot->line + 6 * scale});
-    const bool over = ImGui::IsItemHovered();
+    notePlace("plot");
     ImDrawList& list = *ImGui::GetWindowDrawList();
+    // The keys are at it, or have pressed it; to Dear ImGui it is hovered then, too
+    const bool byKeys = clicked && !ImGui::IsMouseReleased(ImGuiMouseButton_Left);
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    const bool over = !byKeys && ImGui::IsItemHovered() && ImGui::IsMouseHoveringRect(low, high);
+    if (ImGui::IsItemFocused() && (ImGui::GetIO().ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard) != 0)
+        list.AddRect({low.x - 2, low.y - 2}, {high.x + 2, high.y + 2}, ImGui::GetColorU32(ImGuiCol_NavHighlight), 0, 0,
+                     2 * scale);
     drawFrame(list, run, *plot, corner, scale);
     noteAxes(*plot, corner);
     const Chart& chart = plot->chart;
@@ -340,6 +348,11 @@ StudyPlotClick showStudyPlot(const StudyRun& run, const std::string& scene, cons
         besidePlot(*plot, corner, [&](float tipWidth) { rowTip(run, run.rows[nearest->row], tipWidth); });
         ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
         if (clicked) click.row = nearest->row;
+    }
+    if (byKeys && !chart.points.empty()) {  // one point after the other
+        const auto at =
+            std::ranges::find_if(chart.points, [&](const ChartPoint& point) { return marks.here == point.row; });
+        click.row = (at == chart.points.end() || at + 1 == chart.points.end() ? chart.points.front() : *(at + 1)).row;
     }
     showLegend(run, *plot, marks, scale);
     return click;

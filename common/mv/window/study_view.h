@@ -23,8 +23,8 @@ struct StudyPlotClick {
     std::optional<StudyBound> bound;
 };
 
-// Draws the rows of one scene, a line a method, with a legend below; the mouse over a point shows its row beside the plot. A
-// row's place is noted as "point METHOD PARAMETER", those of the axes as "error axis", "error axis 0" and "time axis".
+// Draws the rows of one scene, a line a method, with a legend below; the mouse over a point shows its row beside the plot, and a press by the keyboard
+// takes the next one. A row's place is noted as "point METHOD PARAMETER", those of the axes as "error axis", "error axis 0" and "time axis".
 StudyPlotClick showStudyPlot(const StudyRun& run, const std::string& scene, const StudyPlotMarks& marks, float scale);
 
 // "map, 1 tap 1024"

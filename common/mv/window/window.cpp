@@ -173,15 +173,20 @@ void* Window::address(const char* function) const { return reinterpret_cast<void
 
 void Window::setTitle(const std::string& title) { glfwSetWindowTitle(handle_, title.c_str()); }
 
+std::optional<WorkArea> Window::workArea() const {
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    if (!monitor) return {};
+    int x = 0, y = 0;
+    WorkArea area;
+    glfwGetMonitorWorkarea(monitor, &x, &y, &area.width, &area.height);
+    return area.width > 0 && area.height > 0 ? std::optional(area) : std::nullopt;
+}
+
 void Window::show(int width, int height, bool fit) {
     if (!glfwGetWindowAttrib(handle_, GLFW_MAXIMIZED)) {
-        if (GLFWmonitor* monitor = fit ? glfwGetPrimaryMonitor() : nullptr) {
-            int x = 0, y = 0, widest = 0, highest = 0;
-            glfwGetMonitorWorkarea(monitor, &x, &y, &widest, &highest);
-            if (widest > 0 && highest > 0) {
-                width = std::min(width, widest);
-                height = std::min(height, highest);
-            }
+        if (const auto area = fit ? workArea() : std::nullopt) {
+            width = std::min(width, area->width);
+            height = std::min(height, area->height);
         }
         glfwSetWindowSize(handle_, width, height);
     }

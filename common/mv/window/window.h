@@ -1,6 +1,7 @@
 // The window: GLFW, the OpenGL context in it, and what the user did to it.
 #pragma once
 #include <deque>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,11 @@ struct Inputs {
     double mouseX = 0, mouseY = 0;          // where the last event had the mouse, in window coordinates
 };
 
+// What a screen has for windows, in window coordinates.
+struct WorkArea {
+    int width = 0, height = 0;
+};
+
 class Window final : public Context {
   public:
     // Opens a window, still hidden, with a core context of the highest version the driver gives, and makes that
@@ -48,6 +54,8 @@ class Window final : public Context {
     // Asks for an inner size in window coordinates, and shows the window. A maximised window stays as it is.
     // With `fit`, never larger than the screen.
     void show(int width, int height, bool fit);
+    // Of the first screen; nothing where the window system does not tell.
+    std::optional<WorkArea> workArea() const;
     // Over the whole screen, or back to where it was.
     void toggleFullScreen();
     void copyToClipboard(const std::string& text);
