@@ -7,7 +7,7 @@ build=$root/build
 run_packages=(g++ cmake ninja-build libglfw3-dev libimgui-dev libglm-dev libeigen3-dev libstb-dev libpng-dev
   libjpeg-dev libcli11-dev nlohmann-json3-dev libgl-dev libegl-dev libegl1 libgl1-mesa-dri fonts-dejavu-core
   libosmesa6)
-site_packages=(nodejs cmark-gfm highlight terser)
+site_packages=(nodejs cmark-gfm highlight esbuild)
 web_packages=(emscripten binaryen libharfbuzz-bin)
 test_packages=(git libgtest-dev libboost-dev libx11-dev xvfb x11-utils xdotool imagemagick clang-format)
 full_packages=("${site_packages[@]}" "${web_packages[@]}" chromium libgles2 mesa-vulkan-drivers clang-tidy clang libclang-rt-dev libembree-dev)

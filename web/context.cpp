@@ -4,7 +4,6 @@
 #include <emscripten/em_js.h>
 #include <emscripten/html5.h>
 
-#include <array>
 #include <cstdlib>
 #include <cstring>
 #include <map>
@@ -69,22 +68,16 @@ void* functionOf(std::string_view name) {
     return found == functions.end() ? nullptr : found->second;
 }
 
-// Those that the library asks for by hasExtension(), but for clip control, above: a page has what it has enabled, no more, and each
-// takes its time.
-constexpr std::array used = {"EXT_color_buffer_float", "EXT_float_blend", "EXT_texture_filter_anisotropic",
-                             "OES_texture_float_linear"};
-
 class WebGl final : public mv::Context {
   public:
     WebGl() {
         EmscriptenWebGLContextAttributes wanted;
         emscripten_webgl_init_context_attributes(&wanted);
-        wanted.majorVersion = 2;  // all else the page has said already, when it asked first (live.js)
+        wanted.majorVersion = 2;  // all else the page has said already, when it asked first (begin.js)
         nameCanvas();
         context_ = emscripten_webgl_create_context(mv::canvasName, &wanted);
         if (context_ <= 0) throw mv::Error("WebGL 2", "must be there; this browser, or its driver, gives none");
         emscripten_webgl_make_context_current(context_);
-        for (const char* extension : used) emscripten_webgl_enable_extension(context_, extension);
     }
     ~WebGl() override { emscripten_webgl_destroy_context(context_); }
 

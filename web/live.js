@@ -1,5 +1,5 @@
 // A demo alive in its page: the module that all pages share draws it into a canvas, where the picture was.
-import openModule from './mvgl.js';
+import openModule from 'mvgl';
 import { comparison } from './compare.js';
 import { knobRows, matrixTables, presetButtons, readoutTable, tag } from './controls.js';
 import { endless, shaderEditor } from './edit.js';
@@ -15,10 +15,6 @@ const mostShader = 100_000; // letters of a shader: what the module is handed at
 const near = 2000; // so many frames are computed at once
 const densest = 3; // pixels of the canvas for each of the page's: more of them nobody sees
 const slowest = 1000 / 30, slowFrames = 30; // milliseconds of a frame; after so many that took longer there are fewer pixels
-
-// The demo may be asked for while the page is still being read; once it is read, all of it is there, its words too.
-const isRead = performance.getEntriesByType('navigation')[0].domContentLoadedEventStart > 0;
-const read = isRead || new Promise((resolve) => document.addEventListener('DOMContentLoaded', resolve, { once: true }));
 
 // Settings as the module takes them, a line for each. (A line's end within a value is refused as part of it.)
 const lines = (settings) => Object.entries(settings).map(([knob, value]) => `${knob} ${value.replaceAll('\n', '\u21b5')}\n`).join('');
@@ -40,13 +36,12 @@ function translated(what) {
 
 // The module's functions, by their names in web/page.cpp. Texts come as texts, JSON as what it says.
 async function open(canvas) {
-  // The browser makes its context while the module is being compiled, which then asks for the same one.
-  canvas.getContext('webgl2', { alpha: false, depth: false, stencil: false, antialias: false });
-  const compiled = await globalThis.compiled;
+  begun.withContext(canvas);
+  const compiled = await begun.compiled;
   const module = await (compiled ? new Promise((resolve, reject) => openModule({ canvas, instantiateWasm(imports, made) {
     WebAssembly.instantiate(compiled, imports).then(made, reject);
     return {};
-  } }).then(resolve, reject)) : openModule({ canvas }));
+  } }).then(resolve, reject)) : openModule({ canvas, locateFile: () => begun.moduleAt }));
   const kinds = { string: 'string', number: 'number', boolean: 'boolean' };
   const call = (answer) => (name, ...given) => {
     const passed = given.map((one) => (typeof one === 'object' ? lines(one) : one));
@@ -70,32 +65,41 @@ async function open(canvas) {
   };
 }
 
-export async function live(box) {
+async function live(box) {
   const panel = box.querySelector('.panel'), isWide = box.classList.contains('is-wide');
   const name = box.dataset.demo, view = box.querySelector('.view'), shown = view.querySelector('.shown');
-  const canvas = tag('canvas', { id: 'canvas', tabindex: 0, hidden: true });
+  const canvas = Object.assign(begun.canvas, { id: 'canvas', tabIndex: 0, hidden: true });
   view.append(canvas);
   const demo = await open(canvas);
-  const opening = demo.says('Open', name, {}, 1, false);
-  if (opening) {
-    canvas.remove();
-    throw new Error(opening);
-  }
-  const what = translated({ ...demo.tells('KnobsAndPresets'), ...demo.tells('Describe') });
-  let values = {}, state = demo.tells('State'), size, slow = 0, drawnAt = 0, isCoarse = false;
+  const calm = matchMedia('(prefers-reduced-motion: reduce)').matches;
+  let what = { width: Number(shown.getAttribute('width')), height: Number(shown.getAttribute('height')) }; // until the demo is asked
+  let values = {}, state, size, slow = 0, drawnAt = 0, isCoarse = false;
   let beside = '', comparing = false; // what is said of the picture that is compared; whether it is to be drawn anew
   let shaders = { changed: () => [], apply() {} }, goal; // the editor of shaders, once there is one; a frame that is far
   let scheduled = false, told = 0, last = performance.now(), visible = true, wanted = false, lost = false, setBy = '';
 
-  // ---- the first picture, as the address says, before what stands beside it is made
+  // ---- the first picture, as the address says, before what stands beside it is made, and before the demo is asked what that is
 
+  view.style.setProperty('--wide', what.width);
+  view.style.setProperty('--high', what.height);
+  measure();
+  const opening = demo.says('Open', name, {}, 1, calm, size.width, size.height);
+  if (opening) {
+    canvas.remove();
+    throw new Error(opening);
+  }
+  const describe = () => (what = translated({ ...demo.tells('KnobsAndPresets'), ...demo.tells('Describe') }));
   // (#picture= names one of the page's pictures, or is a knob's.)
   const asked = async () => {
-    if (location.hash.startsWith('#picture=')) await read;
+    if (location.hash.startsWith('#picture=')) await begun.isRead;
     const pictured = [...document.querySelectorAll('.thumbs a')].find((link) => location.hash === `#picture=${link.dataset.name}`);
     return pictured ? fromCommand(pictured.dataset.command, name, what.knobs, what.presets) : fromAddress(location.hash, what.knobs);
   };
-  const given = await asked();
+  let given;
+  if (location.hash) {
+    describe();
+    given = await asked();
+  }
   if (given) {
     await fetched(what, given.settings);
     provide(demo, what, given.settings);
@@ -103,6 +107,21 @@ export async function live(box) {
     if (given.frame !== undefined) goTo(given.frame);
     setBy = words || unknown(given.unknown);
   }
+  demo.does('Density', size.density);
+  demo.does('Draw', size.width, size.height, false);
+  performance.mark('first-picture');
+  shown.hidden = true;
+  canvas.hidden = false;
+  await begun.isRead;
+  // Once it is on the screen, what it reads out is measured, and the rest of the page is made.
+  await new Promise((painted) => requestAnimationFrame(() => setTimeout(painted)));
+  if (!given) describe();
+  demo.does('Touch');
+  demo.does('Draw', size.width, size.height, true);
+  state = demo.tells('State');
+  canvas.setAttribute('aria-label', word('canvas', { demo: name }));
+  document.querySelector('.thumbs [aria-current]')?.removeAttribute('aria-current'); // the canvas shows what its knobs say
+
   // The knobs, and what is changed at later frames. Why not, or "".
   function setAll({ settings, changes = [] }) {
     return demo.says('SetAll', settings) || (changes.length ? demo.says('SetChanges', changes.map(({ frame, knob, value }) => `${frame} ${knob} ${value.replaceAll('\n', '\u21b5')}\n`).join('')) : '');
@@ -118,25 +137,10 @@ export async function live(box) {
     const full = document.fullscreenElement === box, room = view.getBoundingClientRect().width || what.width;
     const density = isCoarse ? 1 : Math.min(densest, Math.max(1, devicePixelRatio)), pixels = (length) => Math.max(1, Math.round(length * density));
     size = { width: pixels(room), height: pixels(full ? innerHeight : (room * what.height) / what.width), density };
-    demo.does('Density', density);
   }
   function unknown(names = []) {
     return names.length ? word('unknownNames', { names: names.join(', ') }) : '';
   }
-  const calm = matchMedia('(prefers-reduced-motion: reduce)').matches;
-  if (calm && state.playing) demo.does('Toggle');
-  view.style.setProperty('--wide', what.width);
-  view.style.setProperty('--high', what.height);
-  measure();
-  demo.does('Draw', size.width, size.height, true);
-  state = demo.tells('State');
-  performance.mark('first-picture');
-  shown.hidden = true;
-  canvas.hidden = false;
-  await read;
-  canvas.setAttribute('aria-label', word('canvas', { demo: name }));
-  document.querySelector('.thumbs [aria-current]')?.removeAttribute('aria-current'); // the canvas shows what its knobs say
-
   const refused = tag('p', { class: 'refused', role: 'alert' }), notes = tag('p', { class: 'notes', 'aria-live': 'polite' });
 
   // ---- drawing: a resting canvas draws nothing, and one that is out of sight stops, but for what the user asks for
@@ -179,7 +183,7 @@ export async function live(box) {
   function coarsen() {
     isCoarse = true;
     coarse.hidden = false;
-    measure();
+    resized();
   }
   // A demo that remembers is at a far frame after all those before it: some of them at a time, so that the page answers.
   function travel() {
@@ -411,6 +415,7 @@ export async function live(box) {
   }
   function resized() {
     measure();
+    demo.does('Density', size.density);
     schedule();
   }
   new ResizeObserver(resized).observe(view);
@@ -484,5 +489,11 @@ export async function live(box) {
   return { demo, settle, what, compare, withPictures, state: () => state, size: () => size };
 }
 
-const box = document.querySelector('.live');
-if (box) live(box).then((made) => (box.live = made), (error) => box.dispatchEvent(new CustomEvent('mvgl-still', { detail: error.message })));
+// The page may not be read so far.
+const box = await new Promise((found) => {
+  const look = () => document.querySelector('.live .panel') && (watch.disconnect(), found(document.querySelector('.live')));
+  const watch = new MutationObserver(look);
+  watch.observe(document, { childList: true, subtree: true });
+  look();
+});
+live(box).then((made) => (box.live = made), async (error) => (await begun.isRead, box.dispatchEvent(new CustomEvent('mvgl-still', { detail: error.message }))));

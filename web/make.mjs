@@ -1,14 +1,14 @@
 // Makes the site: node web/make.mjs PROGRAM FOLDER [MODULE]. Each lesson becomes a page, with its pictures, curves and sources; a
-// start page finds them. MODULE is the folder that has the demos as WebAssembly (web/CMakeLists.txt); with it they are alive in
-// their pages. All links are relative, so that the folder works at any place of any host, and from a disk.
-import { execFileSync, spawnSync } from 'node:child_process';
+// start page finds them. MODULE is the folder that has the demos as WebAssembly, a module for each chapter (web/CMakeLists.txt); with it
+// they are alive in their pages. All links are relative, so that the folder works at any place of any host, and from a disk.
+import { execFileSync } from 'node:child_process';
 import fs from 'node:fs';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { folded } from './fold.mjs';
 import { formulasIn } from './formula.mjs';
-import { fold, imagesIn, linksIn, numbered, quotations, wide } from './lesson.mjs';
-import { demoPage, inLanguage, liveParts, page, startPage, wordsOf } from './pages.mjs';
+import { anchorOf, fold, imagesIn, linksIn, numbered, quotations, wide } from './lesson.mjs';
+import { demoPage, inLanguage, page, scriptIn, startPage, wordsOf } from './pages.mjs';
 import { wordsIn } from './prose.mjs';
 import { language, languages, scriptOf, speak, word } from './words.mjs';
 
@@ -106,12 +106,14 @@ function studiesOf(name) {
   });
 }
 
-// Scripts without what only people read.
-function shorter(scripts) {
-  const env = { ...process.env, NODE_PATH: '/usr/share/nodejs' };
-  const made = spawnSync(process.execPath, [path.join(root, 'web/shorter.cjs')], { env, input: JSON.stringify(scripts), encoding: 'utf8', maxBuffer: 1 << 28 });
-  if (made.status !== 0) fail('web/shorter.cjs', 'must succeed, with the package terser', made.stderr);
-  return JSON.parse(made.stdout);
+// The folder of a chapter's module.
+const moduleOf = (chapter) => anchorOf(chapter);
+
+// A script without what only people read; what it imports is in it, from web/ or `module`.
+function shorter(script, format) {
+  const flags = ['--bundle', `--format=${format}`, '--minify', '--charset=utf8', '--log-level=warning'];
+  if (module) flags.push(`--alias:mvgl=${path.resolve(module, moduleOf(list[0].chapter), 'mvgl.js')}`);
+  return execFileSync('esbuild', flags, { cwd: path.join(root, 'web'), input: script, encoding: 'utf8', stdio: ['pipe', 'pipe', 'inherit'] });
 }
 
 // ---- one page of Markdown
@@ -221,7 +223,7 @@ function pagesBelow(directory) {
 // ---- the site
 
 const list = chapters();
-const demos = list.flatMap((chapter) => chapter.demos);
+const demos = list.flatMap(({ chapter, demos: of }) => of.map((demo) => Object.assign(demo, { chapter })));
 const shown = pictures();
 for (const [i, demo] of demos.entries()) {
   console.error(`lesson ${i + 1} of ${demos.length}: ${demo.name}`);
@@ -250,8 +252,8 @@ for (const which of languages) {
     const translation = demo.own.replace(/\.md$/, `.${which}.md`), isTranslated = which === 'en' || fs.existsSync(path.join(root, translation));
     demo.says = saysOf(demo.name);
     const spoken = { ...demo, isTranslated, ...lesson(which !== 'en' && isTranslated ? translation : demo.own) };
-    write(`demos/${inLanguage(demo.name)}`, demoPage(spoken, demos[i - 1], demos[i + 1], Boolean(module), list));
-    if (isTranslated) found[demo.name] = `${found[demo.name] ?? ''} ${wordsOf(spoken, list.find(({ demos: of }) => of.includes(demo)).chapter, folded)}`.trim();
+    write(`demos/${inLanguage(demo.name)}`, demoPage(spoken, demos[i - 1], demos[i + 1], module && `${moduleOf(demo.chapter)}.wasm`, list, process.env.MVGL_SITE));
+    if (isTranslated) found[demo.name] = `${found[demo.name] ?? ''} ${wordsOf(spoken, demo.chapter, folded)}`.trim();
   }
   write(inLanguage('index'), startPage(list, beside, Boolean(module)));
 }
@@ -259,14 +261,19 @@ speak('en');
 write('site.css', text('web/site.css'));
 write('icon.svg', text('web/icon.svg'));
 // What the start page's search looks into is loaded when it is used.
-const scripts = { 'search.js': `'use strict';\nglobalThis.lessons = ${JSON.stringify(found)};\nglobalThis.folded = ${folded};\n` };
-for (const which of languages) scripts[which === 'en' ? 'words.js' : `words.${which}.js`] = scriptOf(which);
-for (const file of ['site.js', 'curve.js', ...(module ? ['begin.js', 'live.js', ...liveParts] : [])]) scripts[file] = text(`web/${file}`);
+const script = (file, ...parts) => write(file, shorter(parts.map((part) => `(() => {\n${part}\n})();\n`).join(''), 'iife'));
+script('search.js', `globalThis.lessons = ${JSON.stringify(found)};\nglobalThis.folded = ${folded};`);
+for (const which of languages) {
+  speak(which);
+  script(scriptIn(), scriptOf(which), text('web/site.js'), text('web/curve.js'));
+}
 if (module) {
-  scripts['mvgl.js'] = fs.readFileSync(path.join(module, 'mvgl.js'), 'utf8');
+  script('begin.js', text('web/begin.js'));
+  write('live.js', shorter(text('web/live.js'), 'esm'));
   // What knobs that take a file may name, in lessons' commands, say
   for (const file of fs.readdirSync(path.join(root, 'assets'))) if (/\.(png|obj)$/.test(file)) copy(`assets/${file}`);
-  write('mvgl.wasm', fs.readFileSync(path.join(module, 'mvgl.wasm')));
+  const driving = list.map(({ chapter }) => fs.readFileSync(path.join(module, moduleOf(chapter), 'mvgl.js'), 'utf8'));
+  if (new Set(driving).size > 1) fail(module, 'must have modules that one mvgl.js drives');
+  for (const { chapter } of list) write(`${moduleOf(chapter)}.wasm`, fs.readFileSync(path.join(module, moduleOf(chapter), 'mvgl.wasm')));
 }
-for (const [file, script] of Object.entries(shorter(scripts))) write(file, script);
 console.log(`${path.join(folder, 'index.html')}: ${demos.length} lessons`);

@@ -86,14 +86,16 @@ extern "C" {
 
 // ---- the demo
 
-EMSCRIPTEN_KEEPALIVE const char* mvOpen(const char* demo, const char* settings, int frame, bool paused) {
+// `width` and `height` are those of the first picture, in pixels; 0: the demo's own.
+EMSCRIPTEN_KEEPALIVE const char* mvOpen(const char* demo, const char* settings, int frame, bool paused, int width,
+                                        int height) {
     return attempt([&] {
         if (!page()) page() = std::make_unique<Page>();
         const DemoInfo& info = findDemo(demo);
         page()->session.reset();
         page()->hand = {};
-        const SessionStart start{.width = info.width,
-                                 .height = info.height,
+        const SessionStart start{.width = width ? width : info.width,
+                                 .height = height ? height : info.height,
                                  .knobs = settingsOf(settings),
                                  .frame = frame,
                                  .paused = paused};

@@ -7,6 +7,8 @@ const plain = (html) => html.replace(/<[^>]*>/g, '');
 
 // Where a page of that language is: NAME.html in English, NAME.is.html.
 export const inLanguage = (name, which = language()) => `${name}${which === 'en' ? '' : `.${which}`}.html`;
+// What every page runs.
+export const scriptIn = () => (language() === 'en' ? 'site.js' : `site.${language()}.js`);
 // That function's answer in another language.
 export function spokenIn(which, say) {
   const before = language();
@@ -18,7 +20,7 @@ export function spokenIn(which, say) {
 
 // A whole page, `depth` folders below the start page. `main` is HTML, `title` may hold HTML. `name`: it is there by that name in each
 // language.
-export function page({ title, depth, main, name, heading = title, nav = '', head = '', side = '', foot = '' }) {
+export function page({ title, depth, main, name, heading = title, nav = '', head = '', side = '', foot = '', module = '' }) {
   const up = '../'.repeat(depth), others = name ? languages.filter((one) => one !== language()) : [];
   const own = language() === 'en' ? '' : ` (${word('languageName')})`;
   const links = others.map((one) => `<a class="language" hreflang="${one}" lang="${one}" href="${inLanguage(name, one)}">${spokenIn(one, () => word('languageName'))}</a>`).join('');
@@ -29,10 +31,9 @@ export function page({ title, depth, main, name, heading = title, nav = '', head
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <meta name="color-scheme" content="light dark">
 <title>${plain(title)}${own}</title>
-<link rel="stylesheet" href="${up}site.css">
+${module && `<script src="${up}begin.js" data-module="${module}"></script>\n`}<link rel="stylesheet" href="${up}site.css">
 <link rel="icon" href="${up}icon.svg" type="image/svg+xml">
-${others.map((one) => `<link rel="alternate" hreflang="${one}" href="${inLanguage(name, one)}">\n`).join('')}<script src="${up}${language() === 'en' ? 'words.js' : `words.${language()}.js`}" defer></script>
-<script src="${up}site.js" defer></script>
+${others.map((one) => `<link rel="alternate" hreflang="${one}" href="${inLanguage(name, one)}">\n`).join('')}<script src="${up}${scriptIn()}" defer></script>
 ${head}</head>
 <body>
 <a class="skip" href="#content">${word('toContent')}</a>
@@ -46,9 +47,6 @@ ${foot}${side}</body>
 }
 
 // ---- a lesson
-
-// What a live page loads beside live.js and the module.
-export const liveParts = ['compare.js', 'controls.js', 'edit.js', 'hand.js', 'matrix.js', 'pictures.js', 'settings.js', 'share.js', 'steps.js'];
 
 // What a demo says in English, in this page's language.
 export const said = (demo, words) => demo.says[words] ?? words;
@@ -77,7 +75,7 @@ function pictures(demo, alive) {
 <div class="view">${shown}</div>
 <div class="panel">${look}<noscript><p>${word('needsScripts')}</p></noscript></div>
 </div>
-${says}<script src="../begin.js" data-parts="${['mvgl.js', ...liveParts].join(' ')}" defer></script>`
+${says}`
     : `${shown}\n${look}`;
   return `<section class="stage" aria-label="${word('pictures')}">
 ${view}
@@ -103,7 +101,6 @@ ${figures.join('\n')}
 <p class="told" role="status"></p>
 <pre class="command"><code>./run ${demo.name} --study out</code></pre>
 <script type="application/json">${data}</script>
-<script src="../curve.js" defer></script>
 </section>
 `;
 }
@@ -134,7 +131,8 @@ function contents(html) {
 // What stands in English on a page of another language says so.
 const english = () => (language() === 'en' ? '' : ' lang="en"');
 
-export function demoPage(demo, before, after, alive, chapters) {
+// `module`: the file of the one that the demo is alive by; '' or undefined: it is not. `address`: where the site will be, 'https://.../', or ''.
+export function demoPage(demo, before, after, module = '', chapters, address = '') {
   const sentence = said(demo, demo.sentence);
   const to = (other, key, rel) => (other ? `<a rel="${rel}" href="${inLanguage(other.name)}">${word(key, { demo: other.name })}</a>` : '');
   const opening = demo.pictures[0].file;
@@ -144,16 +142,17 @@ export function demoPage(demo, before, after, alive, chapters) {
     title: demo.title,
     name: demo.name,
     depth: 1,
+    module,
     nav: to(before, 'before', 'prev') + to(after, 'next', 'next'),
     // A link in a letter or a course's page shows what it leads to.
     head: `<meta name="description" content="${escaped(sentence)}">
 <meta property="og:title" content="${escaped(plain(demo.title))}">
 <meta property="og:description" content="${escaped(sentence)}">
-<meta property="og:image" content="../${opening}">
-`,
+<meta property="og:image" content="${address || '../'}${opening}">
+${address && `<meta property="og:url" content="${address}demos/${inLanguage(demo.name)}">\n`}`,
     side: sideList(chapters, demo.name),
     foot: `<footer><nav aria-label="${word('onwards')}">${to(before, 'before', 'prev')}${to(after, 'next', 'next')}</nav></footer>\n`,
-    main: `<p class="sentence"${sentence === demo.sentence ? english() : ''}>${escaped(sentence)}</p>\n${pictures(demo, alive)}${contents(lesson)}${demo.isTranslated ? '' : `<p class="notes">${word('untranslated')}</p>\n`}<article${demo.isTranslated ? '' : english()}>\n${lesson}</article>\n${curve(demo)}${sources(demo)}`,
+    main: `<p class="sentence"${sentence === demo.sentence ? english() : ''}>${escaped(sentence)}</p>\n${pictures(demo, Boolean(module))}${contents(lesson)}${demo.isTranslated ? '' : `<p class="notes">${word('untranslated')}</p>\n`}<article${demo.isTranslated ? '' : english()}>\n${lesson}</article>\n${curve(demo)}${sources(demo)}`,
   });
 }
 

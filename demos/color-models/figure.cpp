@@ -23,11 +23,12 @@ const std::array<vec4, 4> wayColors{vec4(0.75, 0.2, 0.15, 1), vec4(0.1, 0.5, 0.2
 
 double unit(const FrameInfo& frame) { return std::min(frame.width() / 960.0, frame.height() / 640.0); }
 
+int wordSize(const FrameInfo& frame, double size) { return std::max(leastWords, static_cast<int>(size * unit(frame))); }
+
 // Write words. Places are in units of 1/640 of the picture's height, or 1/960 of its width, from the lower left corner.
 void words(Drawing& drawing, const FrameInfo& frame, const vec2& at, const std::string& text, const vec4& color,
            double size) {
-    const int pixels = std::max(leastWords, static_cast<int>(size * unit(frame)));
-    drawing.text(at * unit(frame), text, {pixels, color, vec4(0)});
+    drawing.text(at * unit(frame), text, {wordSize(frame, size), color, vec4(0)});
 }
 
 // The edges of the whole solid, and the greys.
@@ -151,9 +152,11 @@ void drawOverSolids(Drawing& drawing, const Settings& s, const FrameInfo& frame)
 void drawStrips(Drawing& drawing, const Settings& s, const FrameInfo& frame) {
     const double u = unit(frame);
     drawing.in({0, 0, frame.width(), std::max(frame.height() * 2 / 5, 1)});
-    const double left = 76, right = 520, height = 46;
     const Plot plot{{vec2(660, 52) * u, vec2(940, 236) * u}, {0, 1, "part of the way"}, {0, 1, "lightness as seen"}};
-    const double above = 232 + std::max(14.0, leastWords / u);  // of words that a small picture keeps large
+    // A small picture keeps its words large: the strips are between a way's name and how uneven it is, so many times as wide as high.
+    const double height = 46, left = std::max(76.0, 12 + 3.4 * wordSize(frame, 16) / u);
+    const double right = std::min(520.0, 650 - 5.8 * wordSize(frame, 14) / u);
+    const double above = 232 + std::max(14.0, (leastWords + 3) / u - 3);
     words(drawing, frame, {left, above}, "mixed in", faint, 14);
     words(drawing, frame, {right + 8, above}, "uneven by", faint, 14);
     for (std::size_t i = 0; i < 4; ++i) {

@@ -8,13 +8,16 @@
 
 namespace mv::gpu_stages {
 
-// The eye, for the left half of the picture. The table is beside it.
+// The eye, for the left of the picture. The table is beside it.
 Scene sceneOf(const Settings& s, const FrameInfo& frame) {
     Scene scene;
     // The patch stands on the left or, in an upright picture, above; the table is on the right or below
-    scene.clipFromView =
-        frame.isUpright() ? translate(0, 0.5, 0) * scale(1, 0.5, 1) * perspective(35, 2 * frame.aspect(), 1, 20)
-                          : translate(-0.55, 0, 0) * scale(0.47, 1, 1) * perspective(35, 0.47 * frame.aspect(), 1, 20);
+    const bool isNarrow = narrowTable(frame);
+    const double part = isNarrow ? 0.32 : 0.47, middle = isNarrow ? -0.69 : -0.55;
+    scene.clipFromView = frame.isUpright()
+                             ? translate(0, 0.5, 0) * scale(1, 0.5, 1) * perspective(35, 2 * frame.aspect(), 1, 20)
+                             : translate(middle, 0, 0) * scale(part, 1, 1) *
+                                   perspective(isNarrow ? 50 : 35, part * frame.aspect(), 1, 20);
     scene.viewFromWorld = lookAt(vec3(0, 0, 10.5), vec3(0), vec3(0, 1, 0)) * turnOf(s) * translate(0, -0.4, 0);
     return scene;
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "mv/gl/word_size.h"
+
 namespace mv {
 namespace {
 
@@ -11,6 +13,9 @@ struct Flow {
     bool isOn;
     std::string in, out;
 };
+
+constexpr double beside = 0.535;    // of the picture's width, that of the table beside the patch
+constexpr double fourColumns = 38;  // times the words' height, the width of the whole table
 
 std::size_t cornersOf(GLenum primitive) { return primitive == GL_POINTS ? 1 : primitive == GL_LINES ? 2 : 3; }
 
@@ -52,20 +57,26 @@ std::string primitivesText(long number, GLenum primitive) {
     return std::to_string(number) + " " + word + (number == 1 ? "" : "s");
 }
 
+bool narrowTable(const FrameInfo& frame) {
+    return !frame.isUpright() && frame.inUnits().width() * beside < fourColumns * leastWords;
+}
+
 void drawStageTable(Drawing& drawing, const FrameInfo& frame, int direct3d, const PatchDraw& patch) {
     const vec2 size(frame.width(), frame.height());
+    const bool isNarrow = narrowTable(frame);
     const Box box = frame.isUpright() ? Box{size * vec2(0.02, 0.02), size * vec2(0.98, 0.48)}
-                                      : Box{size * vec2(0.455, 0.08), size * vec2(0.99, 0.94)};
+                    : isNarrow        ? Box{size * vec2(0.31, 0.02), size * vec2(0.99, 0.98)}
+                                      : Box{size * vec2(0.99 - beside, 0.08), size * vec2(0.99, 0.94)};
     const std::array<Flow, 11> flows = flowsOf(patch);
     const double width = box.high.x - box.low.x, height = box.high.y - box.low.y;
     const double line = height / double(stageNames.size() + 1);
-    // Four columns, or two of them where there is no room for their words
-    const auto largestWords = [&](double across) { return static_cast<int>(std::min(0.5 * line, width / across)); };
-    const bool all = largestWords(38) >= 8;
-    const int words = largestWords(all ? 38 : 25);
-    if (words < 8) return;
+    // Four columns, or two of them where there is no room for their words: so many times as wide as these are high
+    const bool all = width >= fourColumns * leastWords;
+    const double across = all ? fourColumns : 19.5;
+    if (line < leastWords || width < across * leastWords) return;
+    const int words = std::max(leastWords, static_cast<int>(std::min(0.5 * line, width / across)));
     const vec4 ink(0.1, 0.1, 0.1, 1), grey(0.62, 0.62, 0.64, 1), programmable(0.86, 0.91, 0.97, 1);
-    const std::array<double, 4> columns{0.01 * width, 0.36 * width, 0.61 * width, (all ? 0.805 : 0.62) * width};
+    const std::array<double, 4> columns{0.01 * width, 0.36 * width, 0.61 * width, (all ? 0.805 : 0.66) * width};
     double y = box.high.y;
     const auto cells = [&](const std::array<std::string, 4>& texts, const vec4& color) {
         for (std::size_t i = 0; i < texts.size(); ++i) {

@@ -54,8 +54,11 @@ struct PatchDraw {
 // "128 triangles", "1 line".
 std::string primitivesText(long number, GLenum primitive);
 
-// Draws the table of the stages into the right half of the picture, with their names in Direct3D 9, 10 or 11, and with what
-// goes in and what comes out; stages that are off in grey. Nothing where there is no room for words of 8 pixels.
+// Whether half the picture is too narrow for all columns of the table, which then has two of them and two thirds of the picture.
+bool narrowTable(const FrameInfo& frame);
+
+// Draws the table of the stages into the right of the picture, with their names in Direct3D 9, 10 or 11, and with what
+// goes in and what comes out; stages that are off in grey. Nothing where there is no room for words that can be read.
 void drawStageTable(Drawing& drawing, const FrameInfo& frame, int direct3d, const PatchDraw& patch);
 
 // Which of two panes is drawn by which kind of shader, in words above them; nothing where there is no room. With water, the right

@@ -72,7 +72,7 @@ flags() {
 # The pages appear whole or not at all, and are served where it is asked.
 site() {
     tool node 'if [ "$(basename "$1")" = serve.mjs ]; then echo "serves ${@:2}"; exit; fi' \
-        'mkdir -p "$3" && echo "$(cat words)" >"$3/index.html" && echo "${4:-}" >"$3/module" && [ ! -e broken ]'
+        'mkdir -p "$3" && echo "$(cat words)" >"$3/index.html" && echo "${4:-}" >"$3/module" && echo "$MVGL_SITE" >"$3/address" && [ ! -e broken ]'
     echo first >words
     ./run --site >out 2>err || fail "./run --site: $(cat err)"
     says out "^./run --site --serve shows them"
@@ -81,6 +81,12 @@ site() {
     # (PATH without any tool)
     (. scripts/setup.sh && PATH=$scratch/none && build_web) >out 2>err && fail "a module without tools: $(cat out)"
     says err "^note: the pages have pictures in the place of live demos"
+    ./run --site=https://example.org/course/ >out 2>err || fail "./run --site=https://example.org/course/: $(cat err)"
+    equal "the address" "https://example.org/course/" "$(cat build/site/address)"
+    for wrong in --site= --site=example.org/ --site=https://example.org; do
+        ./run $wrong >out 2>err && fail "./run $wrong: $(cat out)"
+        says err '^error: --site: must be an address'
+    done
     echo second >words && touch broken
     ./run --site >out 2>err && fail "a site that could not be made: $(cat out)"
     equal "the pages that stand" first "$(cat build/site/index.html)"

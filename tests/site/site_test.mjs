@@ -12,17 +12,10 @@ import { keysOf, languages, speak, word } from '../../web/words.mjs';
 import { all, chromium, counted, demosOf, equal, expect, made, scratch, served } from './support.mjs';
 
 const [source, program] = process.argv.slice(2);
+process.env.MVGL_SITE = 'https://example.org/a/course/';
 const site = made(source, program, 'a folder/site');
 const files = fs.readdirSync(site, { recursive: true }).filter((file) => fs.statSync(path.join(site, file)).isFile());
 const pages = new Map(files.filter((file) => file.endsWith('.html')).map((file) => [file, fs.readFileSync(path.join(site, file), 'utf8')]));
-
-// ---- the module enables each extension that the library asks for
-
-const library = path.join(source, 'common/mv'), context = fs.readFileSync(path.join(source, 'web/context.cpp'), 'utf8');
-const asked = fs.readdirSync(library, { recursive: true }).filter((file) => file.endsWith('.cpp'))
-  .flatMap((file) => all(fs.readFileSync(path.join(library, file), 'utf8'), /hasExtension\("GL_((?:EXT|OES)_\w+)"/g));
-expect(asked.length > 0, 'extensions that the library asks for');
-for (const extension of new Set(asked)) expect(context.includes(`"${extension}"`), `web/context.cpp does not enable ${extension}`);
 
 // ---- every page
 
@@ -31,6 +24,9 @@ for (const [file, html] of pages) {
   expect(html.startsWith(`<!doctype html>\n<html lang="${file.match(/\.(\w\w)\.html$/)?.[1] ?? 'en'}">`), `${file}: no language`);
   equal(all(html, /<(h1)>/g).length, 1, `${file}: headings of the first level`);
   const [title] = all(html, /<title>(.*?)<\/title>/g);
+  // A link that is sent shows a picture, which is there
+  const [picture] = all(html, /<meta property="og:image" content="https:\/\/example\.org\/a\/course\/(.*?)">/g);
+  expect(!/^demos\//.test(file) || (picture && files.includes(picture)), `${file}: a picture for links to it, '${picture}'`);
   expect(title && !titles.has(title), `${file}: a title of its own, '${title}'`);
   titles.add(title);
   expect(!html.includes(source), `${file}: a path of the machine that made it`);

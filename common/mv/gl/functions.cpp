@@ -359,16 +359,6 @@ void setChecks(void (*layOver)()) {
 }
 bool isEs() { return es; }
 
-bool hasExtension(const char* name) {
-    GLint count = 0;
-    glGetIntegerv(GL_NUM_EXTENSIONS, &count);
-    for (GLint i = 0; i < count; ++i) {
-        const auto extension = glGetStringi(GL_EXTENSIONS, static_cast<GLuint>(i));
-        if (extension && std::string(reinterpret_cast<const char*>(extension)) == name) return true;
-    }
-    return false;
-}
-
 const Counters& counters() { return counted; }
 void resetCounters(const Counters& to) {
     counted = to;

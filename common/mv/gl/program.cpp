@@ -82,19 +82,22 @@ std::string shaderLog(GLuint shader) {
     return log;
 }
 
+// Not asked how that went: the driver may still be at it.
 ShaderObject compile(GLenum kind, const ShaderSource& source) {
     ShaderObject shader(glCreateShader(kind));
     const char* text = source.text.c_str();
     glShaderSource(shader.id(), 1, &text, nullptr);
     glCompileShader(shader.id());
-    GLint compiled = GL_FALSE;
-    glGetShaderiv(shader.id(), GL_COMPILE_STATUS, &compiled);
-    if (compiled != GL_TRUE) {
-        takeErrors();  // KHR_debug repeats the log, which the Error has
-        throw Error(source.files.front(), "must compile", "\n" + readableLog(shaderLog(shader.id()), source));
-    }
     labelObject(GL_SHADER, shader.id(), source.files.front());
     return shader;
+}
+
+void requireCompiled(const ShaderObject& shader, const ShaderSource& source) {
+    GLint compiled = GL_FALSE;
+    glGetShaderiv(shader.id(), GL_COMPILE_STATUS, &compiled);
+    if (compiled == GL_TRUE) return;
+    takeErrors();  // KHR_debug repeats the log, which the Error has
+    throw Error(source.files.front(), "must compile", "\n" + readableLog(shaderLog(shader.id()), source));
 }
 
 std::map<std::string, Uniform, std::less<>> activeUniforms(GLuint program) {
@@ -175,6 +178,7 @@ Linked link(const std::string& name, const Sources& sources) {
     GLint ok = GL_FALSE;
     glGetProgramiv(program, GL_LINK_STATUS, &ok);
     if (ok != GL_TRUE) {
+        for (std::size_t i = 0; i < shaders.size(); ++i) requireCompiled(shaders[i], sources[i].second);
         takeErrors();
         GLint length = 0;
         glGetProgramiv(program, GL_INFO_LOG_LENGTH, &length);
@@ -282,7 +286,8 @@ std::string mistakesOf(const std::string& file) {
     const Stage& stage = stageOf(file);
     if (stage.feature && isEs()) return "";
     try {
-        (void)compile(stage.kind, assembleShader(file, stage.since));
+        const ShaderSource source = assembleShader(file, stage.since);
+        requireCompiled(compile(stage.kind, source), source);
         return "";
     } catch (const Error& error) {
         return error.what();

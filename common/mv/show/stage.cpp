@@ -95,12 +95,10 @@ Stage::~Stage() {
 }
 
 void Stage::makeTargets(int width, int height) {
-    const Target::Buffers buffers{info_->needs.depth, info_->needs.stencil, samples(), GL_RGBA8};
-    Target first(width, height, buffers, info_->name);
-    Target second = keepLast_ ? Target(width, height, buffers, info_->name + " last") : Target();
-    targets_[0] = std::move(first);
-    targets_[1] = std::move(second);
+    targets_[0] = Target(width, height, {info_->needs.depth, info_->needs.stencil, samples(), GL_RGBA8}, info_->name);
+    targets_[1] = Target();
     shown_ = 0;
+    isDrawn_ = false;
 }
 
 void Stage::open(const DemoInfo& info, int width, int height) {
@@ -263,13 +261,16 @@ void Stage::draw(int index, bool readouts) { drawFront(index, readouts, false); 
 bool Stage::drawNext(int index, bool readouts) { return drawFront(index, readouts, true); }
 
 bool Stage::drawFront(int index, bool readouts, bool onlyNextPass) {
-    const int next = keepLast_ ? 1 - shown_ : shown_;
+    const int next = keepLast_ && isDrawn_ ? 1 - shown_ : shown_;
+    if (targets_[next].width() == 0)
+        targets_[next] = Target(front().width(), front().height(), front().buffers(), info_->name + " last");
     Drawn drawn = drawInto(targets_[next], index, {.readouts = readouts}, onlyNextPass);
     const bool whole = refined_.done == refined_.passes;
     if (readouts && whole)
         askProbes(targets_[next], index);  // a probe may draw other pictures: not amid the passes of one
     keep(std::move(drawn));
     shown_ = next;
+    isDrawn_ = true;
     steps_.reset();
     return whole;
 }

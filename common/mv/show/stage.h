@@ -131,9 +131,10 @@ class Stage {
     const DemoInfo* info_ = nullptr;
     std::unique_ptr<Demo> demo_;
     std::unique_ptr<Timeline> timeline_;
-    Target targets_[2];
+    Target targets_[2];         // the second is made when the first has a picture that is to be kept
     Target measured_, probed_;  // made when something is measured, or probed
     int shown_ = 0;
+    bool isDrawn_ = false;  // that one
     FrameNotes notes_;
     Counters counters_;
     std::vector<std::string> undone_;
