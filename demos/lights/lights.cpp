@@ -63,7 +63,7 @@ static void setLight(const Program& program, const Settings& s, std::size_t ligh
     program.set(element("kind").c_str(), shaderKind(kind));
     program.set(element("power").c_str(), strength(s, light));
     program.set(element("place").c_str(), kind == Kind::directional ? towardsSun(s, light) : placeOf(s, light));
-    program.set(element("axis").c_str(), axisOf(s, light));
+    if (kind == Kind::spot) program.set(element("axis").c_str(), axisOf(s, light));
 }
 void setLights(const Program& program, const Settings& s, const std::vector<std::size_t>& sent) {
     program.set("ambient", ambient(s));
