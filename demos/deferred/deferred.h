@@ -23,7 +23,7 @@ inline constexpr int mostLamps = 96;  // as the shaders' arrays
 struct Settings {
     Way way = Way::deferred;
     int lamps = 48;
-    double power = 1;   // of a lamp at 1 m, but for the end of its reach
+    double power = 1;  // of a lamp at 1 m, but for the end of its reach
     double reach = 2;  // m
     Sum sum = Sum::halfFloat;
     Tone tone = Tone::reinhard;

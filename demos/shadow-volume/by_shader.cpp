@@ -28,7 +28,8 @@ void drawSidesByShader(Gpu& gpu, const Settings& s, const Scene& scene, std::siz
     }
 }
 
+bool findsByShader(const Settings& s) { return s.by == By::geometryShader && s.silhouette; }
 // A cap must have the very depths of the solid's faces, which only the same stages promise: so z-fail's volumes are the processor's.
-bool isByShader(const Settings& s) { return s.by == By::geometryShader && s.silhouette && s.method != Method::zFail; }
+bool isByShader(const Settings& s) { return findsByShader(s) && s.method != Method::zFail; }
 
 }  // namespace mv::shadow_volume

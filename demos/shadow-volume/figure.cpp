@@ -47,7 +47,7 @@ static void drawGlass(Gpu& gpu, const Settings& s, const Scene& scene) {
     for (const bool front : {false, true}) {
         const vec4 color = front ? vec4(1, 0.72, 0.1, 0.2) : vec4(0.2, 0.4, 1, 0.2);
         glCullFace(front ? GL_BACK : GL_FRONT);
-        if (isByShader(s)) {
+        if (findsByShader(s)) {
             drawSidesByShader(gpu, s, scene, 0, gpu.volumes.casters().size(), color);
             continue;
         }

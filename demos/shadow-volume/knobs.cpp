@@ -31,7 +31,7 @@ constexpr Declaration about{
 bool isNested(const Settings& s) { return s.scene == Which::nested; }
 bool mayWrap(const Settings& s) { return isNested(s) && s.shells > int(mostInOneCount); }
 bool drawsSilhouette(const Settings& s) { return s.silhouette; }
-bool needsNoCaps(const Settings& s) { return s.method != Method::zFail; }
+bool drawsSidesAlone(const Settings& s) { return s.method != Method::zFail || s.show == Show::volumes; }
 bool hidesCount(const Settings& s) { return s.show != Show::count; }
 
 std::vector<Row<Settings>> rows() {
@@ -54,7 +54,7 @@ std::vector<Row<Settings>> rows() {
               {"geometry-shader", "in every frame, of triangles that know their neighbours"}},
              "what finds the silhouette, and draws it out")
             .when(drawsSilhouette, "every triangle is drawn out")
-            .when(needsNoCaps, "the caps of z-fail are the processor's"),
+            .when(drawsSidesAlone, "the caps of z-fail are the processor's, and so is all that is counted with them"),
         toggle("groups", &Settings::groups, "count 127 casters at a time where more than 255 would wrap round")
             .when(mayWrap, "there are no more casters than eight bits count")
             .when(hidesCount, "what is shown is the stencil buffer, in one count"),
@@ -95,7 +95,7 @@ std::vector<SettingsPreset<Settings>> presets() {
 
 // Without geometry shaders the processor makes the same volumes.
 Settings fallback(Settings s) {
-    if (isByShader(s) && !has(beyond_es::geometryShaders)) s.by = By::processor;
+    if (findsByShader(s) && !has(beyond_es::geometryShaders)) s.by = By::processor;
     return s;
 }
 

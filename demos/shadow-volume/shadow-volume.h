@@ -65,7 +65,8 @@ bool needsGroups(const Settings& s, std::size_t casters);
 std::size_t countedIndices(const Settings& s, const Caster& caster);
 int volumesRoundEye(const Gpu& gpu, const Scene& scene, std::size_t first, std::size_t last);
 
-// The same by a geometry shader, where the method needs no caps: by_shader.cpp.
+// The same by a geometry shader: by_shader.cpp. It draws the sides that are shown, and those that are counted by a method without caps.
+bool findsByShader(const Settings& s);
 bool isByShader(const Settings& s);
 void drawSidesByShader(Gpu& gpu, const Settings& s, const Scene& scene, std::size_t first, std::size_t last,
                        const vec4& color);

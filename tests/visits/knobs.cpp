@@ -116,7 +116,6 @@ const std::set<std::string> unseen{
     "mirror keep",           // the same
     "mirror leave-out",      // what is left out is not seen
     "displacement cull",     // the same
-    "shadow-volume by",      // the same volumes, whoever makes them
     "rasterizer places",     // is asked for only where edges are sampled
     "lights ask",            // lights that are off, or reach nothing, give nothing
     "springs confirm",       // a line of words, likewise
