@@ -64,6 +64,9 @@ std::vector<double> stepsOf(const std::vector<vec3>& colors);
 Pane paneOf(const FrameInfo& frame, Space solid);
 std::optional<vec2> markIn(const Settings& s, const FrameInfo& frame, Space space, const vec3& color);
 void drawOverSolids(Drawing& drawing, const Settings& s, const FrameInfo& frame);
+// The ways to mix, sRGB, linear, HSL and OKLab, in colours that are told apart without cones of long or of middle waves, too.
+inline const std::array<vec4, 4> wayColors{vec4(0.77, 0.32, 0, 1), vec4(0, 0.50, 0.40, 1), vec4(0.45, 0.10, 0.35, 1),
+                                           vec4(0.10, 0.40, 0.85, 1)};
 void drawStrips(Drawing& drawing, const Settings& s, const FrameInfo& frame);
 void drawMixture(Drawing& drawing, const Settings& s, const FrameInfo& frame);
 void drawMarks(Drawing& drawing, const Settings& s, const FrameInfo& frame);

@@ -18,8 +18,6 @@ namespace {
 
 const vec4 ink(0.1, 0.1, 0.1, 1), faint(0.35, 0.35, 0.35, 1), white(1, 1, 1, 1);
 const std::array<std::string, 4> wayNames{"sRGB", "linear", "HSL", "OKLab"};
-const std::array<vec4, 4> wayColors{vec4(0.75, 0.2, 0.15, 1), vec4(0.1, 0.5, 0.2, 1), vec4(0.55, 0.25, 0.7, 1),
-                                    vec4(0.1, 0.35, 0.75, 1)};
 
 double unit(const FrameInfo& frame) { return std::min(frame.width() / 960.0, frame.height() / 640.0); }
 

@@ -27,8 +27,9 @@ Lap lapOf(std::vector<PathSample> samples, std::vector<PathFrame> frames, double
 // samples it turns about the path evenly; by more than 90 degrees it turns at the next sample, at once.
 PathFrame frameAt(const Lap& lap, double part, const vec3& velocity);
 
-// Right red, up green, forward blue: colours of axes x, y and z, where a thing looks along -z.
-inline const vec4 rightColor(0.80, 0.10, 0.10, 1), upColor(0.05, 0.55, 0.10, 1), forwardColor(0.10, 0.30, 0.85, 1);
+// Right red, up green, forward blue: colours of axes x, y and z, where a thing looks along -z. The red is orange and the green bluish,
+// for eyes that have no cones of long or of middle waves.
+inline const vec4 rightColor(0.80, 0.30, 0, 1), upColor(0, 0.52, 0.40, 1), forwardColor(0.10, 0.30, 0.85, 1);
 // A frame at a place, `size` long, hidden by what is before it.
 void drawFrame(Drawing& drawing, const mat4& clipFromWorld, const vec3& at, const PathFrame& frame, double size,
                double width);

@@ -103,7 +103,7 @@ void JointedOverlay::product(const Frame& frame, const Jointed& thing, const std
     const std::vector<int> rows = isInPlane ? std::vector{0, 1, 3} : std::vector{0, 1, 2, 3};
     // Names stand left of their matrices, or above them where there is no room
     const int entries = static_cast<int>(rows.size()) * 7 * size / 2;
-    const bool isNarrow = 10 * size + entries > beside.width;
+    const bool isNarrow = 10 * size + entries + size / 2 > beside.width;
     const int from = isNarrow ? size / 2 : 10 * size, to = from + entries;
     const int left = beside.x;
     TextColumn column(left, frame.height() - beside.y - beside.height + size / 2, size);

@@ -75,7 +75,7 @@ static void drawSilhouettes(Gpu& gpu, const Settings& s, const Scene& scene, con
     if (gpu.silhouettesFor.changed(s.scene, s.shells, scene.lights[0].position))
         gpu.silhouettes = silhouettesOf(gpu.volumes, scene);
     gpu.volumeProgram.use();
-    gpu.volumeProgram.set("color", vec4(0.8, 0.05, 0.05, 1));
+    gpu.volumeProgram.set("color", vec4(0.05, 0.05, 0.05, 1));  // told from all else by its darkness alone
     for (std::size_t i = 0; i < gpu.silhouettes.size(); ++i) {
         // A silhouette lies in its solid's faces: draw it a little nearer
         const SceneObject& object = scene.objects[gpu.volumes.casters()[i].object];
@@ -113,7 +113,15 @@ static void drawCount(Gpu& gpu, const Frame& frame) {
         const vec4 color(0.15 + 1.5 * colorOf(count), 1);
         legend.push_back({20 * count - 12, 8, std::to_string(count), {.color = vec4(1), .background = color}});
     }
+    legend.push_back({20 * 8 - 12, 8, "volumes that a point is in"});
     drawText(frame, legend);
+}
+
+static void nameColors(const Frame& frame) {
+    const int line = textHeight() + 2;
+    drawText(frame, std::vector<TextLine>{
+                        {8, frame.height() - 2 * line - 4, "yellow: the way from the eye goes in, blue: out again"},
+                        {8, frame.height() - line - 4, "black: the silhouettes that the light sees"}});
 }
 
 void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
@@ -122,6 +130,7 @@ void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
     const Scene scene = seen(sceneOf(s, frame), frame);
     drawGlass(gpu, s, scene);
     drawSilhouettes(gpu, s, scene, frame);
+    nameColors(frame);
 }
 
 // The edges that are drawn out, and the triangles that are counted. The geometry shader does not tell its own.

@@ -7,6 +7,7 @@
 // - [greys-have-no-hue] A grey gets hue 0; any hue is found beside it. In a mixture it takes the hue of the other colour.
 // - [even-in-oklab] The steps of the OKLab strip are even; those of the others are not, and linear light is brighter.
 // - [a-third-is-shown] sRGB holds a third of the diagram of 1931, and of that of 1976.
+// - [ways-told-apart] The four ways have colours that are told apart by eyes without cones of long or of middle waves, too.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,8 +19,10 @@
 #include <string>
 #include <vector>
 
+#include "color-models/color-models.h"
 #include "mv/math/color.h"
 #include "mv/math/projection.h"
+#include "support/color_vision.h"
 #include "support/demo_run.h"
 #include "support/random.h"
 
@@ -268,3 +271,5 @@ TEST(ColorModels, a_third_is_shown) {
         EXPECT_NEAR(100.0 * double(shown) / double(shown + notShown), run.readout("part-of-diagram"), 1.5) << diagram;
     }
 }
+
+TEST(ColorModels, ways_told_apart) { EXPECT_GT(leastDifference(color_models::wayColors), toldApart); }

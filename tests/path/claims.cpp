@@ -10,6 +10,7 @@
 // - [chase-keeps-car] The chase camera keeps the car in the same place of its picture.
 // - [shortest-turn] Slerp takes the shortest turn at constant speed, nlerp the same at another, three angles neither.
 // - [gimbal-lock] With the nose straight up, yaw and roll are one turn: other angles give the same pose, but another way.
+// - [axes-told-apart] Forward, up and right have colours that are told apart by eyes without cones of long or of middle waves, too.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,7 +21,9 @@
 #include <vector>
 
 #include "mv/math/transform.h"
+#include "path/lap.h"
 #include "path/track.h"
+#include "support/color_vision.h"
 #include "support/demo_run.h"
 
 using namespace mv;
@@ -275,4 +278,10 @@ TEST(Path, gimbal_lock) {
     setPoses(run, {{-30, 0, 0}, {0, 89, -60}});
     (void)run.picture(0);
     EXPECT_GT(std::abs(run.readout("turned-slerp") - degreeBefore), 0.1);
+}
+
+TEST(Path, axes_told_apart) {
+    EXPECT_GT(leastDifference(std::array{forwardColor, upColor, rightColor}), toldApart);
+    EXPECT_LT(leastDifference(std::array{vec4(0.80, 0.10, 0.10, 1), vec4(0.05, 0.55, 0.10, 1)}), toldApart)
+        << "a red and a green of one lightness";
 }

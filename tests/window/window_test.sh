@@ -288,7 +288,7 @@ keyboard() { # all of the panel without a mouse
 
 # All that a demo's panel has, by the keyboard alone: the mouse is never moved.
 keysOf() { # DEMO
-    local before name knob='' presets=() preset i
+    local before name knob='' presets=() preset i down
     start "mvgl: $1" "$(dirname "$cubeCull")/$1"
     [ "$(reported playing)" = false ] || press space
     awaitReport playing false
@@ -300,6 +300,7 @@ keysOf() { # DEMO
     for name in "${!values[@]}"; do
         case $name in
             "at preset "*) presets+=("${name#at }") ;;
+            "at sweep height" | "at sweep width") ;; # the picture's are reported by that name
             "at sweep "*) knob=${name#at sweep } ;;
         esac
     done
@@ -322,8 +323,15 @@ keysOf() { # DEMO
         [ "$(reported command)" = "$before" ] || break
     done
     [ "$(reported command)" != "$before" ] || fail "no preset has been set by the keys"
-    goTo "Compare with"
-    press space Down space
+    for ((i = 1; i < 5; ++i)); do # the value that is offered first may be one that makes no picture
+        goTo "Compare with"
+        press space
+        for ((down = 0; down < i; ++down)); do press Down; done
+        press space
+        [ -n "$(reported error)" ] || break
+        goTo "Stop comparing"
+        press space
+    done
     await "a comparison" isComparing
     goTo "Stop comparing"
     press space

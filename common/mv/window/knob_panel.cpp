@@ -231,6 +231,8 @@ bool KnobPanel::logarithmicBar(const Knob& knob, double& value, const NumberRang
     const double gap = range.orZero ? 0.05 : 0, decades = std::log10(range.high / range.low);
     double place = value == 0 ? 0 : gap + (1 - gap) * std::log10(value / range.low) / decades;
     if (!bar(knob, place, 0, 1, 4, knob.text())) return false;
+    const bool byKeys = !ImGui::IsMouseDown(ImGuiMouseButton_Left);
+    if (byKeys && value == 0) place = std::max(place, gap);  // an arrow key leaves 0 in one step
     const double before = value, exponent = (place - gap) / (1 - gap) * decades;
     value = exponent < 0 ? 0 : std::clamp(threeDigits(range.low * std::pow(10.0, exponent)), range.low, range.high);
     return value != before;

@@ -302,7 +302,7 @@ bool showTime(Session& session, float scale) {
                            ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoInput)) {
         playback.setSpeed(std::clamp(double(std::round(speed * 10) / 10), 0.1, 4.0));
     }
-    notePlace("speed");
+    notePlace("time speed");  // a demo may have a knob of the other name
     tooltip("0.1 .. 4 times 60 frames a second");
     ImGui::SameLine();
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
