@@ -8,18 +8,11 @@
   const isFile = location.protocol === 'file:'; // from a disk browsers open no modules
   document.documentElement.classList.toggle('is-embedded', new URLSearchParams(location.search).has('embed'));
   const isRead = new Promise((read) => document.addEventListener('DOMContentLoaded', read, { once: true }));
-  // What each canvas is to have: the module asks for the same context.
-  const withContext = (canvas) => {
-    canvas.getContext('webgl2', { alpha: false, depth: false, stencil: false, antialias: false });
-    return canvas;
-  };
-  globalThis.begun = { isRead, moduleAt, withContext };
+  globalThis.begun = { isRead, moduleAt };
   const live = isFile ? isRead : import(`${up}live.js`);
-  if (!isFile) {
-    // Where the browser may not compile it, live.js is told why.
-    begun.compiled = WebAssembly.compileStreaming?.(fetch(moduleAt)).catch(() => undefined);
-    begun.canvas = withContext(document.createElement('canvas'));
-  }
+  live.catch(() => undefined); // is told below, where there is a place for it
+  // Where the browser may not compile it, live.js is told why.
+  if (!isFile) begun.compiled = WebAssembly.compileStreaming?.(fetch(moduleAt)).catch(() => undefined);
   isRead.then(() => {
     const box = document.querySelector('.live'), coming = document.createElement('p');
     const still = (sentence) => {

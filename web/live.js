@@ -36,7 +36,8 @@ function translated(what) {
 
 // The module's functions, by their names in web/page.cpp. Texts come as texts, JSON as what it says.
 async function open(canvas) {
-  begun.withContext(canvas);
+  // The browser makes its context while the module is being compiled, which then asks for the same one.
+  canvas.getContext('webgl2', { alpha: false, depth: false, stencil: false, antialias: false });
   const compiled = await begun.compiled;
   const module = await (compiled ? new Promise((resolve, reject) => openModule({ canvas, instantiateWasm(imports, made) {
     WebAssembly.instantiate(compiled, imports).then(made, reject);
@@ -68,7 +69,7 @@ async function open(canvas) {
 async function live(box) {
   const panel = box.querySelector('.panel'), isWide = box.classList.contains('is-wide');
   const name = box.dataset.demo, view = box.querySelector('.view'), shown = view.querySelector('.shown');
-  const canvas = Object.assign(begun.canvas, { id: 'canvas', tabIndex: 0, hidden: true });
+  const canvas = tag('canvas', { id: 'canvas', tabindex: 0, hidden: true });
   view.append(canvas);
   const demo = await open(canvas);
   const calm = matchMedia('(prefers-reduced-motion: reduce)').matches;
