@@ -227,7 +227,7 @@ std::string pageWord(const testing::TestParamInfo<std::string>& page) {
 }
 
 // The commands of ./run that need no program: the tests `site` and `scripts.site` try it.
-const std::set<std::string> ofRunItself{"./run --site", "./run --site --serve"};
+bool isOfRunItself(const std::string& command) { return command.starts_with("./run --site"); }
 
 class Pages : public testing::TestWithParam<std::string> {};
 
@@ -270,7 +270,7 @@ TEST_P(Pages, every_command_does_what_it_says) {
         EXPECT_GE(commands.size(), 3U) << "a lesson has three things to try";
     }
     for (const PageLine& line : commands) {
-        if (ofRunItself.contains(line.text)) continue;
+        if (isOfRunItself(line.text)) continue;
         SCOPED_TRACE(GetParam() + ":" + std::to_string(line.number) + ": " + line.text);
         std::optional<Trial> trial;
         try {
