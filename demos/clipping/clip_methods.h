@@ -42,9 +42,9 @@ std::array<HalfPlane, 4> halfPlanes(const Box& window);
 // The half planes of a polygon's edges, in either orientation. The inside of a convex polygon is positive.
 std::vector<HalfPlane> halfPlanes(const std::vector<vec2>& polygon);
 bool isConvex(const std::vector<vec2>& polygon);
-// Either way round; edges that lie on each other count as often as they do.
+// The area, for corners in either orientation. A part that the outline goes round twice counts twice.
 double areaOf(const std::vector<vec2>& polygon);
-// The same against the half planes of any convex polygon. Source: Cyrus and Beck (1978).
+// Clip, as liangBarsky does, against the half planes of any convex polygon. Source: Cyrus and Beck (1978).
 std::optional<Segment> cyrusBeck(const Segment& segment, std::span<const HalfPlane> inside);
 
 // Coordinates as whole numbers of 2^-bits, with at most 53 bits, so that no coordinate is rounded.

@@ -125,7 +125,7 @@ std::vector<vec3> strip(const Settings& s, Way way) {
     return colors;
 }
 
-// Draw the colours of the spectrum's inside. The fragment shader computes the brightest colour of a chromaticity.
+// Draw the colours within the curve of the spectrum. The fragment shader computes the brightest colour of a chromaticity.
 void drawDiagram(Gpu& gpu, const Settings& s, const Frame& frame) {
     const ChromaticityDiagram diagram{s.diagram};
     const FrameInfo units = frame.inUnits();

@@ -32,7 +32,7 @@ mat4 clipFromView(const Settings& s) {
     return s.shift == 0 ? perspective(s.fov, s.aspect, s.near, s.far) : frustum(nearWindow(s));
 }
 
-// The same view volume, given by the window that the field of view opens on the plane z = -near.
+// The view volume, given by its window on the plane z = -near, which a shift moves.
 FrustumBounds nearWindow(const Settings& s) {
     FrustumBounds window = frustumBounds(s.fov, s.aspect, s.near, s.far);
     const double moved = s.shift * window.right;

@@ -44,7 +44,7 @@ void drawSurfaces(Gpu& gpu, const Settings& s, const Scene& scene) {
         if (object.casts) drawSurface(gpu, scene, mesh, object.worldFromObject);
     }
 
-    // Tag the plane of the original without drawing it, since it is invisible there
+    // Tag the plane of the scene `plane` without drawing it: the course's program has no visible plane
     setSeen(s.scene != Which::plane);
     for (const Ground& ground : groundsOf(s)) {
         const auto& [object, mesh] = objects[ground.object.index];
@@ -110,8 +110,8 @@ static glm::mat<4, 4, T> textbook(Formula formula, const glm::vec<4, T>& light, 
     return textbookShadow(light, plane, formula == Formula::transposed);
 }
 
-// One matrix from model space, flattened onto the plane, to the space `target`. The product is formed before the upload. Keep
-// large coordinates away from the shadow's matrix: both of its sides are relative to the plane's point.
+// The one matrix that takes a point of the model, flattens it onto the plane, and goes on to the space `target`. The product is
+// formed before the upload. Keep large coordinates away from the shadow's matrix: both of its sides are relative to the plane's point.
 static mat4 flattenedLocally(const Settings& s, const mat4& targetFromWorld, const Plane& plane,
                              const mat4& worldFromModel) {
     const mat4 flat = s.formula == Formula::general ? shadowProjection(lightOf(s), plane.inWorld(), plane.origin)

@@ -28,7 +28,7 @@ struct Settings {
     double lift = 0;        // of all casters
     double tilt = 0;        // degrees
     double darkness = 0.6;  // the part of the light that a shadow takes away
-    bool once = true;
+    bool once = true;       // darken each pixel once, however many shadows fall on it
     Cut cut = Cut::clip;
     Formula formula = Formula::general;
     double planeDistance = floorBelow;  // of the floor from the world's origin

@@ -60,7 +60,7 @@ static void drawWorld(Gpu& gpu, const Settings& s, const Program& program, const
     glDisable(GL_DEPTH_TEST);
 }
 
-// Forward: draw the world once. Each fragment asks each lamp, and is hidden by a later one or not.
+// Forward: draw the world once. Each fragment asks each lamp, also where a later one will hide it.
 void forward(Gpu& gpu, const Settings& s, const Frame& frame) {
     beginSum(gpu, s, frame, true);
     const Program& program = use(gpu, "surface", "forward");
@@ -121,7 +121,7 @@ void lampByLamp(Gpu& gpu, const Settings& s, const Frame& frame) {
     glEnable(GL_CULL_FACE);
     glCullFace(GL_FRONT);
     for (std::size_t i = 0; i < count; ++i) {
-        // The mesh's faces lie up to a twelfth within the ball that it stands for
+        // The mesh's faces lie up to a twentieth within the ball that it stands for
         program.set("clipFromBall", clipFromWorld * translate(lamps.place[i]) * scale(1.1 * s.reach));
         program.set("place", lamps.place[i]);
         program.set("power", lamps.power[i]);

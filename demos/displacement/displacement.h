@@ -27,7 +27,8 @@ struct Settings {
     Levels levels = Levels::distance;
     int level = 16;         // pieces of each edge, where the level is fixed
     double fineness = 100;  // pieces of an edge whose length is its distance
-    bool agree = true, cull = true;
+    bool agree = true;      // an edge's level comes from the edge, so that both its patches have the same
+    bool cull = true;
     double depth = 0.08;    // units; a brick is 1 long
     int mapSize = 256;      // rows of texels
     double distance = 1.5;  // units

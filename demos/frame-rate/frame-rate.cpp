@@ -53,7 +53,7 @@ void drawCubes(Gpu& gpu, const Settings& s, const std::array<double, 4>& time, c
 // fourth way.
 int move(Moved& moved, const Settings& s, double elapsed) {
     // 1. Turn by a fixed angle for each picture: wrong on any display but one of 60 Hz
-    moved.turnPerPicture += s.speed / 60;
+    moved.turnByPictures += s.speed / 60;
 
     // 2. Add up the times between pictures. The turn is the speed times the sum
     moved.elapsed.add(elapsed);
@@ -84,7 +84,7 @@ int moveInSteps(Moved& moved, const Settings& s, double elapsed) {
 // The time of each way. All motion follows from it: the cube's turn is speed times time, hands and ball have formulas.
 std::array<double, 4> times(const Settings& s, const Running& now) {
     const Moved& moved = now.moved;
-    const double perPicture = s.speed > 0 ? moved.turnPerPicture / s.speed : double(now.pictures) / 60;
+    const double perPicture = s.speed > 0 ? moved.turnByPictures / s.speed : double(now.pictures) / 60;
     const std::array<double, 4> sums{moved.elapsed.sum, moved.elapsedFloat, moved.elapsed.value(), now.shownAt};
     const double perSecond = sums.at(static_cast<std::size_t>(s.sum));
     const double inSteps = s.between ? glm::mix(moved.before, moved.after, moved.owed / stepTime(s)) : moved.after;

@@ -54,7 +54,7 @@ struct CompensatedSum {
 
 // The state that each way of moving keeps from picture to picture. Times are seconds.
 struct Moved {
-    double turnPerPicture = 0;  // degrees
+    double turnByPictures = 0;  // degrees: the sum of the steps of one picture each
     CompensatedSum elapsed;
     float elapsedFloat = 0;
     double owed = 0, before = 0, after = 0, lost = 0;

@@ -1,4 +1,4 @@
-// Rings by a fragment shader, on the left, and by a compute shader; or the light that falls through such water.
+// Rings on water: by a fragment shader, on the left, and by a compute shader; or the light that falls through that water.
 #include <array>
 
 #include "gpu-stages.h"

@@ -14,7 +14,7 @@ namespace mv::lights {
 
 enum class Kind { off, ambient, directional, point, spot };
 enum class Tint { own, white, red, green, blue };
-enum class Ask { reaching, all };
+enum class Ask { reaching, all };  // which lights the shader asks for each pixel
 inline constexpr std::size_t lightCount = 8;
 
 struct Settings {

@@ -43,7 +43,8 @@ struct Settings {
 struct Sight {
     Scene scene;
     std::vector<Mirror> mirrors;
-    std::vector<std::vector<SeenMirror>> chains;
+    std::vector<std::vector<SeenMirror>>
+        chains;                              // the mirrors by which light comes to the eye, the nearest to it first
     std::vector<std::array<vec4, 8>> boxes;  // round each object, in world space
     int length(std::size_t chain) const { return static_cast<int>(chains[chain].size()); }
 };

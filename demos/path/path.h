@@ -23,7 +23,7 @@ namespace mv::path {
 
 enum class Show { track, poses };
 enum class Up { fixed, acceleration, banking, minimizing };
-enum class Pace { way, parameter };
+enum class Pace { way, parameter };  // in equal steps of which the car is driven
 enum class LengthBy { adaptive, chords, simpson, gauss };
 
 // The car's ride on a track.
@@ -32,8 +32,8 @@ struct Ride {
     Through curve = Through::spline;
     Up up = Up::banking;
     Transport transport = Transport::doubleReflection;
-    int steps = 360;  // samples of the lap
-    bool spread = false;
+    int steps = 360;      // samples of the lap
+    bool spread = false;  // turn the minimizing frame a little everywhere, so that it closes
     Pace pace = Pace::way;
     double speed = 14;  // m/s, averaged over the lap
     LengthBy lengthBy = LengthBy::adaptive;

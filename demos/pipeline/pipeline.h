@@ -12,6 +12,7 @@
 
 namespace mv::pipeline {
 
+// Each vertex by three matrices, or by one, multiplied in float or in double.
 enum class Products { shader, single, once };
 enum class Matrices { right, slideModel, slideProjection };
 

@@ -47,7 +47,7 @@ void drawBody(Gpu& gpu, const Settings& s) {
 }
 
 // Set the centre of the pattern. With the origin near, the shader gets the cell of each octave and the place in it, from
-// double precision. With the origin far, it gets the centre as floats, adds to it, and has no cell but the first.
+// double precision. With the origin far, it gets the centre as floats and adds to it, and its cells count from the world's origin.
 void setCentre(const Program& program, const Settings& s) {
     PatternPlace place = placeOf(s);
     program.set("fromFar", s.origin == Origin::far);
@@ -73,7 +73,7 @@ void setCentre(const Program& program, const Settings& s) {
     program.set("baseHigh", highOf(base));
     program.set("inBase", base.inCell);
 
-    // For wood, take the distance of the centre from the axis, without the whole rings
+    // For wood, count rings from the centre on: its direction from the axis and 1 / distance, and the part of a ring that it is in
     const double away = glm::length(vec2(place.centre)), rings = 4 * away;
     program.set("ringsAt", away > 4 ? vec3(vec2(place.centre) / away, 1 / away) : vec3(0));
     program.set("ringBase", rings - std::floor(rings));

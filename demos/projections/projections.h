@@ -15,7 +15,7 @@ namespace mv::projections {
 
 enum class Show { cad, axonometric, oblique, vanishing };
 
-// Your view is turned, and a perspective or oblique.
+// The view that is yours is set by these: turned, a perspective or an oblique one.
 struct Settings {
     Show show = Show::cad;
     double turn = 30, tilt = 20;       // degrees: how far the eye goes round and up

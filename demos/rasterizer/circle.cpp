@@ -53,13 +53,13 @@ void drawCircle(Gpu& gpu, const Settings& s, const Grid& grid, const Frame& fram
         showErrors(gpu, pixels, grid, frame);  // turned points have roundings instead
     showWords(gpu, frame, grid, std::string(nameOf(circle.method)) + ": " + countOf(grid, pixels.size()),
               std::to_string(chords) + " chords by OpenGL: pixels set otherwise: " +
-                  std::to_string(countDifferent(inked(grid.whole(), pixels), glPicture)));
+                  std::to_string(countDifferent(inked(grid.allSet(), pixels), glPicture)));
 }
 
 void readCircle(const Gpu& gpu, const Circle& circle, const Grid& grid, Numbers& numbers) {
     const std::vector<PixelStep> pixels = pixelsOf(circle, grid);
     numbers.set("set", double(pixels.size()));
-    numbers.set("differs", double(countDifferent(inked(grid.whole(), pixels), gpu.glPicture)));
+    numbers.set("differs", double(countDifferent(inked(grid.allSet(), pixels), gpu.glPicture)));
 }
 
 }  // namespace mv::rasterizer

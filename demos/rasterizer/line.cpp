@@ -37,12 +37,12 @@ void drawLine(Gpu& gpu, const Settings& s, const Grid& grid, const Frame& frame)
         showErrors(gpu, pixels, grid, frame);
         showDecision(gpu, line, pixels, grid, frame);
     }
-    const auto different = differing(grid.whole(), pixels, glPicture);
+    const auto different = differing(grid.allSet(), pixels, glPicture);
     const bool areFew = different.size() <= 6;
     if (areFew) showDifferent(gpu, different, grid, frame);
     showWords(gpu, frame, grid, std::string(nameOf(line.method)) + ": " + countOf(grid, pixels.size()),
               formatted(areFew ? "OpenGL: pixels set otherwise, ringed: %.0f" : "OpenGL: pixels set otherwise: %.0f",
-                        double(countDifferent(inked(grid.whole(), pixels), glPicture))));
+                        double(countDifferent(inked(grid.allSet(), pixels), glPicture))));
 }
 
 // The mesh for OpenGL: a line if thin, a strip of two triangles if thick.
@@ -66,7 +66,7 @@ static MeshData meshOf(const Line& line, const Grid& grid) {
 void readLine(const Gpu& gpu, const Line& line, const Grid& grid, Numbers& numbers) {
     const std::vector<PixelStep> pixels = pixelsOf(line, grid);
     numbers.set("set", double(pixels.size()));
-    numbers.set("differs", double(countDifferent(inked(grid.whole(), pixels), gpu.glPicture)));
+    numbers.set("differs", double(countDifferent(inked(grid.allSet(), pixels), gpu.glPicture)));
     const vec2 from(grid.whole(line.ends[0].x), grid.whole(line.ends[0].y)),
         to(grid.whole(line.ends[1].x), grid.whole(line.ends[1].y));
     if (from != to) numbers.set("as-thick", double(pixels.size()) / glm::distance(from, to));

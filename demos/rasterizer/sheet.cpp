@@ -14,7 +14,7 @@ namespace mv::rasterizer {
 
 Grid::Grid(const Settings& s) : columns(s.cells), rows(s.cells * 3 / 4), step(s.step), scale(s.cells / 24.0) {}
 int Grid::whole(double coordinate) const { return static_cast<int>(std::floor(coordinate * scale)); }
-Grid Grid::whole() const {
+Grid Grid::allSet() const {
     Grid all = *this;
     all.step = allSteps;
     return all;

@@ -22,7 +22,7 @@ struct Grid {
     // The pixel that a coordinate lies in.
     int whole(double coordinate) const;
     // The same grid with all its pixels set.
-    Grid whole() const;
+    Grid allSet() const;
     // The number of pixels that are set, of all these.
     std::size_t made(std::size_t all) const;
 };

@@ -47,8 +47,8 @@ std::vector<PixelStep> polygonPixels(const std::vector<vec2>& corners, int width
             if ((a.y > y) == (b.y > y)) continue;
             const vec2 &low = a.y < b.y ? a : b, &high = a.y < b.y ? b : a;
             const double x = low.x + (y - low.y) / (high.y - low.y) * (high.x - low.x);
-            // A middle on the edge has its x a rounding off it, to either side: so the neighbour across the edge would
-            // differ.
+            // By x alone a middle on the edge falls on either side, by rounding, and two polygons with this edge set it both
+            // or neither. orientation() decides exactly
             int column = static_cast<int>(std::ceil(x - 0.5)) - 1;
             while (orientation(low, high, {column + 0.5, y}) > 0) ++column;
             crossings.push_back({column, a.y < b.y ? 1 : -1});

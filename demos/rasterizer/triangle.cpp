@@ -175,7 +175,7 @@ void drawTriangles(Gpu& gpu, const Settings& s, const Grid& grid, const Frame& f
     showWords(gpu, frame, grid,
               std::string(nameOf(triangles.method)) + ", " + nameOf(triangles.rule) + ": " + countOf(grid, count),
               formatted("OpenGL: pixels set otherwise: %.0f",
-                        double(countDifferent(pictureOf(all, triangles, corners, grid.whole()), glPicture))),
+                        double(countDifferent(pictureOf(all, triangles, corners, grid.allSet()), glPicture))),
               more);
 }
 
@@ -188,7 +188,7 @@ void readTriangles(const Gpu& gpu, const Triangles& s, const Corners& corners, c
     }
     numbers.set("set", count);
     numbers.set("asked", asked);
-    numbers.set("differs", double(countDifferent(sampledPicture(s, corners, grid.whole()), gpu.glPicture)));
+    numbers.set("differs", double(countDifferent(sampledPicture(s, corners, grid.allSet()), gpu.glPicture)));
     numbers.set("edge-error", edgePixels(s, corners, grid).rms);
     if (!s.neighbour) return;
     const Shared found = shared(all, corners, grid);

@@ -18,7 +18,7 @@
 
 namespace mv::ray_cast {
 
-enum class Precision { single, twice };
+enum class Precision { single, twice };  // float and double
 enum class Maker { rays, raster, gl };
 // All formulas together, or one object alone, whose number is that of its kind and 1.
 enum class Objects { all };

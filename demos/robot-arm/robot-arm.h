@@ -75,8 +75,6 @@ vec3 targetOf(const Settings& s);
 vec3 beyondReach(const Settings& s, const vec3& target, double reach);
 void beginParts(Gpu& gpu, const Frame& frame);
 void drawParts(Gpu& gpu, const Pane& pane, const Jointed& thing, const std::vector<mat4>& worldFromPart);
-Pane paneOf(const Settings& s, const FrameInfo& frame);
-Pane besideOf(const Settings& s, const FrameInfo& frame);
 mat4 clipFromWorldOf(const Settings& s, const Pane& pane);
 
 // Two links and the arm: links.cpp, arm.cpp.
@@ -109,6 +107,8 @@ double cyclesAt(int index);
 // Ghosts, curves and words over two links or the arm: figure.cpp.
 void showLinks(JointedOverlay& overlay, const Settings& s, const Jointed& thing, const IkResult& found,
                const std::vector<mat4>& worldFromPart, const Frame& frame);
+Pane paneOf(const Settings& s, const FrameInfo& frame);
+Pane besideOf(const Settings& s, const FrameInfo& frame);
 
 // knobs.cpp, study.cpp.
 bool isLinks(const Settings& s);

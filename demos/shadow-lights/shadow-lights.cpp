@@ -55,7 +55,7 @@ void drawUnlit(Gpu& gpu, const Settings& s, const Scene& scene) {
     program.set("ambientPass", true);
     program.set("light", vec4(0));
     program.set("lightColor", vec3(0));
-    program.set("shaded", false);
+    program.set("hasShade", false);
     gpu.noMap.bind(0, DepthLookup::compareNearest);
     drawObjects(gpu, scene, mat4(1));
     program.set("ambientPass", false);
@@ -64,7 +64,7 @@ void drawUnlit(Gpu& gpu, const Settings& s, const Scene& scene) {
 // Add a light where its map shows nothing nearer to the light.
 void addByMap(Gpu& gpu, const Scene& scene, std::size_t i) {
     gpu.program.use();
-    gpu.program.set("shaded", scene.lights[i].aim.has_value());
+    gpu.program.set("hasShade", scene.lights[i].aim.has_value());
     gpu.shadows[i].map.bind(0, DepthLookup::compareNearest);
     addLight(gpu, scene, i);
 }

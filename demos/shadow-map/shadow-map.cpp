@@ -100,7 +100,7 @@ void drawObjects(Gpu& gpu, const Program& program, const Scene& scene, const Lig
     }
 }
 
-// All filters but none mix the answers of four texels at each lookup, and look up so many times along a side.
+// Every filter but Filter::none mixes the answers of four texels at each lookup. A square of lookups has looksAlong() on a side.
 DepthLookup lookupOf(Filter filter) {
     constexpr auto nearest = DepthLookup::compareNearest, linear = DepthLookup::compareLinear;
     constexpr std::array lookups{nearest, linear, linear, linear, linear};  // in the order of Filter

@@ -61,8 +61,6 @@ void drawMap(Gpu& gpu, const Settings& s, const Scene& scene, const LightView& l
 void drawPicture(Gpu& gpu, const Settings& s, const Scene& scene, const LightView& light);
 void setLookup(Gpu& gpu, const Settings& s, const Program& program);
 void drawObjects(Gpu& gpu, const Program& program, const Scene& scene, const LightView& light);
-void drawSlide(Gpu& gpu, const Settings& s, const Scene& scene, const LightView& light);
-Picture slidePicture();
 LightView lightView(const Settings& s, const Scene& scene);
 LightView spotView(const Settings& s);
 LightView parallelView(const Settings& s);
@@ -71,7 +69,11 @@ GLenum culledFor(Faces inMap);
 DepthLookup lookupOf(Filter filter);
 int looksAlong(Filter filter);
 
-// The scene, and the drawing over the picture: scene.cpp, figure.cpp.
+// A picture in the window of the light, as of a slide projector: slide.cpp.
+void drawSlide(Gpu& gpu, const Settings& s, const Scene& scene, const LightView& light);
+Picture slidePicture();
+
+// The scene, and the drawing over the picture: figure.cpp.
 Scene sceneOf(const Settings& s, const FrameInfo& frame);
 Scene overhead(int sides, double cord, double aspect);
 void check(const Settings& s);

@@ -24,7 +24,7 @@ struct Settings {
     Which scene = Which::papers;
     Method method = Method::sphere;
     int polygons = 24;  // the floor is one of them; at most 255, each a number in the stencil buffer
-    double size = 1;    // of each paper, as a part of what leaves about as much room for any number
+    double size = 1;    // of each paper; at 1 all papers together have about the same area, however many they are
     vec3 light{0.6, 3.1, 0.5};
     Show show = Show::sphere;
     Orbit orbit = {};

@@ -57,8 +57,8 @@ void clearDarkness(Gpu& gpu, const Settings& s, const Scene& scene, const Frame&
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
-// Flatten the casters onto the floor, once for each point. The floor is darkened once where two shadows of a point
-// overlap: the stencil counts down from 255, by one a point, and lets darkness through only where it is still higher.
+// Flatten the casters onto the floor, once for each point. Where shadows of one point overlap, only the first darkens: each
+// point has a number, from 254 down, darkens only pixels whose stencil value is above its number, and writes it there.
 void addByMatrix(Gpu& gpu, const Scene& scene, const std::vector<vec3>& points) {
     constexpr vec4 floor(0, 1, 0, 0);
     glEnable(GL_BLEND);
@@ -99,8 +99,9 @@ void addByMaps(Gpu& gpu, const Settings& s, const Scene& scene, const std::vecto
     gpu.mapFor.forget();
 }
 
-static void drawOnMap(const Gpu& gpu, const Program& program, const Scene& scene, const SceneObject& object,
-                      const Mesh& mesh) {
+// Draw an object into the picture, with the place on the map of each of its points.
+static void drawLookedUp(const Gpu& gpu, const Program& program, const Scene& scene, const SceneObject& object,
+                         const Mesh& mesh) {
     program.set("clipFromObject", scene.clipFromWorld() * object.worldFromObject);
     program.set("mapFromObject", gpu.lightOfMap.mapFromWorld() * object.worldFromObject);
     mesh.draw();
@@ -119,7 +120,7 @@ void addByMap(Gpu& gpu, const Scene& scene, const vec3& point, double share, int
     program.set("light", point);
     for (const auto& [object, mesh] : gpu.meshes.of(scene)) {
         program.set("worldFromObject", object.worldFromObject);
-        drawOnMap(gpu, program, scene, object, mesh);
+        drawLookedUp(gpu, program, scene, object, mesh);
     }
     glDepthFunc(GL_LESS);
     glDisable(GL_BLEND);
@@ -141,7 +142,7 @@ void addByPcss(Gpu& gpu, const Settings& s, const Scene& scene) {
     program.set("far", gpu.lightOfMap.bounds.far);
     program.set("side", s.taps);
     program.set("isDisc", s.lampShape == Shape::disc);
-    for (const auto& [object, mesh] : gpu.meshes.of(scene)) drawOnMap(gpu, program, scene, object, mesh);
+    for (const auto& [object, mesh] : gpu.meshes.of(scene)) drawLookedUp(gpu, program, scene, object, mesh);
     glDepthFunc(GL_LESS);
 }
 

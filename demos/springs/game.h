@@ -77,7 +77,7 @@ class SpringGame {
     SpringSetup setup_;
     std::optional<SpringStepper> stepper_;
     double first_ = 0, work_ = 0, mostWork_ = 0, largestDrift_ = 0;
-    double dissipatedBefore_ = 0;  // this stepper
+    double dissipatedBefore_ = 0;  // J, by the steppers before this one
     std::int64_t halvedBefore_ = 0;
     bool rests_ = false;
     std::string failure_;

@@ -44,8 +44,8 @@ std::vector<Dot> dots(Gpu& gpu, const Settings& s) {
     std::vector<Dot> result;
     for (const std::complex<double>& eigenvalue : atRest) {
         const std::complex<double> z = h * eigenvalue;
-        // Beyond critical damping a pair of eigenvalues is real, and with symplectic Euler and Verlet the growth depends on
-        // both. The fast one of a pair has the slow one as its partner
+        // A spring has two eigenvalues, whose product is the stiffness: conjugate ones, or, beyond critical damping, two that are
+        // real. With symplectic Euler and Verlet the growth depends on both, so the fast one has the slow one as its partner
         const bool isFast = eigenvalue.imag() == 0 && ratio * eigenvalue.real() <= -2;
         const std::complex<double> partner = isFast ? -z / (1.0 + ratio * eigenvalue) : std::conj(z);
         result.push_back({z, amplification(asOde(s), z, partner) > 1 + unseen});

@@ -81,7 +81,7 @@ bool isPlayed(const Settings& s);
 SpringScene sceneOf(const Settings& s);
 OdeMethod asOde(const Settings& s);
 
-// A classic, and words over both: classic.cpp, figure.cpp.
+// A classic, the masses, the dots, and the places of the pictures: overlay.cpp.
 void drawSolved(Gpu& gpu, const Settings& s, const Memory& game, const Frame& frame);
 void drawMasses(Gpu& gpu, const Settings& s, const Memory& game, const Frame& frame);
 void drawDots(Gpu& gpu, const Plot& plot, const Pane& pane, const std::vector<Dot>& all);

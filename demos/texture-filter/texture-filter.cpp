@@ -65,7 +65,7 @@ int looks(const Settings& s) {
 }
 
 bool areColored(const Settings& s) { return isMipmapped(s) && s.showLevels; }
-// The driver draws into the levels that it makes.
+// Coloured levels are the program's own.
 bool isByDriver(const Settings& s) { return isMipmapped(s) && !areColored(s) && s.mipmapsBy == MadeBy::driver; }
 Texels formatOf(const Settings& s) {
     if (s.texels == Kept::floats) return filteredFloats();

@@ -85,14 +85,14 @@ bool isTriangle(const Settings& s);
 bool isForward(const Settings& s);
 bool isByHand(const Settings& s);
 bool isCircle(const Settings& s);  // the lecture's cylinder, which has no faces
-Pane leftPane(const FrameInfo& frame);
-Pane paneOf(const Frame& frame);
 
 // Beside the technique: knobs.cpp, figure.cpp, study.cpp.
 const char* nameOf(Shape shape);
 const char* nameOf(Method method);
 const char* nameOf(Map map);
 void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame);
+Pane leftPane(const FrameInfo& frame);
+Pane paneOf(const Frame& frame);
 Scene sceneOf(const Settings& s, const FrameInfo& frame);
 void readOut(Gpu& gpu, const Settings& s, const Frame& frame, Numbers& numbers);
 

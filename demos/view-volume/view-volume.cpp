@@ -113,7 +113,7 @@ mat4 cameraFromWorld(const Settings& s) { return rotateY(-s.pan) * translate(0, 
 mat4 turned(const Settings& s) { return rotateX(s.tilt) * rotateY(-s.turn); }
 
 mat4 outsideFromWorld(const Settings& s, const Pane& pane) {
-    // As far to the sides as the eye and the far plane are, in a narrow pane too
+    // In a narrow pane widen the angle, so that the eye and the far plane stay in it
     return perspective(fovyAcross(40, pane.aspect(), 0.99), pane.aspect(), 1, 200) * translate(0, 0, -68) * turned(s) *
            translate(0, -2, 19);
 }

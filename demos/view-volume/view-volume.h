@@ -16,7 +16,7 @@ namespace mv::view_volume {
 
 enum class Projection { perspective, orthographic };
 enum class Planes { parameters, matrix, floatMatrix };
-enum class Round { box, ball };
+enum class Round { box, ball };  // what stands for a thing where it is tested
 enum class Stage { cube, sides, plane };
 
 struct Settings {
@@ -87,6 +87,7 @@ mat4 turned(const Settings& s);
 std::vector<Pane> panesOf(const FrameInfo& frame);
 mat4 outsideFromWorld(const Settings& s, const Pane& pane);
 mat4 cubeFromClip(const Settings& s, const Pane& pane);
+// With isCutOpen the shader leaves out what is outside the view volume.
 void beginPane(const Gpu& gpu, const Pane& pane, const mat4& paneFromWorld, bool isCutOpen);
 void drawThings(const Gpu& gpu, const Kept& kept, const Mesh& house, const Mesh& tree);
 

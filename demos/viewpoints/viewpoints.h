@@ -70,10 +70,10 @@ Axes axesOf(const Gaze& gaze);
 mat4 turnInto(const Axes& axes);
 mat4 viewByAxes(const Gaze& gaze);
 vec3 eyeOf(const mat4& view);
+void setSun(const Gpu& gpu, const Settings& s, const mat4& viewFromWorld);
 
 // knobs.cpp, study.cpp, figure.cpp.
 void check(const Settings& s);
-void setSun(const Gpu& gpu, const Settings& s, const mat4& viewFromWorld);
 Pane lowerPane(const Settings& s, const FrameInfo& frame);
 void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame);
 void readOut(Gpu& gpu, const Settings& s, const Frame& frame, Numbers& numbers);
