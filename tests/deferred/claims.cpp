@@ -43,7 +43,7 @@ long whites(const Picture& picture) { return countPixels(picture, {255, 255, 255
 
 }  // namespace
 
-TEST(Deferred, three_ways_one_light) {
+TEST(DeferredFull, three_ways_one_light) {
     DemoRun run("deferred", 400, 240);
     for (const auto& [lamps, distance] : {std::pair{0, 0.0}, {1, 0.0}, {96, 0.0}, {96, -4.0}, {48, 12.0}}) {
         run.set("lamps", lamps).set("distance", distance);
@@ -79,7 +79,7 @@ TEST(Deferred, several_targets) {
     EXPECT_NE(run.set("show", "picture").picture(), four);
 }
 
-TEST(Deferred, beyond_one) {
+TEST(DeferredFull, beyond_one) {
     DemoRun run("deferred");
     const Picture pressed = run.picture();
     EXPECT_GT(run.readout("beyond-one"), 3);

@@ -16,4 +16,10 @@ inline bool blursLongFootprints() { return onSoftpipe(); }
 // Softpipe sets points up to an eighth of a pixel off, so that some are set in the pixel beside theirs.
 inline bool placesPointsCoarsely() { return onSoftpipe(); }
 
+// Softpipe draws what a geometry shader makes, and captures none of it.
+inline bool capturesNothingBehindGeometryShaders() { return onSoftpipe(); }
+
+// Softpipe has one sample a pixel.
+inline bool hasOneSample() { return onSoftpipe(); }
+
 }  // namespace mv::test

@@ -175,7 +175,7 @@ TEST(Viewpoints, what_stands_still) {
     }
 }
 
-TEST(Viewpoints, lap_of_120) {
+TEST(ViewpointsFull, lap_of_120) {
     DemoRun run("viewpoints", 300, 300);  // large enough that 3 degrees move the far car by a pixel
     run.set("view", "3");
     const mv::Picture first = run.picture(0);
@@ -205,7 +205,7 @@ TEST(ViewpointsFull, slide_misses_house) {
     }
 }
 
-TEST(Viewpoints, exact_hits_house) {
+TEST(ViewpointsFull, exact_hits_house) {
     DemoRun run("viewpoints", small, small);
     run.set("view", "5").set("exact", "on");
     for (const double height : {0.0, 10.0, 20.0}) {
