@@ -24,15 +24,8 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
 
 static const vec3 background(0.09, 0.1, 0.12);
 
-static const Program& use(Gpu& gpu, const std::string& vertex, const std::string& fragment) {
-    const auto known = gpu.programs.find(fragment);
-    const Program& program =
-        known != gpu.programs.end()
-            ? known->second
-            : gpu.programs
-                  .emplace(fragment, Program::fromFiles("deferred " + fragment, {"deferred/" + vertex + ".vert",
-                                                                                 "deferred/" + fragment + ".frag"}))
-                  .first->second;
+static const Program& use(Gpu& gpu, const char* vertex, const char* fragment) {
+    const Program& program = gpu.programs.of({vertex, fragment});
     program.use();
     return program;
 }
@@ -63,7 +56,7 @@ static void drawWorld(Gpu& gpu, const Settings& s, const Program& program, const
 // Forward: draw the world once. Each fragment asks each lamp, also where a later one will hide it.
 void forward(Gpu& gpu, const Settings& s, const Frame& frame) {
     beginSum(gpu, s, frame, true);
-    const Program& program = use(gpu, "surface", "forward");
+    const Program& program = use(gpu, "surface.vert", "forward.frag");
     setLamps(program, s, reaching(s, cameraOf(s, frame)));
     drawWorld(gpu, s, program, frame);
 }
@@ -81,7 +74,7 @@ void storeSurfaces(Gpu& gpu, const Settings& s, const Frame& frame) {
     gpu.surfaces.begin(frame.width(), frame.height(), {GL_RGBA8, ofNormals}, true, "surfaces");
     glClearColor(0, 0, 0, 0);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    drawWorld(gpu, s, use(gpu, "surface", "surface"), frame);
+    drawWorld(gpu, s, use(gpu, "surface.vert", "surface.frag"), frame);
 }
 
 // Give a program the stored textures.
@@ -95,7 +88,7 @@ static void readSurfaces(const Gpu& gpu, const Program& program) {
 }
 
 void askLamps(Gpu& gpu, const Settings& s, const Frame& frame, const Lamps& lamps) {
-    const Program& program = use(gpu, "pixels", "pixels");
+    const Program& program = use(gpu, "pixels.vert", "pixels.frag");
     readSurfaces(gpu, program);
     program.set("worldFromClip", glm::inverse(seen(cameraOf(s, frame), frame).clipFromWorld()));
     setLamps(program, s, lamps);
@@ -111,7 +104,7 @@ void lampByLamp(Gpu& gpu, const Settings& s, const Frame& frame) {
     askLamps(gpu, s, frame, lamps);  // none of them: the light that is everywhere
 
     // Draw the balls' far sides: one for each pixel, also where the eye is in a ball
-    const Program& program = use(gpu, "lamp", "lamp");
+    const Program& program = use(gpu, "lamp.vert", "lamp.frag");
     readSurfaces(gpu, program);
     const mat4 clipFromWorld = seen(cameraOf(s, frame), frame).clipFromWorld();
     program.set("worldFromClip", glm::inverse(clipFromWorld));
@@ -134,7 +127,7 @@ void lampByLamp(Gpu& gpu, const Settings& s, const Frame& frame) {
 // Press the sum, which has no upper end, into a picture, which ends at 1; or show the stored textures beside it.
 void showSum(Gpu& gpu, const Settings& s, const Frame& frame) {
     const bool asTargets = s.show == Show::targets && s.way != Way::forward && !frame.measuring();
-    const Program& program = use(gpu, "pixels", asTargets ? "targets" : "tone");
+    const Program& program = use(gpu, "pixels.vert", asTargets ? "targets.frag" : "tone.frag");
     if (asTargets)
         readSurfaces(gpu, program);
     else

@@ -1,6 +1,4 @@
 #pragma once
-#include <map>
-#include <string>
 #include <vector>
 
 #include "mv/demo/frame.h"
@@ -8,7 +6,7 @@
 #include "mv/geometry/shapes.h"
 #include "mv/gl/mesh.h"
 #include "mv/gl/on_demand.h"
-#include "mv/gl/program.h"
+#include "mv/gl/programs.h"
 #include "shared/orbit.h"
 #include "targets.h"
 
@@ -33,7 +31,7 @@ struct Settings {
 };
 
 struct Gpu {
-    std::map<std::string, Program> programs;  // by their fragment shaders
+    Programs programs{"deferred"};
     OnDemand<Mesh> world{worldOf(), "world"}, wholePicture{positionsOnly(square()), "whole picture"};
     OnDemand<Mesh> ball{positionsOnly(sphere(1, 12, 8)), "ball of a lamp"};
     Targets surfaces, sum;

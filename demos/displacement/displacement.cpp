@@ -94,15 +94,7 @@ const Program& programOf(Gpu& gpu, const Settings& s, const Frame& frame) {
          {"displacement.vert", "lines.geom", "lines.frag"},
          {"patch.vert", "patch.tesc", "patch.tese", "displacement.frag"},
          {"patch.vert", "patch.tesc", "patch.tese", "lines.geom", "lines.frag"}}};
-    const std::size_t kind = 2 * std::size_t(isTessellated(s)) + std::size_t(hasLines(s, frame));
-    std::optional<Program>& program = gpu.programs.at(kind);
-    if (!program) program = programFrom(files.at(kind));
-    return *program;
-}
-// The name of a program is that of its first file.
-Program programFrom(std::vector<std::string> files) {
-    for (std::string& file : files) file.insert(0, "displacement/");
-    return Program::fromFiles(files.front() + "...", files);
+    return gpu.programs.of(files.at(2 * std::size_t(isTessellated(s)) + std::size_t(hasLines(s, frame))));
 }
 
 void setLight(const Program& program, const Settings& s, const Frame& frame) {

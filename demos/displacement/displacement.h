@@ -10,6 +10,7 @@
 #include "mv/gl/drawing.h"
 #include "mv/gl/mesh.h"
 #include "mv/gl/program.h"
+#include "mv/gl/programs.h"
 #include "mv/gl/texture.h"
 #include "relief_patches.h"
 #include "shared/relief.h"
@@ -41,7 +42,7 @@ struct Settings {
 };
 
 struct Gpu {
-    std::array<std::optional<Program>, 4> programs;  // 0 and 1 without tessellation, 1 and 3 with lines
+    Programs programs{"displacement"};
     // The patches: several meshes for the tessellator, or one mesh that the processor has cut
     Cached<std::vector<ReliefPatch>, ReliefBody> patches;
     Cached<std::vector<Mesh>, ReliefBody, int> corners;
@@ -62,7 +63,6 @@ const std::vector<Mesh>& makePatches(Gpu& gpu, const Settings& s, const LevelRul
 void setTessellator(const Program& program, const Settings& s, const LevelRule& rule);
 void drawPrepared(Gpu& gpu, const Program& program, const Settings& s, const Frame& frame);
 MeshData preparedMesh(const Settings& s, bool isMoved);
-Program programFrom(std::vector<std::string> files);
 LevelRule ruleOf(const Settings& s, const FrameInfo& frame);
 bool isTessellated(const Settings& s);
 bool isByDistance(const Settings& s);

@@ -16,7 +16,7 @@ static void fill(Gpu& gpu, const Pane& pane, const Program& program) {
 // size is the same.
 static void computePicture(Gpu& gpu, const Pane& right, const Frame& frame) {
     if (!gpu.image.fit(right.width, right.height, {.texture = true}, "image")) return;
-    programOf(gpu, {"compute.comp"}).use();
+    gpu.programs.of({"compute.comp"}).use();
     gpu.image.bindImage(0);
     glDispatchCompute(GLuint(right.width + 7) / 8, GLuint(right.height + 7) / 8, 1);
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
@@ -34,7 +34,7 @@ static void countRays(Gpu& gpu, const Pane& right, const Frame&) {
     const std::vector<GLuint> zeros(static_cast<std::size_t>(right.width) * static_cast<std::size_t>(right.height));
     glTexImage2D(GL_TEXTURE_2D, 0, GL_R32UI, right.width, right.height, 0, GL_RED_INTEGER, GL_UNSIGNED_INT,
                  zeros.data());
-    programOf(gpu, {"caustics.comp"}).use();
+    gpu.programs.of({"caustics.comp"}).use();
     glBindImageTexture(0, gpu.counts.id(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32UI);
     glDispatchCompute(GLuint(4 * right.width + 7) / 8, GLuint(4 * right.height + 7) / 8, 1);
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
@@ -59,7 +59,7 @@ static constexpr std::array<Stored, 2> ofKernel{{{computePicture, bindPicture, "
 // Compute the right picture unless it is there already, and draw what the compute shader stored: colours, or counts.
 static void drawStored(Gpu& gpu, const Stored& stored, const Pane& right, const Frame& frame) {
     stored.compute(gpu, right, frame);
-    const Program& program = programOf(gpu, {"ripples.vert", stored.fragment});
+    const Program& program = gpu.programs.of({"ripples.vert", stored.fragment});
     program.use();
     program.set("image", 0);
     stored.bind(gpu);
@@ -71,7 +71,7 @@ void drawCompute(Gpu& gpu, const Settings& s, const Frame& frame) {
     if (s.computes) drawStored(gpu, ofKernel.at(static_cast<std::size_t>(s.kernel)), right, frame);
 
     // Draw the left picture by a fragment shader
-    const Program& byFragment = programOf(gpu, {"ripples.vert", "ripples.frag"});
+    const Program& byFragment = gpu.programs.of({"ripples.vert", "ripples.frag"});
     byFragment.use();
     byFragment.set("size", vec2(left.width, left.height));
     fill(gpu, left, byFragment);

@@ -48,7 +48,7 @@ void countPrimitives(Gpu& gpu, const Settings& s, const Frame& frame) {
         const auto countedBy = [&](const Program& program) {
             return counted(program, mode(s.stages), [&] { submit(gpu, s.stages); });
         };
-        gpu.sent = countedBy(programOf(gpu, filesOf(s.stages, stage)));
+        gpu.sent = countedBy(gpu.programs.of(filesOf(s.stages, stage)));
         gpu.toGeometry = stage == Geometry::off ? gpu.sent : countedBy(prepare(gpu, s, Geometry::off, frame));
     }
     frame.count("primitives for the rasterizer", double(gpu.sent.number.generated));

@@ -17,17 +17,4 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
 
 mat4 turnOf(const Settings& s) { return rotateX(s.spinX) * rotateY(s.spinY); }
 
-// Link these files to a program, one a stage, unless that was done.
-const Program& programOf(Gpu& gpu, const std::vector<std::string>& files) {
-    const auto known = gpu.programs.find(files);
-    if (known != gpu.programs.end()) return known->second;
-    std::string name;
-    std::vector<std::string> paths;
-    for (const std::string& file : files) {
-        name += (name.empty() ? "" : " ") + file;
-        paths.push_back("gpu-stages/" + file);
-    }
-    return gpu.programs.emplace(files, Program::fromFiles(name, paths)).first->second;
-}
-
 }  // namespace mv::gpu_stages

@@ -1,5 +1,4 @@
 #pragma once
-#include <map>
 #include <string>
 #include <vector>
 
@@ -14,6 +13,7 @@
 #include "mv/gl/object.h"
 #include "mv/gl/on_demand.h"
 #include "mv/gl/program.h"
+#include "mv/gl/programs.h"
 #include "mv/gl/target.h"
 #include "primitive_figure.h"
 #include "regular_meshes.h"
@@ -49,7 +49,7 @@ struct Settings {
 };
 
 struct Gpu {
-    std::map<std::vector<std::string>, Program> programs;  // by their files
+    Programs programs{"gpu-stages"};
     OnDemand<Mesh> patch{positionsOnly(controlPoints()), "patch"}, points{controlPoints(), "control points"};
     OnDemand<Mesh> net{controlNet(), "control net"}, square{positionsOnly(mv::square()), "square"};
     CountedPrimitives toGeometry, sent;  // primitives before and after the geometry stage
@@ -69,7 +69,6 @@ void drawStages(Gpu& gpu, const Settings& s, const Frame& frame);
 void drawPrimitives(Gpu& gpu, const Settings& s, const Frame& frame);
 void drawMeshes(Gpu& gpu, const Settings& s, const Frame& frame);
 void drawCompute(Gpu& gpu, const Settings& s, const Frame& frame);
-const Program& programOf(Gpu& gpu, const std::vector<std::string>& files);
 mat4 turnOf(const Settings& s);
 
 // What goes through the stages: stages.cpp.

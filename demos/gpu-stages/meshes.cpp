@@ -10,7 +10,7 @@ void drawMeshes(Gpu& gpu, const Settings& s, const Frame& frame) {
     constexpr std::array stages{Geometry::off, Geometry::wireframe};
     const Geometry stage = stages.at(s.hasWires);
     const Stages untouched{.tessellation = false};
-    const Program& program = programOf(gpu, filesOf(untouched, stage));
+    const Program& program = gpu.programs.of(filesOf(untouched, stage));
     program.use();
     program.set("bend", 0.0);
     program.set("color", colorOf(untouched, stage));

@@ -5,7 +5,7 @@
 namespace mv::gpu_stages {
 
 void drawPrimitives(Gpu& gpu, const Settings& s, const Frame& frame) {
-    const Program& flat = programOf(gpu, {"flat.vert", "flat.frag"});
+    const Program& flat = gpu.programs.of({"flat.vert", "flat.frag"});
     flat.use();
     glEnable(GL_PROGRAM_POINT_SIZE);
     gpu.types.draw(frame, flat, s.vertices, s.counts);

@@ -32,7 +32,7 @@ void drawStages(Gpu& gpu, const Settings& s, const Frame& frame) {
 
 // Use the program of these stages, and set all uniforms that it has.
 const Program& prepare(Gpu& gpu, const Settings& s, Geometry stage, const Frame& frame) {
-    const Program& program = programOf(gpu, filesOf(s.stages, stage));
+    const Program& program = gpu.programs.of(filesOf(s.stages, stage));
     program.use();
     program.set("clipFromWorld", seen(sceneOf(s, frame), frame).clipFromWorld());
     program.set("bend", s.stages.bend);
