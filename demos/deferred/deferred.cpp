@@ -22,8 +22,6 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
     showSum(gpu, s, frame);
 }
 
-static const vec3 background(0.09, 0.1, 0.12);
-
 static const Program& use(Gpu& gpu, const char* vertex, const char* fragment) {
     const Program& program = gpu.programs.of({vertex, fragment});
     program.use();

@@ -18,6 +18,8 @@ enum class Tone { clamp, reinhard };
 enum class Show { picture, targets };
 
 inline constexpr int mostLamps = 96;  // as the shaders' arrays
+inline constexpr vec3 background(0.09, 0.1, 0.12);
+
 struct Settings {
     Way way = Way::deferred;
     int lamps = 48;

@@ -15,7 +15,7 @@ constexpr Declaration about{
     .number = 38,
     .width = 800,
     .height = 480,
-    .background = vec4(0.09, 0.1, 0.12, 1),
+    .background = vec4(background, 1),
     .needs = {.beyondEs = {{"float targets", "the sum of light has eight bits, and its error is not measured"}}},
     .waste = {{"repeated-pass", "pass into 'surfaces'", "what storing costs in every frame is the lesson"},
               {"repeated-pass", "pass into 'sum of light'", "what many lamps cost in every frame is the lesson"}},

@@ -11,10 +11,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <string>
 
 #include "mv/gl/beyond_es.h"
+#include "mv/image/compare.h"
 #include "mv/math/color.h"
 #include "support/demo_run.h"
 
@@ -23,22 +23,6 @@ using namespace mv::test;
 
 namespace {
 
-// The largest difference of a channel, and the number of pixels with one above `most`.
-struct Difference {
-    int largest = 0;
-    long beyond = 0;
-};
-Difference between(const Picture& a, const Picture& b, int most) {
-    Difference found;
-    for (std::size_t i = 0; i < a.rgba.size(); i += 4) {
-        int largest = 0;
-        for (std::size_t k = 0; k < 3; ++k)
-            largest = std::max(largest, std::abs(int(a.rgba[i + k]) - int(b.rgba[i + k])));
-        found.largest = std::max(found.largest, largest);
-        found.beyond += largest > most ? 1 : 0;
-    }
-    return found;
-}
 long whites(const Picture& picture) { return countPixels(picture, {255, 255, 255}); }
 
 }  // namespace
@@ -50,10 +34,10 @@ TEST(DeferredFull, three_ways_one_light) {
         const Picture forward = run.set("way", "forward").picture();
         EXPECT_GT(countColors(forward), lamps == 0 ? 5 : 20) << lamps;  // without lamps there are colours alone
         for (const char* way : {"deferred", "lamp-by-lamp"}) {
-            // Normals of 10 bits lean by up to a thousandth, and sums of half floats are off by 1/2048 of themselves. An edge's pixel may be
-            // another surface's
-            const Difference found = between(forward, run.set("way", way).picture(), 3);
-            EXPECT_LE(found.beyond, 40) << way << ", " << lamps << ", " << distance;
+            // Normals of 10 bits lean by up to a thousandth, and sums of half floats are off by 1/2048 of themselves: less than 3 levels. An
+            // edge's pixel may be another surface's: as few as golden pictures allow another renderer
+            EXPECT_LE(compare(forward, run.set("way", way).picture(), 3).fraction, 0.001)
+                << way << ", " << lamps << ", " << distance;
         }
     }
 }
@@ -82,11 +66,11 @@ TEST(Deferred, several_targets) {
 TEST(DeferredFull, beyond_one) {
     DemoRun run("deferred");
     const Picture pressed = run.picture();
-    EXPECT_GT(run.readout("beyond-one"), 3);
+    EXPECT_GT(run.readout("beyond-one"), 1) << "percent of what is seen, so that it is seen at a glance";
     EXPECT_EQ(whites(pressed), 0);
     const Picture cut = run.preset("clamped").picture();
     EXPECT_EQ(run.readout("beyond-one"), 0);
-    EXPECT_GT(whites(cut), 2000);
+    EXPECT_GT(whites(cut), 0.005 * cut.width * cut.height) << "spots that are seen at a glance";
     // What is cut off before it is pressed is half of white at most
     const Picture late = run.set("tone", "reinhard").picture();
     int brightest = 0;
@@ -97,6 +81,8 @@ TEST(DeferredFull, beyond_one) {
 
 TEST(Deferred, no_upper_end) {
     DemoRun run("deferred", 200, 120);
+    // Both pictures are rounded by half a level, where the curve from levels to light rises by at most 2.4/1.055
+    const double rounding = 2.4 / 1.055 / 255;
     Picture before = run.set("power", 0.03125).picture();
     for (double power = 0.0625; power <= 4; power *= 2) {
         const Picture now = run.set("power", power).picture();
@@ -107,7 +93,7 @@ TEST(Deferred, no_upper_end) {
         };
         for (int y = 0; y < now.height; ++y) {
             for (int x = 0; x < now.width; ++x)
-                ASSERT_GE(luminance(now.at(x, y)), luminance(before.at(x, y)) - 0.012) << power;
+                ASSERT_GE(luminance(now.at(x, y)), luminance(before.at(x, y)) - rounding) << power;
         }
         EXPECT_EQ(whites(now), 0);
         before = now;
@@ -120,10 +106,10 @@ TEST(Deferred, half_a_step_is_nothing) {
     const Picture none = run.picture();
     run.set("lamps", 96);
     // Within 0.7 m of a lamp a white surface gets half a step or more
-    const long one = between(none, run.picture(), 0).beyond,
-               all = between(none, run.set("way", "deferred").picture(), 0).beyond;
-    EXPECT_GT(all, 6000) << "a quarter of the picture";
-    EXPECT_LT(one, all / 4);
+    const double one = compare(none, run.picture()).fraction,
+                 all = compare(none, run.set("way", "deferred").picture()).fraction;
+    EXPECT_GT(all, 0.25) << "of the picture is lighter by the lamps together";
+    EXPECT_LT(one, all / 4) << "and by one after the other only what is near a lamp";
 }
 
 TEST(Deferred, eight_bits_without_floats) {
