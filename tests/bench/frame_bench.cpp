@@ -1,5 +1,6 @@
 // One frame through the framework (knobs, checks, matrices in doubles, uniforms by name) against the same GL calls made
 // directly, with matrices computed beforehand. Both into the same target, both finished.
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <string>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "bench/benches.h"
+#include "mv/demo/preset.h"
 #include "mv/error.h"
 #include "mv/gl/gl.h"
 #include "mv/run/render.h"
@@ -82,6 +84,9 @@ Row frameRow(const std::string& demo, int rounds) {
     HeadlessStage headless;
     Stage& stage = headless.stage;
     stage.open(findDemo(demo), 512, 512);
+    // The old page's picture: what a figure adds draws by more functions than are recorded
+    const auto& presets = stage.info().presets;
+    applyPreset(stage.demo(), *std::ranges::find(presets, std::string("original"), &Preset::name));
     stage.draw(1);
     const Picture through = stage.picture();
     const std::vector<Call> calls =
