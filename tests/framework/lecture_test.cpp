@@ -136,7 +136,7 @@ TEST_F(Lectures, a_plot_may_be_a_png) {
     EXPECT_NE(refusal(writePlot, words).find("needs rsvg-convert for a PNG, which is not installed"),
               std::string::npos);
     ::setenv("PATH", (folder.path().string() + ":" + before).c_str(), 1);
-    standIn("cp \"$5\" \"$4\"\n");
+    standIn("cat >\"$4\"\n");
     writePlot(parseCommandLine(words));
     writePlot(parseCommandLine({"shadow-methods", "--plot", "still life=" + svg}));
     EXPECT_EQ(readTextFile(file, 1 << 20), readTextFile(svg, 1 << 20));
@@ -185,7 +185,8 @@ TEST_F(Lectures, a_movie_has_every_picture) {
             film.finish();
             ADD_FAILURE() << script;
         } catch (const Error& error) {
-            EXPECT_STREQ(error.what(), "ffmpeg: must take pictures or write the film; it hangs, neither for 1 s");
+            EXPECT_STREQ(error.what(),
+                         "ffmpeg: must take what it is given or write what it makes; it hangs, neither for 1 s");
         }
         const int process = std::stoi(readTextFile(folder.file("process"), 99));
         EXPECT_EQ(::kill(process, 0), -1) << script;

@@ -1,18 +1,15 @@
 #include "mv/run/lecture.h"
 
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
+#include <span>
 
 #include "mv/image/compare.h"
 #include "mv/image/file.h"
 #include "mv/paper/tables.h"
+#include "mv/run/converter.h"
 #include "mv/run/copyable.h"
 #include "mv/run/film.h"
 #include "mv/run/render.h"
@@ -165,19 +162,13 @@ namespace {
 // By rsvg-convert, in twice the SVG's size, so that a slide may enlarge it.
 std::vector<std::byte> pngOf(const std::string& svg) {
     const ScratchFolder scratch("plot");
-    const std::string from = (scratch.path() / "plot.svg").string(), to = (scratch.path() / "plot.png").string();
-    writeFileAtomically(from, svg);
-    std::vector<std::string> words{"rsvg-convert", "--zoom", "2", "--output", to, from};
-    std::vector<char*> argv;
-    for (std::string& word : words) argv.push_back(word.data());
-    argv.push_back(nullptr);
-    pid_t process = 0;
-    int status = ::posix_spawnp(&process, argv[0], nullptr, nullptr, argv.data(), environ);
-    while (status == 0 && ::waitpid(process, &status, 0) < 0 && errno == EINTR) {
-    }
-    if (status != 0) throw Error("rsvg-convert", "must make a PNG of the plot; it says why above");
+    const std::filesystem::path made = scratch.path() / "plot.png";
+    Converter converter("--plot", {"rsvg-convert", "--zoom", "2", "--output", made.string()}, made,
+                        std::chrono::seconds(30));
+    if (!converter.give(std::as_bytes(std::span(svg))) || !converter.finish())
+        throw Error("rsvg-convert", "must make a PNG of the plot; it says why above");
     constexpr std::size_t mostBytes = 64U << 20;
-    return readFile(to, mostBytes);
+    return readFile(made.string(), mostBytes);
 }
 
 }  // namespace
