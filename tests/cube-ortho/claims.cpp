@@ -20,6 +20,7 @@
 #include "cube-ortho/cube-ortho.h"
 #include "mv/math/projection.h"
 #include "support/demo_run.h"
+#include "support/stretch.h"
 
 using namespace mv;
 using namespace mv::test;
@@ -41,25 +42,7 @@ mat4 diagonal(double x, double y, double z) {
 DemoRun& straight(DemoRun& run) { return run.set("spin-x", 0).set("spin-y", 0); }
 DemoRun& turned(DemoRun& run) { return run.set("spin-x", 30).set("spin-y", 40); }
 
-TEST(CubeOrtho, stretch_is_said) {
-    const auto said = [](int width, int height, double volume) {
-        DemoRun run("cube-ortho", width, height);
-        (void)run.set("width", volume).picture();
-        const std::vector<std::string> messages = run.messages();
-        return messages.empty() ? "" : messages.at(0);
-    };
-    EXPECT_EQ(said(300, 300, 2), "");
-    EXPECT_EQ(said(300, 200, 3), "") << "a window of the volume's shape";
-    EXPECT_EQ(
-        said(300, 200, 2),
-        "Shapes are shown 1.50 times as wide as they are: the picture is 1.50 times as wide as high, the volume of "
-        "view 1.00.");
-    EXPECT_EQ(
-        said(200, 200, 3),
-        "Shapes are shown 1.50 times as high as they are: the picture is 1.00 times as wide as high, the volume of "
-        "view 1.50.");
-    EXPECT_EQ(said(300, 297, 2), "") << "a pixel or two are a rounding";
-}
+TEST(CubeOrtho, stretch_is_said) { expectStretchIsSaid("cube-ortho", "width", 2, 3); }
 
 }  // namespace
 
