@@ -139,9 +139,8 @@ ProcessResult tried(const TemporaryFolder& folder, std::vector<std::string> word
 // The left and the middle one of the three pictures that --compare lays beside each other, 4 pixels apart.
 bool showsTwoPictures(const Picture& sheet) {
     const int width = (sheet.width - 8) / 3;
-    for (int y = 0; y < sheet.height; ++y) {
-        // The labels above them differ in any case.
-        if (y < sheet.height - 48) continue;
+    constexpr int labels = 48;  // the labels above them differ in any case; a line of words is half as high
+    for (int y = labels; y < sheet.height; ++y) {
         for (int x = 0; x < width; ++x) {
             if (sheet.at(x, y) != sheet.at(x + width + 4, y)) return true;
         }

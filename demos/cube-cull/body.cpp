@@ -5,6 +5,7 @@
 #include "cube-cull.h"
 #include "mv/geometry/bezier_patch.h"
 #include "mv/geometry/teapot.h"
+#include "mv/math/projection.h"
 
 namespace mv::cube_cull {
 
@@ -19,6 +20,18 @@ MeshData bodyOf(const Settings& s) {
     for (fvec3& position : mesh.positions) position = 0.45F * (position - fvec3(0.25, 1.5, 0));
     for (const fvec3& normal : mesh.normals) mesh.colors.emplace_back(0.5F + 0.5F * normal, 1);
     return withoutTexCoords(withoutNormals(std::move(mesh)));
+}
+
+// Where the corners of the body's triangles are for OpenGL, three of each.
+std::vector<fvec4> clipCorners(const MeshData& mesh, const Settings& s, double aspect) {
+    const fmat4 clipFromModel(perspective(50, aspect, 0.2, 100) * viewFromModel(s));
+    std::vector<fvec4> corners;
+    const std::size_t count = mesh.indices.empty() ? mesh.positions.size() : mesh.indices.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t corner = mesh.indices.empty() ? i : mesh.indices[i];
+        corners.push_back(clipFromModel * fvec4(mesh.positions[corner], 1));
+    }
+    return corners;
 }
 
 }  // namespace mv::cube_cull

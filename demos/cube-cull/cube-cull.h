@@ -1,10 +1,12 @@
 #pragma once
 #include <optional>
+#include <vector>
 
 #include "mv/demo/cached.h"
 #include "mv/demo/frame.h"
 #include "mv/demo/numbers.h"
 #include "mv/geometry/shapes.h"
+#include "mv/gl/drawing.h"
 #include "mv/gl/functions.h"
 #include "mv/gl/mesh.h"
 #include "mv/gl/program.h"
@@ -23,6 +25,7 @@ struct Settings {
     bool depth = true;
     double zDist = -4;              // of the eye on the z axis
     double spinX = 20, spinY = 30;  // degrees
+    bool apart = true;              // the figure beside the picture
 };
 
 struct Gpu {
@@ -30,6 +33,8 @@ struct Gpu {
     Cached<Mesh, Body, int> body;
     Mesh axes{mv::axes(1.5), "axes"};
     std::optional<Program> distances;  // for the study alone
+    Drawing drawing;                   // for the figure
+    Cached<Mesh, unsigned> kept;       // of its faces moved apart
 };
 
 void draw(Gpu& gpu, const Settings& s, const Frame& frame);
@@ -41,6 +46,10 @@ void check(const Settings& s);
 
 // body.cpp
 MeshData bodyOf(const Settings& s);
+std::vector<fvec4> clipCorners(const MeshData& mesh, const Settings& s, double aspect);
+
+// figure.cpp
+void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame);
 
 // study.cpp
 void drawDistances(Gpu& gpu, const Settings& s, const Frame& frame);

@@ -43,13 +43,16 @@ const Lesson<Settings, Gpu> lesson{
             number("z-dist", &Settings::zDist, {-10, 10}, "where the eye stands on the z axis, looking at the middle"),
             angle("spin-x", &Settings::spinX, "turn about the x axis"),
             angle("spin-y", &Settings::spinY, "turn about the y axis"),
+            toggle(
+                "apart", &Settings::apart,
+                "name the axes, and show the cube's faces moved apart, from another side; the culled ones are dashed"),
         },
     .presets =
         {
             {"turned", "Back faces are gone, and nothing is missing."},
             {"original",
              "The page's first picture: straight on one sees the blue face alone.",
-             {.spinX = 0, .spinY = 0}},
+             {.spinX = 0, .spinY = 0, .apart = false}},
             {"front-culled", "Without front faces one looks into the far half of the box.", {.cull = Cull::front}},
             {"hidden-front",
              "No depth test: front faces hide front faces, and the spout, which comes last, is painted over the pot "
@@ -71,6 +74,7 @@ const Lesson<Settings, Gpu> lesson{
                  {"surviving", "triangles that go on to the rasterizer"}},
     .draw = draw,
     .measure = drawDistances,
+    .figure = drawFigure,
     .readOut = readOut,
     .check = check,
 };

@@ -16,13 +16,6 @@ namespace mv::cube_cull {
 
 using namespace claims;
 
-static std::vector<fvec4> clipCorners(const MeshData& mesh, const Settings& s, double aspect) {
-    const fmat4 clipFromModel(perspective(50, aspect, 0.2, 100) * viewFromModel(s));
-    std::vector<fvec4> corners;
-    for (const auto index : mesh.indices) corners.push_back(clipFromModel * fvec4(mesh.positions[index], 1));
-    return corners;
-}
-
 void readOut(Gpu& gpu, const Settings& s, const Frame& frame, Numbers& numbers) {
     const vec3 eye = vec3(inverse(viewFromModel(s)) * vec4(0, 0, 0, 1));  // in the body's own coordinates
     int faces = 0;
@@ -102,8 +95,8 @@ Study study() {
     };
     study.wrongBeyond = wrongBeyond;
     // From where no edge of the lid or of the spout lets the eye in
-    study.scenes = {{"large", {{"body", "teapot"}, {"spin-x", "0"}, {"z-dist", "-4"}}},
-                    {"small", {{"body", "teapot"}, {"spin-x", "0"}, {"z-dist", "-10"}}}};
+    study.scenes = {{"large", {{"body", "teapot"}, {"spin-x", "0"}, {"z-dist", "-4"}, {"apart", "off"}}},
+                    {"small", {{"body", "teapot"}, {"spin-x", "0"}, {"z-dist", "-10"}, {"apart", "off"}}}};
     for (const std::string cull : {"none", "back"}) {
         study.lines.push_back({.method = "cull " + cull,
                                .settings = {{"cull", cull}},

@@ -6,10 +6,12 @@
 // - [eye-inside] Inside the cube no face turns to the eye: culling back faces leaves the axes alone.
 // - [open-shows-its-inside] Of the open pot culling leaves out faces that are seen; of the closed cube it leaves out none.
 // - [fronts-hide-fronts] The teapot is not convex: front faces hide front faces, so that culling alone does not order them.
+// - [apart-as-drawn] Of the faces that are moved apart those are filled that the picture shows, and no other.
 // - [lines-stay] Lines have no faces: culling both leaves the axes.
 #include <gtest/gtest.h>
 
 #include <array>
+#include <string>
 
 #include "support/demo_run.h"
 
@@ -129,6 +131,31 @@ TEST(CubeCull, fronts_hide_fronts) {
     EXPECT_LT(run.readout("wrong-pixels"), 0.5);
     run.set("body", "cube").set("depth", "off").picture();
     EXPECT_EQ(run.readout("wrong-pixels"), 0);
+}
+
+TEST(CubeCull, apart_as_drawn) {
+    DemoRun run("cube-cull");
+    // The colours of the six faces: blue, magenta, cyan, and the opposite ones
+    constexpr std::array<Pixel, 6> colors{Pixel{0, 0, 255},   Pixel{255, 0, 255}, Pixel{0, 255, 255},
+                                          Pixel{255, 255, 0}, Pixel{255, 0, 0},   Pixel{0, 255, 0}};
+    const auto filled = [&](const Picture& picture, int left, int top, long least) {
+        std::array<bool, 6> found{};
+        for (std::size_t i = 0; i < colors.size(); ++i) {
+            long pixels = 0;
+            for (int y = top; y < top + 180; ++y)
+                for (int x = left; x < left + 252; ++x) pixels += picture.at(x, y) == colors[i];
+            found[i] = pixels > least;
+        }
+        return found;
+    };
+    // Where the picture has the cube, and where it has the corner
+    constexpr int left = 174, top = 210, apartLeft = 348, apartTop = 420;
+    for (const char* cull : {"none", "back", "front", "both"}) {
+        const Picture picture = run.set("cull", cull).picture();
+        std::array<bool, 6> expected = filled(picture, left, top, 1000);  // more than the axes have there
+        if (std::string(cull) == "none") expected.fill(true);             // also those that are hidden
+        EXPECT_EQ(filled(picture, apartLeft, apartTop, 0), expected) << cull;
+    }
 }
 
 TEST(CubeCull, lines_stay) {

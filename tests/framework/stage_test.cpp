@@ -215,7 +215,7 @@ TEST(Stage, a_newer_opengl_than_declared_is_refused) {
 
 TEST(Report, has_readouts_counters_and_matrices) {
     DemoRun run("cube-cull");
-    run.picture();
+    run.set("apart", "off").picture();
     const std::string text = reportText(stage(), 1, {});
     for (const char* part :
          {"cube-cull, frame 1, 600x600", "readout   facing", "(faces of the cube turned towards the eye, of 6)",

@@ -722,7 +722,7 @@ replay() { # as fast as xdotool is: nothing is waited for between two moves
 }
 
 steps() { # by the panel, and what is saved and copied
-    start 'mvgl: cube-cull' "$cubeCull" --size 600x960
+    start 'mvgl: cube-cull' "$cubeCull" --apart off --size 600x960
     equal "until, of a whole frame" "" "$(reported until)"
     clickOn "Step through the draws"
     awaitReport until 1
@@ -734,7 +734,7 @@ steps() { # by the panel, and what is saved and copied
     awaitReport until 1
     # What the draw has changed is outlined: the cube's pixels, as many as differ from the picture before
     for draws in 0 1; do
-        "$cubeCull" --size 600x960 --until $draws --headless --shot "$state/until$draws.png" >"$state/said" || fail "no picture of $draws draws"
+        "$cubeCull" --apart off --size 600x960 --until $draws --headless --shot "$state/until$draws.png" >"$state/said" || fail "no picture of $draws draws"
     done
     # The mouse over the picture: the pixel's values, and its neighbourhood magnified, with it in the middle
     reach "pixel values"
@@ -760,7 +760,7 @@ steps() { # by the panel, and what is saved and copied
     sameAsHeadless cube-cull-1.png
     rm cube-cull-1.png
     # More draws than it has: a sentence that says how many, and the slider is there to come back.
-    start 'mvgl: cube-cull' "$cubeCull" --size 600x960 --until 99
+    start 'mvgl: cube-cull' "$cubeCull" --apart off --size 600x960 --until 99
     case $(reported error) in "draws: must be 0 .. 2, "*) ;; *) fail "not refused: $(reported error)" ;; esac
     clickOn "<##draw"
     awaitReport until 2
@@ -986,7 +986,7 @@ looksTwiceAsLarge() {
 
 twice() { # the framebuffer is twice the window
     perUnit=2
-    start 'mvgl: cube-cull' "${sham[@]}" SHAM=twice "$cubeCull"
+    start 'mvgl: cube-cull' "${sham[@]}" SHAM=twice "$cubeCull" --apart off
     equal "size, and pixels" "960x600 1920x1200" "$(reported size) $(reported pixels)"
     looksTwiceAsLarge "${sham[@]}" SHAM=twice "$cubeCull"
     perUnit=1
@@ -1003,7 +1003,7 @@ window: pixels for each window coordinate downwards: must be 0.5 .. 8, 100; 1 is
 density() { # the window has all pixels there are, and everything in it is twice as large
     screenIs() { xprop -root -f RESOURCE_MANAGER 8s -set RESOURCE_MANAGER "Xft.dpi:	$1"; } # DOTS-AN-INCH
     screenIs 192
-    start 'mvgl: cube-cull' "$cubeCull"
+    start 'mvgl: cube-cull' "$cubeCull" --apart off
     equal "size, and pixels" "1920x1200 1920x1200" "$(reported size) $(reported pixels)"
     looksTwiceAsLarge "$cubeCull"
     # A density that no screen has is not believed.

@@ -1,0 +1,140 @@
+// Over the picture of cube-cull: letters at the axes, and in a corner the cube's faces moved apart, the culled ones dashed.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <string>
+#include <vector>
+
+#include "cube-cull.h"
+#include "mv/gl/state.h"
+#include "mv/gl/triangle_count.h"
+#include "mv/math/projection.h"
+#include "mv/math/transform.h"
+
+namespace mv::cube_cull {
+
+static const vec4 ink(0.25, 0.25, 0.25, 1), pale(0.7, 0.7, 0.7, 1);
+
+// Name of each axis the end that is nearer to the eye: the cube does not hide it.
+static void nameAxes(Drawing& drawing, const Settings& s, const FrameInfo& frame) {
+    const mat4 clipFromModel = perspective(50, frame.aspect(), 0.2, 100) * viewFromModel(s);
+    constexpr std::array letters{"x", "y", "z"};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        vec3 end(0);
+        end[int(axis)] = 1.6;
+        const bool isAhead = (viewFromModel(s) * vec4(end, 0)).z < 0;  // the eye looks along -z
+        drawing.text(clipFromModel, isAhead ? -end : end, {-4, 8}, (isAhead ? "-" : "") + std::string(letters.at(axis)),
+                     {16, ink, vec4(0)});
+    }
+}
+
+// A face of the cube, moved along its normal, and how many of its two triangles are culled and go on.
+struct Face {
+    std::array<vec3, 4> corners;
+    TriangleCount triangles;
+};
+
+static std::vector<Face> facesOf(const MeshData& cube, const Settings& s, const FrameInfo& frame) {
+    const std::vector<fvec4> inClip = clipCorners(cube, s, frame.aspect());
+    std::vector<Face> faces;
+    for (auto first = inClip.begin(); first != inClip.end(); first += 6) {
+        const auto at = [&](int i) { return vec3(cube.positions[std::size_t(first - inClip.begin() + i)]); };
+        const vec3 moved = 0.5 * glm::normalize(glm::cross(at(1) - at(0), at(2) - at(0)));
+        const TriangleCount triangles = sortTriangles({first, first + 6});
+        faces.push_back({{at(0) + moved, at(1) + moved, at(2) + moved, at(5) + moved}, triangles});
+    }
+    return faces;
+}
+
+// Which faces go on, a bit for each.
+static unsigned keptOf(const std::vector<Face>& faces) {
+    unsigned kept = 0;
+    for (std::size_t face = 0; face < faces.size(); ++face)
+        kept |= faces[face].triangles.surviving > 0 ? 1U << face : 0U;
+    return kept;
+}
+
+static MeshData meshOfKept(const MeshData& cube, const std::vector<Face>& faces) {
+    MeshData mesh;
+    for (std::size_t face = 0; face < faces.size(); ++face) {
+        if (faces[face].triangles.surviving == 0) continue;
+        for (const std::size_t corner : {0U, 1U, 2U, 0U, 2U, 3U}) {
+            mesh.positions.emplace_back(faces[face].corners[corner]);
+            mesh.colors.push_back(cube.colors[6 * face]);
+        }
+    }
+    return mesh;
+}
+
+static void drawDashed(Drawing& drawing, const mat4& clipFromModel, const vec3& from, const vec3& to) {
+    constexpr int dashes = 6;
+    for (int i = 0; i < dashes; ++i) {
+        const double start = (i + 0.1) / dashes, end = (i + 0.7) / dashes;
+        drawing.edge(clipFromModel, glm::mix(from, to, start), glm::mix(from, to, end), {ink, 1.6});
+    }
+}
+
+static void drawKept(Gpu& gpu, const MeshData& cube, const std::vector<Face>& faces, const mat4& paneFromModel,
+                     const Pane& pane) {
+    const StateScope scope;
+    glViewport(pane.x, pane.y, pane.width, pane.height);
+    glScissor(pane.x, pane.y, pane.width, pane.height);
+    setEnabled(GL_SCISSOR_TEST, true);
+    glClearColor(1, 1, 1, 1);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    const unsigned kept = keptOf(faces);
+    if (kept == 0) return;
+    setEnabled(GL_CULL_FACE, false);
+    setEnabled(GL_DEPTH_TEST, true);
+    gpu.program.use();
+    gpu.program.set("viewFromModel", mat4(1));
+    gpu.program.set("clipFromView", paneFromModel);
+    gpu.kept.of({kept}, [&] { return Mesh(meshOfKept(cube, faces), "faces moved apart"); }).draw();
+}
+
+// The faces seen from the right and from above, the eye on the left before them.
+static void drawApart(Gpu& gpu, const Settings& s, const Frame& frame) {
+    const double size = std::min(frame.width(), frame.height());
+    const int width = std::max(1, int(0.42 * size)), height = std::max(1, int(0.3 * size));
+    const Pane pane{frame.width() - width, 0, width, height};
+    constexpr double farEye = 2.4;  // an eye that is farther away is drawn there
+    const vec3 eye(0, 0, std::min(std::abs(s.zDist), farEye)), middle(0, -0.1, 0.28 * farEye);
+    const mat4 paneFromEye =
+        perspective(25, pane.aspect(), 1, 100) * lookAt(middle + vec3(6, 3.2, 2.2), middle, vec3(0, 1, 0));
+    const mat4 paneFromModel = paneFromEye * translate(0, 0, std::abs(s.zDist)) * viewFromModel(s);
+
+    const MeshData cube = colorCube();
+    const std::vector<Face> faces = facesOf(cube, s, frame);
+    drawKept(gpu, cube, faces, paneFromModel, frame.pixels(pane));
+
+    Drawing& drawing = gpu.drawing;
+    drawing.in(pane);
+    drawing.line(std::array{vec2(0, 0), vec2(0, height), vec2(width, height)}, {pale, 1});
+    long culled = 0, outside = 0;
+    for (const Face& face : faces) {
+        culled += face.triangles.culled;
+        outside += face.triangles.outside;
+        if (face.triangles.surviving > 0) continue;
+        for (std::size_t i = 0; i < 4; ++i)
+            drawDashed(drawing, paneFromModel, face.corners[i], face.corners[(i + 1) % 4]);
+    }
+    drawing.point(paneFromEye, eye, 9, ink);
+    drawing.edge(paneFromEye, eye, 0.6 * eye, {ink, 1.2});
+    drawing.text(paneFromEye, eye, {-12, 24}, "eye", {13, ink, vec4(0)});
+    const std::string beyond = outside > 0 ? ", outside of the view " + std::to_string(outside) : "";
+    drawing.text({8, 22}, "culled " + std::to_string(culled) + " of 12 triangles" + beyond, {13, ink, vec4(0)});
+}
+
+void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
+    if (!s.apart) return;
+    gpu.drawing.begin(frame);
+    nameAxes(gpu.drawing, s, frame);
+    if (s.body == Body::cube) drawApart(gpu, s, frame);
+    const Pane whole = frame.pixels({0, 0, frame.width(), frame.height()});
+    glViewport(whole.x, whole.y, whole.width, whole.height);
+    gpu.drawing.draw(frame);
+}
+
+}  // namespace mv::cube_cull
