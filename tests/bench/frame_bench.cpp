@@ -80,13 +80,42 @@ std::vector<Call> recordFrame(const std::function<void()>& frame) {
     return calls;
 }
 
+constexpr int framesOfRun = 16;  // a frame takes about half a millisecond, so that a run is long enough to time
+
+// The old page's picture: what a figure adds draws by more functions than are recorded.
+void openOriginal(Stage& stage, const std::string& demo) {
+    stage.open(findDemo(demo), 512, 512);
+    const auto& presets = stage.info().presets;
+    applyPreset(stage.demo(), *std::ranges::find(presets, std::string("original"), &Preset::name));
+}
+
+void drawRepeatedly(Stage& stage) {
+    for (int i = 0; i < framesOfRun; ++i) {
+        stage.draw(1);
+        glFinish();
+    }
+}
+
+// What it saves that a window does not ask for the driver's messages.
+Row listeningRow(const std::string& demo, int rounds) {
+    HeadlessStage headless;
+    openOriginal(headless.stage, demo);
+    const auto drawn = [&](bool listened) {
+        return [&, listened] {
+            listenToDriver(listened);
+            drawRepeatedly(headless.stage);
+        };
+    };
+    Row row{"frame: " + demo + ", the driver's messages not asked for / asked for", {}, 1.02};
+    row.ratio = interleaved(drawn(false), drawn(true), rounds);
+    listenToDriver(false);
+    return row;
+}
+
 Row frameRow(const std::string& demo, int rounds) {
     HeadlessStage headless;
     Stage& stage = headless.stage;
-    stage.open(findDemo(demo), 512, 512);
-    // The old page's picture: what a figure adds draws by more functions than are recorded
-    const auto& presets = stage.info().presets;
-    applyPreset(stage.demo(), *std::ranges::find(presets, std::string("original"), &Preset::name));
+    openOriginal(stage, demo);
     stage.draw(1);
     const Picture through = stage.picture();
     const std::vector<Call> calls =
@@ -96,30 +125,25 @@ Row frameRow(const std::string& demo, int rounds) {
     for (const Call& call : calls) call();
     if (stage.picture() != through)
         throw Error("bench", "must make the same picture of " + demo + " by the recorded calls");
-    constexpr int repeats = 16;  // of a frame of about half a millisecond, so that a run is long enough to time
     Row row{
         "frame: " + demo + " through the framework / its GL calls made directly (" + std::to_string(calls.size()) + ")",
         {},
         1.10};
-    row.ratio = interleaved(
-        [&] {
-            for (int i = 0; i < repeats; ++i) {
-                stage.draw(1);
-                glFinish();
-            }
-        },
-        [&] {
-            for (int i = 0; i < repeats; ++i) {
-                for (const Call& call : calls) call();
-                glFinish();
-            }
-        },
-        rounds);
+    row.ratio = interleaved([&] { drawRepeatedly(stage); },
+                            [&] {
+                                for (int i = 0; i < framesOfRun; ++i) {
+                                    for (const Call& call : calls) call();
+                                    glFinish();
+                                }
+                            },
+                            rounds);
     return row;
 }
 
 }  // namespace
 
-std::vector<Row> frameBench(int rounds) { return {frameRow("cube-cull", rounds), frameRow("viewpoints", rounds)}; }
+std::vector<Row> frameBench(int rounds) {
+    return {frameRow("cube-cull", rounds), frameRow("viewpoints", rounds), listeningRow("cube-cull", rounds)};
+}
 
 }  // namespace mv::bench
