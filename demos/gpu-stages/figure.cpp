@@ -5,6 +5,7 @@
 #include "mv/gl/gl.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
+#include "shared/wide_lines.h"
 
 namespace mv::gpu_stages {
 
@@ -28,13 +29,20 @@ void submit(Gpu& gpu, const Stages& s) {
     mesh.drawAs(primitives);
 }
 
-// Draw the patch, or send it up to the rasterizer only. Count the fragments where somebody reads their number.
-void drawCounted(Gpu& gpu, const Settings& s, const Frame& frame) {
+// Draw the patch, its lines as wide as a figure's, or send it up to the rasterizer only. Count the fragments where somebody reads their number.
+void drawCounted(Gpu& gpu, const Settings& s, Geometry stage, const Frame& frame) {
+    const bool ofLines = stage == Geometry::normals || domainOf(s.stages) == Domain::isolines;
+    const auto drawn = [&] {
+        if (ofLines)
+            drawWide(frame, [&] { submit(gpu, s.stages); });
+        else
+            submit(gpu, s.stages);
+    };
     if (!s.stages.fragments) glEnable(GL_RASTERIZER_DISCARD);
     if (s.counts && frame.readouts())
-        gpu.passed += countedBy(GL_SAMPLES_PASSED, [&] { submit(gpu, s.stages); });
+        gpu.passed += countedBy(GL_SAMPLES_PASSED, drawn);
     else
-        submit(gpu, s.stages);
+        drawn();
     if (!s.stages.fragments) glDisable(GL_RASTERIZER_DISCARD);
 }
 

@@ -87,7 +87,7 @@ bool hasAmount(Geometry stage);
 
 // Counts, and words beside the picture: figure.cpp.
 void submit(Gpu& gpu, const Stages& s);
-void drawCounted(Gpu& gpu, const Settings& s, const Frame& frame);
+void drawCounted(Gpu& gpu, const Settings& s, Geometry stage, const Frame& frame);
 void countPrimitives(Gpu& gpu, const Settings& s, const Frame& frame);
 Scene sceneOf(const Settings& s, const FrameInfo& frame);
 void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame);

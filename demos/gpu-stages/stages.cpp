@@ -19,10 +19,10 @@ void drawStages(Gpu& gpu, const Settings& s, const Frame& frame) {
     if (s.stages.tessellation) glPatchParameteri(GL_PATCH_VERTICES, 16);
     if (stage == Geometry::normals) {
         prepare(gpu, s, Geometry::off, frame);
-        drawCounted(gpu, s, frame);
+        drawCounted(gpu, s, Geometry::off, frame);
     }
     const Program& program = prepare(gpu, s, stage, frame);
-    drawCounted(gpu, s, frame);
+    drawCounted(gpu, s, stage, frame);
     if (stage == Geometry::wireframe && s.stages.hidden && s.stages.fragments && !frame.measuring())
         drawHiddenLines(gpu, s, program, frame);
 
@@ -95,7 +95,7 @@ void drawHiddenLines(Gpu& gpu, const Settings& s, const Program& program, const 
     glDepthMask(GL_FALSE);
     glEnable(GL_BLEND);
     glBlendEquation(GL_MIN);
-    drawCounted(gpu, s, frame);
+    drawCounted(gpu, s, Geometry::wireframe, frame);
 }
 
 // Without tessellation the cells of the control net are drawn, which are quads.
