@@ -19,11 +19,17 @@ namespace {
 const vec4 ink(0.1, 0.1, 0.1, 1), faint(0.35, 0.35, 0.35, 1), white(1, 1, 1, 1);
 const std::array<std::string, 4> wayNames{"sRGB", "linear", "HSL", "OKLab"};
 
-double unit(const FrameInfo& frame) { return std::min(frame.width() / 960.0, frame.height() / 640.0); }
+double unit(const FrameInfo& frame) {
+    return frame.isUpright() ? std::min(frame.width() / 660.0, frame.height() / 900.0)
+                             : std::min(frame.width() / 960.0, frame.height() / 640.0);
+}
+
+// How high the strips and their curves are, below the solids. In an upright picture the curves stand below the strips.
+int stripsHeight(const FrameInfo& frame) { return std::max(1, frame.height() * (frame.isUpright() ? 3 : 2) / 5); }
 
 int wordSize(const FrameInfo& frame, double size) { return std::max(leastWords, static_cast<int>(size * unit(frame))); }
 
-// Write words. Places are in units of 1/640 of the picture's height, or 1/960 of its width, from the lower left corner.
+// Write words. Places are in units, of which the picture has 640 in its height or 960 in its width, from the lower left corner.
 void words(Drawing& drawing, const FrameInfo& frame, const vec2& at, const std::string& text, const vec4& color,
            double size) {
     drawing.text(at * unit(frame), text, {wordSize(frame, size), color, vec4(0)});
@@ -110,8 +116,8 @@ MeshData spectrumMesh() {
 }
 
 Pane paneOf(const FrameInfo& frame, Space solid) {
-    const int low = frame.height() * 2 / 5, width = std::max(frame.width() / 3, 1);
-    return {solid * width, low, width, frame.height() - low};
+    const int low = stripsHeight(frame), width = std::max(frame.width() / 3, 1);
+    return {solid * width, low, width, std::max(1, frame.height() - low)};
 }
 
 std::optional<vec2> markIn(const Settings& s, const FrameInfo& frame, Space space, const vec3& color) {
@@ -149,17 +155,20 @@ void drawOverSolids(Drawing& drawing, const Settings& s, const FrameInfo& frame)
 
 void drawStrips(Drawing& drawing, const Settings& s, const FrameInfo& frame) {
     const double u = unit(frame);
-    drawing.in({0, 0, frame.width(), std::max(frame.height() * 2 / 5, 1)});
-    const Plot plot{{vec2(660, 52) * u, vec2(940, 236) * u}, {0, 1, "part of the way"}, {0, 1, "lightness as seen"}};
+    drawing.in({0, 0, frame.width(), stripsHeight(frame)});
+    const double raised = frame.isUpright() ? stripsHeight(frame) / u - 256 : 0;  // the strips, above the curves
+    const Box box = frame.isUpright() ? Box{vec2(76, 56) * u, vec2(620, raised - 40) * u}
+                                      : Box{vec2(660, 52) * u, vec2(940, 236) * u};
+    const Plot plot{box, {0, 1, "part of the way"}, {0, 1, "lightness as seen"}};
     // A small picture keeps its words large: the strips are between a way's name and how uneven it is, so many times as wide as high.
     const double height = 46, left = std::max(76.0, 12 + 3.4 * wordSize(frame, 16) / u);
     const double right = std::min(520.0, 650 - 5.8 * wordSize(frame, 14) / u);
-    const double above = 232 + std::max(14.0, (leastWords + 3) / u - 3);
+    const double above = raised + 232 + std::max(14.0, (leastWords + 3) / u - 3);
     words(drawing, frame, {left, above}, "mixed in", faint, 14);
     words(drawing, frame, {right + 8, above}, "uneven by", faint, 14);
     for (std::size_t i = 0; i < 4; ++i) {
         const std::vector<vec3> colors = strip(s, static_cast<Way>(i));
-        const double top = 226 - 54 * double(i), wide = (right - left) / double(colors.size());
+        const double top = raised + 226 - 54 * double(i), wide = (right - left) / double(colors.size());
         std::vector<vec2> curve;
         for (std::size_t k = 0; k < colors.size(); ++k) {
             // From whole pixel to whole pixel, so that nothing shines through between two
