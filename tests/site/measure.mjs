@@ -23,8 +23,9 @@ const script = all(whole, /<script src="(.*?)">/g).map((file) => fs.readFileSync
 fs.writeFileSync(path.join(course, 'least.html'), `${whole.replace(/<script src=.*\n/g, '')}<script>\n${script}</script>\n`);
 const beside = await served(source, course);
 
-// Interleaved: each round has each page once.
-const pages = new Map([...demos.map((demo) => [demo, `${address}demos/${demo}.html`]), ['course', `${beside}cube-cull.html`], ['least', `${beside}least.html`]]);
+// Interleaved: each round has each page once. The course's page draws no figure, and so our demo is also asked for its picture alone.
+const alone = 'cube-cull#apart=off';
+const pages = new Map([...demos.map((demo) => [demo, `${address}demos/${demo}.html`]), [alone, `${address}demos/${alone.replace('#', '.html#')}`], ['course', `${beside}cube-cull.html`], ['least', `${beside}least.html`]]);
 const times = Object.fromEntries([...pages.keys()].map((name) => [name, { stands: [], drawn: [] }]));
 
 // A picture is drawn when one of its pixels can be read: what was only asked for is not there yet.
@@ -55,7 +56,7 @@ const painted = async () => {
   const picture = await Promise.race([first('element', () => true), new Promise((resolve) => setTimeout(resolve, 300))]);
   return picture ?? Math.max(await first('paint', (entry) => entry.name === 'first-contentful-paint'), performance.getEntriesByName('first-picture')[0].startTime);
 };
-const compared = ['cube-cull', 'course', 'least'];
+const compared = ['cube-cull', alone, 'course', 'least'];
 for (let round = 0; round < comparedRounds; ++round) {
   for (const [name, where] of pages) {
     if (round >= rounds && !compared.includes(name)) continue;
@@ -71,7 +72,7 @@ for (let round = 0; round < comparedRounds; ++round) {
   }
 }
 const ratio = (kind, to) => {
-  const each = times['cube-cull'][kind].map((one, round) => one / times[to][kind][round]);
+  const each = times[kind === 'drawn' ? alone : 'cube-cull'][kind].map((one, round) => one / times[to][kind][round]);
   return `${median(each).toFixed(2)} | ${spread(each).toFixed(2)} | ${each.filter((one) => one <= 1).length}`;
 };
 const row = (name) => ['stands', 'drawn'].map((kind) => `${Math.round(median(times[name][kind]))} | ${Math.round(spread(times[name][kind]))}`).join(' | ');
@@ -92,7 +93,7 @@ with the page (a test compares it with what the demo draws, byte for byte, but f
 or in the canvas where that is sooner; and until the demo has drawn it, so that a pixel can be read. Median of ${rounds}, with the median deviation. The
 processor draws (llvmpipe): ${processor}. Beside them cube-cull's picture by a page as a course has it (\`tests/site/course\`): four
 scripts, the calls of such a page, no library, no control, no lesson; and the least form of it, the same in one file, begun
-as soon as it is read. Times of these three are of ${comparedRounds} rounds, and differ much from round to round; the ratio is taken in each round.
+as soon as it is read. It has no figure over the picture, and what is drawn is compared with ours without, by \`${alone}\`. Times of these are of ${comparedRounds} rounds, and differ much from round to round; the ratio is taken in each round.
 
 | cube-cull's page to | picture | ratio | deviation | rounds of ${comparedRounds} in which it is no later |
 |---|---|---:|---:|---:|
@@ -104,6 +105,7 @@ as soon as it is read. Times of these three are of ${comparedRounds} rounds, and
 | page | stands | deviation | drawn | deviation |
 |---|---:|---:|---:|---:|
 ${demos.map((demo) => `| [${demo}](../demos/${demo}/${demo}.md) | ${row(demo)} |`).join('\n')}
+| ${alone} | ${row(alone)} |
 | a page of a course | ${row('course')} |
 | the least page | ${row('least')} |`);
 process.exit(0);
