@@ -33,8 +33,8 @@ struct Gpu {
     Cached<Mesh, Body, int> body;
     Mesh axes{mv::axes(1.5), "axes"};
     std::optional<Program> distances;  // for the study alone
-    Drawing drawing;                   // for the figure
-    Cached<Mesh, unsigned> kept;       // of its faces moved apart
+    Drawing drawing;                   // for the figure, as the next
+    Cached<Mesh> apart;
 };
 
 void draw(Gpu& gpu, const Settings& s, const Frame& frame);

@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cube-cull.h"
@@ -30,42 +31,26 @@ static void nameAxes(Drawing& drawing, const Settings& s, const FrameInfo& frame
     }
 }
 
-// A face of the cube, moved along its normal, and how many of its two triangles are culled and go on.
-struct Face {
-    std::array<vec3, 4> corners;
-    TriangleCount triangles;
-};
+constexpr std::size_t cornersOfFace = 6;  // of two triangles a b c and a c d
 
-static std::vector<Face> facesOf(const MeshData& cube, const Settings& s, const FrameInfo& frame) {
-    const std::vector<fvec4> inClip = clipCorners(cube, s, frame.aspect());
-    std::vector<Face> faces;
-    for (auto first = inClip.begin(); first != inClip.end(); first += 6) {
-        const auto at = [&](int i) { return vec3(cube.positions[std::size_t(first - inClip.begin() + i)]); };
-        const vec3 moved = 0.5 * glm::normalize(glm::cross(at(1) - at(0), at(2) - at(0)));
-        const TriangleCount triangles = sortTriangles({first, first + 6});
-        faces.push_back({{at(0) + moved, at(1) + moved, at(2) + moved, at(5) + moved}, triangles});
+// The cube's faces, each moved along its normal.
+static MeshData facesApart() {
+    MeshData cube = colorCube();
+    for (std::size_t first = 0; first < cube.positions.size(); first += cornersOfFace) {
+        const fvec3 a = cube.positions[first], b = cube.positions[first + 1], c = cube.positions[first + 2];
+        const fvec3 moved = 0.5F * glm::normalize(glm::cross(b - a, c - a));
+        for (std::size_t i = first; i < first + cornersOfFace; ++i) cube.positions[i] += moved;
     }
-    return faces;
+    return cube;
 }
 
-// Which faces go on, a bit for each.
-static unsigned keptOf(const std::vector<Face>& faces) {
-    unsigned kept = 0;
-    for (std::size_t face = 0; face < faces.size(); ++face)
-        kept |= faces[face].triangles.surviving > 0 ? 1U << face : 0U;
-    return kept;
-}
-
-static MeshData meshOfKept(const MeshData& cube, const std::vector<Face>& faces) {
-    MeshData mesh;
-    for (std::size_t face = 0; face < faces.size(); ++face) {
-        if (faces[face].triangles.surviving == 0) continue;
-        for (const std::size_t corner : {0U, 1U, 2U, 0U, 2U, 3U}) {
-            mesh.positions.emplace_back(faces[face].corners[corner]);
-            mesh.colors.push_back(cube.colors[6 * face]);
-        }
-    }
-    return mesh;
+// For each face how many of its triangles are culled, outside, and go on.
+static std::vector<TriangleCount> fatesOf(const Settings& s, const FrameInfo& frame) {
+    const std::vector<fvec4> corners = clipCorners(colorCube(), s, frame.aspect());
+    std::vector<TriangleCount> fates;
+    for (auto first = corners.begin(); first != corners.end(); first += cornersOfFace)
+        fates.push_back(sortTriangles({first, first + cornersOfFace}));
+    return fates;
 }
 
 static void drawDashed(Drawing& drawing, const mat4& clipFromModel, const vec3& from, const vec3& to) {
@@ -76,22 +61,22 @@ static void drawDashed(Drawing& drawing, const mat4& clipFromModel, const vec3& 
     }
 }
 
-static void drawKept(Gpu& gpu, const MeshData& cube, const std::vector<Face>& faces, const mat4& paneFromModel,
-                     const Pane& pane) {
+// Clear the pane, and draw the faces that go on.
+static void drawKept(Gpu& gpu, const std::vector<TriangleCount>& fates, const mat4& paneFromModel, const Pane& pane) {
     const StateScope scope;
     glViewport(pane.x, pane.y, pane.width, pane.height);
     glScissor(pane.x, pane.y, pane.width, pane.height);
     setEnabled(GL_SCISSOR_TEST, true);
     glClearColor(1, 1, 1, 1);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    const unsigned kept = keptOf(faces);
-    if (kept == 0) return;
     setEnabled(GL_CULL_FACE, false);
     setEnabled(GL_DEPTH_TEST, true);
     gpu.program.use();
     gpu.program.set("viewFromModel", mat4(1));
     gpu.program.set("clipFromView", paneFromModel);
-    gpu.kept.of({kept}, [&] { return Mesh(meshOfKept(cube, faces), "faces moved apart"); }).draw();
+    const Mesh& faces = gpu.apart.of({}, [] { return Mesh(facesApart(), "faces moved apart"); });
+    for (std::size_t face = 0; face < fates.size(); ++face)
+        if (fates[face].surviving > 0) faces.draw(face * cornersOfFace, cornersOfFace);
 }
 
 // The faces seen from the right and from above, the eye on the left before them.
@@ -105,20 +90,21 @@ static void drawApart(Gpu& gpu, const Settings& s, const Frame& frame) {
         perspective(25, pane.aspect(), 1, 100) * lookAt(middle + vec3(6, 3.2, 2.2), middle, vec3(0, 1, 0));
     const mat4 paneFromModel = paneFromEye * translate(0, 0, std::abs(s.zDist)) * viewFromModel(s);
 
-    const MeshData cube = colorCube();
-    const std::vector<Face> faces = facesOf(cube, s, frame);
-    drawKept(gpu, cube, faces, paneFromModel, frame.pixels(pane));
+    const std::vector<TriangleCount> fates = fatesOf(s, frame);
+    drawKept(gpu, fates, paneFromModel, frame.pixels(pane));
 
     Drawing& drawing = gpu.drawing;
     drawing.in(pane);
     drawing.line(std::array{vec2(0, 0), vec2(0, height), vec2(width, height)}, {pale, 1});
+    const MeshData apart = facesApart();
     long culled = 0, outside = 0;
-    for (const Face& face : faces) {
-        culled += face.triangles.culled;
-        outside += face.triangles.outside;
-        if (face.triangles.surviving > 0) continue;
-        for (std::size_t i = 0; i < 4; ++i)
-            drawDashed(drawing, paneFromModel, face.corners[i], face.corners[(i + 1) % 4]);
+    for (std::size_t face = 0; face < fates.size(); ++face) {
+        culled += fates[face].culled;
+        outside += fates[face].outside;
+        if (fates[face].surviving > 0) continue;
+        const auto corner = [&](std::size_t i) { return vec3(apart.positions[face * cornersOfFace + i]); };
+        for (const auto& [from, to] : {std::pair(0, 1), {1, 2}, {2, 5}, {5, 0}})
+            drawDashed(drawing, paneFromModel, corner(std::size_t(from)), corner(std::size_t(to)));
     }
     drawing.point(paneFromEye, eye, 9, ink);
     drawing.edge(paneFromEye, eye, 0.6 * eye, {ink, 1.2});
