@@ -22,4 +22,7 @@ inline bool capturesNothingBehindGeometryShaders() { return onSoftpipe(); }
 // Softpipe has one sample a pixel.
 inline bool hasOneSample() { return onSoftpipe(); }
 
+// Softpipe rounds what is blended when a tile leaves its cache, not after each draw: there a sum of eight bits loses nothing.
+inline bool sumsBeforeRounding() { return onSoftpipe(); }
+
 }  // namespace mv::test

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <charconv>
 #include <iostream>
+#include <set>
+#include <string>
 
 #include "mv/show/caught.h"
 #include "mv/show/stage.h"
@@ -48,9 +50,18 @@ void StudySection::show(std::size_t run) {
     if (scene_ >= scenes_.size()) scene_ = 0;
     settings_.clear();
     const auto demo = info_.make();
+    std::set<std::string> names;
+    for (const StudyRow& row : shown().rows)
+        for (const KnobSetting& setting : row.settings) names.insert(setting.name);
     for (const StudyRow& row : shown().rows) {
         auto& settings = settings_.emplace_back(row.settings);
         try {
+            // What another row sets, and this one does not, was as it opens
+            for (const std::string& name : names) {
+                demo->knob(name).reset();
+                if (std::ranges::find(row.settings, name, &KnobSetting::name) == row.settings.end())
+                    settings->push_back({name, demo->knob(name).text()});
+            }
             applyKnobs(*demo, *settings);
             for (KnobSetting& setting : *settings) setting.text = demo->knob(setting.name).text();
         } catch (const Error&) {
@@ -133,17 +144,15 @@ void StudySection::showMeasurement() {
 // ---- The plot
 
 std::optional<std::size_t> StudySection::rowHere(const Demo& demo) const {
-    std::optional<std::size_t> here;
-    if (runs_.empty() || scenes_.empty()) return here;
+    if (runs_.empty() || scenes_.empty()) return std::nullopt;
     for (std::size_t i = 0; i < shown().rows.size(); ++i) {
         if (shown().rows[i].scene != scenes_[scene_] || !settings_[i]) continue;
         const bool same = std::all_of(settings_[i]->begin(), settings_[i]->end(), [&](const KnobSetting& setting) {
             return demo.knob(setting.name).text() == setting.text;
         });
-        // The one of several that says most.
-        if (same && (!here || settings_[i]->size() > settings_[*here]->size())) here = i;
+        if (same) return i;
     }
-    return here;
+    return std::nullopt;
 }
 
 std::string StudySection::origin() const {
