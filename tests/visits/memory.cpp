@@ -45,8 +45,8 @@ class Rounds {
     int frames_ = 0, number_ = 0;
 };
 
-// Two rounds fill whatever is kept. After them each ends with as many GL objects as the one before, and with as many bytes
-// but for what vectors keep in reserve: at most 8 a frame, where the smallest thing that is forgotten in each is of 24.
+// Two rounds fill whatever is kept. After them none ends with more GL objects (there are fewer where a frame has fewer words), nor with
+// more bytes but for what vectors keep in reserve: at most 8 a frame, where the smallest thing that is forgotten in each is of 24.
 TEST_P(Visits, memory_stays) {
     const int frames = isLong() ? 5000 : 200;
     // A picture that the processor computes is small here: how much is kept does not grow from frame to frame with its size.
@@ -65,7 +65,7 @@ TEST_P(Visits, memory_stays) {
     const long objects = liveObjects();
     do {
         rounds.draw();
-        EXPECT_EQ(liveObjects(), objects) << "at frame " << rounds.frames();
+        EXPECT_LE(liveObjects(), objects) << "at frame " << rounds.frames();
         EXPECT_LE(labelledObjects(), static_cast<std::size_t>(liveObjects())) << "labels of what is gone are kept";
     } while (rounds.frames() < frames);
     std::printf("%s: %d frames\n", GetParam().c_str(), rounds.frames());
