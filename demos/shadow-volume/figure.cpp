@@ -117,11 +117,20 @@ static void drawCount(Gpu& gpu, const Frame& frame) {
     drawText(frame, legend);
 }
 
+// Names the colours, from the lower edge up; each on a line of its own where the picture is too narrow for two.
 static void nameColors(const Frame& frame) {
-    const int line = textHeight() + 2;
-    drawText(frame, std::vector<TextLine>{
-                        {8, frame.height() - 2 * line - 4, "yellow: the way from the eye goes in, blue: out again"},
-                        {8, frame.height() - line - 4, "black: the silhouettes that the light sees"}});
+    std::vector<std::string> names{"black: the silhouettes that the light sees",
+                                   "yellow: the way from the eye goes in, blue: out again"};
+    if (textWidth(names[1]) + 16 > frame.width()) {
+        names[1] = "blue: out again";
+        names.emplace_back("yellow: the way from the eye goes in");
+    }
+    std::vector<TextLine> lines;
+    for (const std::string& name : names) {
+        const int up = static_cast<int>(lines.size()) + 1;
+        lines.push_back({8, frame.height() - up * (textHeight() + 2) - 4, name});
+    }
+    drawText(frame, lines);
 }
 
 void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame) {
