@@ -74,9 +74,11 @@ static void drawKept(Gpu& gpu, const std::vector<TriangleCount>& fates, const ma
     gpu.program.use();
     gpu.program.set("viewFromModel", mat4(1));
     gpu.program.set("clipFromView", paneFromModel);
-    const Mesh& faces = gpu.apart.of({}, [] { return Mesh(facesApart(), "faces moved apart"); });
-    for (std::size_t face = 0; face < fates.size(); ++face)
-        if (fates[face].surviving > 0) faces.draw(face * cornersOfFace, cornersOfFace);
+    for (std::size_t face = 0; face < fates.size(); ++face) {
+        if (fates[face].surviving == 0) continue;
+        const Mesh& faces = gpu.apart.of({}, [] { return Mesh(facesApart(), "faces moved apart"); });
+        faces.draw(face * cornersOfFace, cornersOfFace);
+    }
 }
 
 // The faces seen from the right and from above, the eye on the left before them.

@@ -453,14 +453,14 @@ TEST(ShadowMap, slide_projector) {
     EXPECT_LE(thrown.wrong, thrown.right / 50);
     // In shadow there is ambient light alone, at most 0.3 of the lightest colour there, 0.93
     run.preset("slide-projector").set("show-frustum", "off").set("show-map", "off").set("filter", "none");
-    const Picture still = run.picture();
+    const Picture picture = run.picture();
     const std::vector<float> lit = stage().measure(1);
     long dark = 0, bright = 0;
-    for (int y = 0; y < still.height; ++y) {
-        for (int x = 0; x < still.width; ++x) {
-            const Pixel p = still.at(x, y);
+    for (int y = 0; y < picture.height; ++y) {
+        for (int x = 0; x < picture.width; ++x) {
+            const Pixel p = picture.at(x, y);
             const int most = std::max({p.red, p.green, p.blue});
-            if (lit[pixelIndex(x, y, still.width)] == 0) {
+            if (lit[pixelIndex(x, y, picture.width)] == 0) {
                 ASSERT_LE(most, 0.3 * 0.93 * 255 + 1) << x << ", " << y;
                 ++dark;
             } else {
