@@ -398,7 +398,8 @@ TEST(Rasterizer, ends_and_refuses) {
 }
 
 TEST(Rasterizer, as_thick) {
-    for (const auto& [x, y] : {std::pair(200, 0), std::pair(200, 100), std::pair(-200, 200), std::pair(60, -200)}) {
+    for (const auto& way : {std::pair(200, 0), std::pair(200, 100), std::pair(-200, 200), std::pair(60, -200)}) {
+        const int x = way.first, y = way.second;
         const double length = std::hypot(x, y), cosine = std::max(std::abs(x), std::abs(y)) / length;
         for (const int thickness : {2, 5, 9}) {
             const auto thick = [&](Thicken thicken) {
