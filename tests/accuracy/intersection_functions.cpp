@@ -336,7 +336,8 @@ std::vector<Function> intersectionFunctions() {
          .measured = "ulp of the terms of t and of each weight, without their signs",
          .domain = "rays from up to 10 away",
          .bound = 29,
-         .reason = "roundings: 4 of a sheared coordinate, 10 of a weight, 12 of their sum, 16 of the distance, and a quotient",
+         .reason = "roundings: 4 of a sheared coordinate, 10 of a weight, 12 of their sum, 16 of the distance, and a "
+                   "quotient",
          .sample =
              [](Random& random, Domain domain) {
                  Arguments a{};
