@@ -5,7 +5,6 @@
 #include "cube-cull.h"
 #include "mv/geometry/bezier_patch.h"
 #include "mv/geometry/teapot.h"
-#include "mv/math/projection.h"
 
 namespace mv::cube_cull {
 
@@ -24,7 +23,7 @@ MeshData bodyOf(const Settings& s) {
 
 // Where the corners of the body's triangles are for OpenGL, three of each.
 std::vector<fvec4> clipCorners(const MeshData& mesh, const Settings& s, double aspect) {
-    const fmat4 clipFromModel(perspective(50, aspect, 0.2, 100) * viewFromModel(s));
+    const fmat4 clipFromModel(clipFromView(aspect) * viewFromModel(s));
     std::vector<fvec4> corners;
     const std::size_t count = mesh.indices.empty() ? mesh.positions.size() : mesh.indices.size();
     for (std::size_t i = 0; i < count; ++i) {

@@ -23,21 +23,22 @@ void drawBody(Gpu& gpu, const Program& program, const Settings& s, const Frame& 
     setEnabled(GL_DEPTH_TEST, s.depth);
 
     // Look at the origin from the z axis
-    const mat4 clipFromView = perspective(50, frame.aspect(), 0.2, 100);
     frame.show("viewFromModel", viewFromModel(s));
-    frame.show("clipFromView", clipFromView);
+    frame.show("clipFromView", clipFromView(frame.aspect()));
 
     // Draw
     const Mesh& body = gpu.body.of({s.body, s.divisions}, [&] { return Mesh(bodyOf(s), "body"); });
     program.use();
     program.set("viewFromModel", viewFromModel(s));
-    program.set("clipFromView", clipFromView);
+    program.set("clipFromView", clipFromView(frame.aspect()));
     body.draw();
 }
 
 mat4 viewFromModel(const Settings& s) {
     return lookAt(vec3(0, 0, s.zDist), vec3(0, 0, 0), vec3(0, 1, 0)) * rotateX(-s.spinX) * rotateY(-s.spinY);
 }
+
+mat4 clipFromView(double aspect) { return perspective(50, aspect, 0.2, 100); }
 
 // OpenGL starts with GL_BACK and GL_CCW, and discards nothing.
 GLenum glFaces(Cull cull) {

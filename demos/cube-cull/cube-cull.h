@@ -40,6 +40,7 @@ struct Gpu {
 void draw(Gpu& gpu, const Settings& s, const Frame& frame);
 void drawBody(Gpu& gpu, const Program& program, const Settings& s, const Frame& frame);
 mat4 viewFromModel(const Settings& s);
+mat4 clipFromView(double aspect);
 GLenum glFaces(Cull cull);
 GLenum glWinding(Winding winding);
 void check(const Settings& s);

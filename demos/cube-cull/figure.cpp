@@ -18,9 +18,9 @@ namespace mv::cube_cull {
 
 static const vec4 ink(0.25, 0.25, 0.25, 1), pale(0.7, 0.7, 0.7, 1);
 
-// Name of each axis the end that is nearer to the eye: the cube does not hide it.
+// Name the end of each axis that is nearer to the eye: the cube does not hide it.
 static void nameAxes(Drawing& drawing, const Settings& s, const FrameInfo& frame) {
-    const mat4 clipFromModel = perspective(50, frame.aspect(), 0.2, 100) * viewFromModel(s);
+    const mat4 clipFromModel = clipFromView(frame.aspect()) * viewFromModel(s);
     constexpr std::array letters{"x", "y", "z"};
     for (std::size_t axis = 0; axis < 3; ++axis) {
         vec3 end(0);

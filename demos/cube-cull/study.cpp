@@ -9,7 +9,6 @@
 #include "mv/demo/lesson.h"
 #include "mv/geometry/bvh.h"
 #include "mv/gl/triangle_count.h"
-#include "mv/math/projection.h"
 #include "shared/seen_pixels.h"
 
 namespace mv::cube_cull {
@@ -50,7 +49,7 @@ Bvh treeOf(const MeshData& mesh) {
 // there is none, or none between the near plane and the far one.
 std::vector<double> nearestFaces(const Settings& s, const FrameInfo& frame) {
     const Bvh tree = treeOf(bodyOf(s));
-    const mat4 modelFromView = inverse(viewFromModel(s)), clip = perspective(50, frame.aspect(), 0.2, 100);
+    const mat4 modelFromView = inverse(viewFromModel(s)), clip = clipFromView(frame.aspect());
     std::vector<double> distances;
     for (int row = 0; row < frame.height(); ++row) {
         for (int column = 0; column < frame.width(); ++column) {
