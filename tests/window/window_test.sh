@@ -886,13 +886,12 @@ resizing() {
     atLeast "pixels of the hint" "$(differing "$state/hinted.ppm" "$state/unhinted.ppm")" 500
     quit
     start 'mvgl: cube-cull' "$cubeCull" --size 333x217
-    xdotool windowsize "$window" 200 100 # no room for a picture at all
-    awaitReport size 200x100
+    resize 200 100 50x100 # narrower than the panel, of which the picture keeps a quarter
     resize 693 217 333x217
     xdotool windowunmap --sync "$window" windowmap --sync "$window" windowfocus "$window"
     press b
     quit
-    equal "picture after being too small" 333x217 "$(reported width)x$(reported height)"
+    equal "picture after being small" 333x217 "$(reported width)x$(reported height)"
 }
 
 # storm TITLE PROGRAM ARGUMENTS...: many sizes in quick succession, each change of which asks for a picture: down to a
@@ -1006,6 +1005,9 @@ density() { # the window has all pixels there are, and everything in it is twice
     start 'mvgl: cube-cull' "$cubeCull" --apart off
     equal "size, and pixels" "1920x1200 1920x1200" "$(reported size) $(reported pixels)"
     looksTwiceAsLarge "$cubeCull"
+    start 'mvgl: cube-cull' "$cubeCull"
+    resize 800 600 200x600
+    quit
     # A density that no screen has is not believed.
     screenIs 9600
     start 'mvgl: cube-cull' "$cubeCull"

@@ -28,7 +28,8 @@ constexpr double dividerStep = 0.02;  // of the picture's width, with [ and ]
 constexpr double reloadSeconds = 0.25;
 constexpr double mostMilliseconds =
     8;  // of a frame with smooth edges that are chosen by themselves: half of one at 60 a second
-constexpr double mostOfScreen = 0.8;  // of its height, that a window takes as it opens
+constexpr double leastPicture = 0.25;  // of the window's width, beside the panel
+constexpr double mostOfScreen = 0.8;   // of its height, that a window takes as it opens
 
 constexpr ImGuiWindowFlags fixedWindow = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
@@ -79,9 +80,10 @@ DemoScreen::DemoScreen(Window& window, Gui& gui, Stage& stage, const Command& co
     }
     // A size that was asked for is meant in pixels; an original's canvas grows with the screen's density, like the panel.
     const double units = (sizeGiven ? 1 : window_.contentScale()) / window_.size().pixelsPerUnit();
-    const double panel = panelPixels() / window_.size().pixelsPerUnit();
+    const double panel = wantedPanelPixels() / window_.size().pixelsPerUnit();
     window_.setTitle("mvgl: " + info_.name);
     const double grown = sizeGiven || !forPeople(command) ? 1 : room(width * units, height * units, panel);
+    openedPixels_ = width * units * grown * window_.size().pixelsPerUnit();
     window_.show(static_cast<int>(std::lround(width * units * grown + panel)),
                  static_cast<int>(std::lround(height * units * grown)), !sizeGiven);
 }
@@ -95,8 +97,14 @@ double DemoScreen::room(double width, double height, double panel) const {
 
 // ---- What the user does
 
-double DemoScreen::panelPixels() const {
+double DemoScreen::wantedPanelPixels() const {
     return std::max(panelUnits, panelWidth_) * window_.contentScale() * gui_.zoom();
+}
+
+// Leave a quarter of the window to the picture, or what it opened with, where that is less: a size of pixels that was asked for is kept.
+double DemoScreen::panelPixels() const {
+    const double width = window_.size().pixelWidth();
+    return std::min(wantedPanelPixels(), width - std::min(leastPicture * width, openedPixels_));
 }
 
 bool DemoScreen::overPanelEdge(double x) const {
@@ -105,10 +113,10 @@ bool DemoScreen::overPanelEdge(double x) const {
            std::abs(x - edge) <= edgeReach * double(gui_.scale());
 }
 
-// The panel's left edge goes there, in window coordinates: not narrower than it opened, and a quarter is left to the picture.
+// The panel's left edge goes there, in window coordinates: not narrower than it opened, and the picture keeps its least.
 void DemoScreen::widenPanel(double edge) {
     const double width = window_.size().width();
-    const double pixels = (width - std::max(edge, width / 4)) * window_.size().pixelsPerUnit();
+    const double pixels = (width - std::max(edge, leastPicture * width)) * window_.size().pixelsPerUnit();
     panelWidth_ = pixels / (window_.contentScale() * gui_.zoom());
 }
 

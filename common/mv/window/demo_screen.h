@@ -49,6 +49,7 @@ class DemoScreen final : public Screen {
     // Notes what settings there are once nothing moves them any more; goes back to those before, or forth again.
     void remember();
     void recall(std::vector<std::vector<KnobSetting>>& from, std::vector<std::vector<KnobSetting>>& to);
+    double wantedPanelPixels() const;
     double panelPixels() const;
     bool overPanelEdge(double x) const;
     void widenPanel(double edge);
@@ -95,7 +96,8 @@ class DemoScreen final : public Screen {
     std::string handled_;  // what the hand is on
 
     bool panelShown_ = true, hint_ = false;
-    double panelWidth_ = 0;  // asked for, in pixels at ordinary density; 0: as it opens
+    double panelWidth_ = 0;    // asked for, in pixels at ordinary density; 0: as it opens
+    double openedPixels_ = 0;  // the picture's width, as the window opened
     bool draggingPanel_ = false;
     int panelComes_ = 0;  // frames until the keys that have gone to the panel are seen there
     std::vector<std::vector<KnobSetting>> past_, future_;  // settings, to go back and forth
