@@ -95,10 +95,11 @@ Truth planesTruth(const Arguments& a) {
     Truth truth;
     for (std::size_t i = 0; i < 6; ++i) {
         Wide4 plane = i % 2 == 0 ? row(3) + row(i / 2) : row(3) - row(i / 2);
-        plane = plane / length(firstThree(plane));
+        const Wide size = length(firstThree(plane));
+        plane = size == 0 ? Wide4{{Wide(0), Wide(0), Wide(0), Wide(1)}} : plane / size;  // at infinity
         truth.values.insert(truth.values.end(), plane.element.begin(), plane.element.end());
         truth.blocks.insert(truth.blocks.end(), {3, 1});
-        truth.sizes.push_back(std::max<Wide>({abs(plane[0]), abs(plane[1]), abs(plane[2])}));
+        truth.sizes.push_back(std::max<Wide>({abs(plane[0]), abs(plane[1]), abs(plane[2]), leastSize}));
         truth.sizes.push_back(sizeOf(plane[3]));
     }
     return truth;

@@ -303,6 +303,11 @@ TEST(PlanesExtremes, X07FarPlaneAtLargeRatios) {
     // The matrix is that of a far plane at infinity where nothing of it is left.
     EXPECT_EQ(perspective(50, 1.5, 1, 1e20), infinitePerspective(50, 1.5, 1));
     EXPECT_EQ(planesFromClip(perspective(50, 1.5, 1, 1e20))[farPlane], vec4(0, 0, 0, 1));
+    // What is left, however little, is a plane that is somewhere, and not at infinity.
+    mat4 nearlyGone = 1e306 * infinitePerspective(50, 1.5, 1);
+    nearlyGone[0][3] = 1e-27;
+    const std::string lost = refusal([&] { planesFromClip(nearlyGone); });
+    EXPECT_EQ(lost.rfind("planesFromClip: the far plane's normal must not cancel", 0), 0u) << lost;
 }
 
 TEST(Planes, AreThoseOfAnyMultipleOfTheMatrix) {

@@ -290,8 +290,9 @@ std::array<vec4, 6> planesFromClip(const mat4& clipFromWorld) {
         const int ofDistance = scalingExponent(std::max(std::abs(last.w), std::abs(row.w)));
         const vec3 ofLast = timesPowerOfTwo(vec3(last), -exponent), ofRow = timesPowerOfTwo(vec3(row), -exponent);
         const vec3 normal = ofLast + sign * ofRow;
-        // At infinity: z and w have the same row but for the last number
-        if (normal == vec3(0) && ofRow != vec3(0) && last.w + sign * row.w > 0) {
+        // At infinity: z and w have the same row but for the last number. The numbers as given are asked: what is left of them may
+        // vanish where they are scaled
+        if (vec3(last) == -sign * vec3(row) && ofRow != vec3(0) && last.w + sign * row.w > 0) {
             planes[i] = planeAtInfinity;
             continue;
         }
