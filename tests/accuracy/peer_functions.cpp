@@ -531,10 +531,11 @@ std::vector<Function> colorDifferenceFunctions() {
          .returns = "CIEDE2000 of two colours",
          .measured = "ulp of lightness', chroma's and hue's terms together, without their signs",
          .domain = "L* 0 to 100, a* and b* down to 1e-6 of 80, colours as near as 1e-8",
-         .bound = 24,
+         .bound = 132,
          .reason =
-             "of the mean hue, up to 360 degrees, one rounding is 1e-15 rad, by which the blues' rotation moves by 12 "
-             "roundings; rotation may leave a fourth of the squares that it is taken from",
+             "in 2^-53: the mean hue has 19 roundings of a radian, two of each atan2, six of its degrees, nine of "
+             "what adds up to 720; near 292 degrees the term T is off by 44 from them and is 0.37, which divides the "
+             "hue's term; 132 with the rotation",
          .sample = twoColors,
          .truth = differenceTruth,
          .limits = "coordinates 0, or from 1e-9 to 1e3 in size",
