@@ -144,7 +144,9 @@ Mesh rectanglesOf(const FrameInfo& frame, std::span<const TextLine> lines, const
     MeshData rectangles;
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const glm::ivec4 box(lines[i].x, lines[i].y, words.sizes[i]);
-        if (lines[i].style.background.a > 0) append(rectangles, frame, box, lines[i].style.background, {});
+        const int beyond = lines[i].beyond;
+        const glm::ivec4 padded = box + glm::ivec4(-beyond, -beyond, 2 * beyond, 2 * beyond);
+        if (lines[i].style.background.a > 0) append(rectangles, frame, padded, lines[i].style.background, {});
         append(rectangles, frame, box, lines[i].style.color, words.places[i]);
     }
     return Mesh(rectangles, "words");
@@ -182,6 +184,7 @@ std::vector<TextLine> linesInPixels(const FrameInfo& frame, std::span<const Text
         line.x = int(std::lround((line.x + wordPadding) * scale.x)) - wordPadding;
         line.y = int(std::lround((line.y + wordPadding) * scale.y)) - wordPadding;
         line.style.height = std::max(6, int(std::lround(line.style.height * frame.sizeScale())));
+        line.beyond = std::max(0, int(std::lround(wordPadding * (frame.sizeScale() - 1))));
     }
     return all;
 }

@@ -26,6 +26,7 @@ struct TextLine {
     int x, y;
     std::string text;
     TextStyle style = {};
+    int beyond = 0;  // pixels by which the box is larger at each side, where a padding has grown with the words
     bool operator==(const TextLine&) const = default;
 };
 
@@ -35,7 +36,7 @@ struct TextLine {
 void drawText(const FrameInfo& frame, std::span<const TextLine> lines);
 
 // Lines that are placed in what the frame counts, in pixels. The words, not their boxes, are where they were: a box ends
-// wordPadding pixels beyond.
+// wordPadding pixels beyond, and more where the words have grown.
 std::vector<TextLine> linesInPixels(const FrameInfo& frame, std::span<const TextLine> lines);
 
 // The width in pixels that drawText needs for the text, its box included.
