@@ -6,6 +6,7 @@
 #include "mv/gl/audit.h"
 #include "mv/gl/gl.h"
 #include "mv/gl/state.h"
+#include "mv/gl/text.h"
 #include "mv/math/transform.h"
 #include "shared/wide_lines.h"
 #include "support/demo_run.h"
@@ -101,6 +102,23 @@ TEST_F(DrawingTest, a_unit_has_as_many_pixels_as_the_picture_is_larger) {
         EXPECT_NEAR(large.low[axis] / 3, small.low[axis], 1.5) << "whole pixels of the smaller one";
         EXPECT_NEAR(large.size()[axis] / 3, small.size()[axis], 3);
     }
+}
+
+// As with the words, so with the box behind them: a padding of 4 pixels is one of 12 in a picture that is three times as large.
+TEST_F(DrawingTest, the_box_behind_words_grows_with_them) {
+    const auto heightOfBox = [&](int times) {
+        target = Target(80 * times, 60 * times, {.depth = true}, "picture");
+        glClearColor(1, 1, 1, 1);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        const Frame larger({1, 80 * times, 60 * times, figureUnit(80 * times, 60 * times, 80, 60)}, notes, {});
+        drawText(larger.inUnits(), 10, 10, "-", {.height = 12, .background = red});
+        const Picture picture = target.read();
+        int rows = 0;
+        for (int y = 0; y < picture.height; ++y) rows += picture.at(11 * times, y) == redPixel;
+        return rows;
+    };
+    EXPECT_EQ(heightOfBox(1), 12 + 2 * 4);
+    EXPECT_EQ(heightOfBox(3), 3 * (12 + 2 * 4));
 }
 
 TEST(FigureUnits, follow_the_picture_and_stay_readable) {

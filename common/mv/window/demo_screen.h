@@ -49,7 +49,7 @@ class DemoScreen final : public Screen {
     // Notes what settings there are once nothing moves them any more; goes back to those before, or forth again.
     void remember();
     void recall(std::vector<std::vector<KnobSetting>>& from, std::vector<std::vector<KnobSetting>>& to);
-    double wantedPanelPixels() const;
+    double wantedPanelPixels() const;  // where there is room for a picture beside it
     double panelPixels() const;
     bool overPanelEdge(double x) const;
     void widenPanel(double edge);
