@@ -119,6 +119,11 @@ TEST(ColorDifference, hues_half_a_turn_apart_and_greys) {
     // Exactly opposite: the sign of the turn is a matter of the order, and both orders have one result
     EXPECT_EQ(colorDifference({50, 10, 0}, {50, -10, 0}), colorDifference({50, -10, 0}, {50, 10, 0}));
     EXPECT_EQ(colorDifference({50, 0, 3}, {50, 0, -3}), colorDifference({50, 0, -3}, {50, 0, 3}));
+    // A mean hue of 360 degrees and one of 0, on both sides of colours whose hues add up to 360: a jump that is the formula's
+    const double below = colorDifference({50, 40, 40}, {50, 100, -100 - 1e-9});
+    const double above = colorDifference({50, 40, 40}, {50, 100, -100 + 1e-9});
+    EXPECT_GT(std::abs(above / below - 1), 1e-7) << "the colours differ by 1e-11";
+    EXPECT_LT(std::abs(above / below - 1), 5e-6);
     // Tiny chroma, of which no seventh power is left
     EXPECT_NEAR(colorDifference({50, 1e-100, 0}, {50, 0, 0}) / 1.5e-100, 1, 1e-12);
     EXPECT_EQ(refusal([] {

@@ -18,7 +18,8 @@ vec3 labFromLinear(const vec3& linear);
 // black are 100 apart. All digits are right for colours that are near each other: chroma and hue are compared by
 // products, not by the differences of roots and angles. Traps: it is no distance: two ways between colours may be
 // shorter than the straight one; and it jumps, by up to 1 % or so, where the hues are half a turn apart, and by up to 5e-6 of
-// itself where the mean of the hues passes 360 degrees. For a* and b* 0 or from 1e-100 in size. Refused: what is not finite, coordinates beyond 1e6. Source: Sharma, Wu and Dalal, "The
+// itself where the mean of the hues passes 360 degrees, which has a little of the weight of blue, and 0 none. For a* and b* 0
+// or from 1e-100 in size. Refused: what is not finite, coordinates beyond 1e6. Source: Sharma, Wu and Dalal, "The
 // CIEDE2000 color-difference formula: implementation notes, supplementary test data, and mathematical observations",
 // Color Research and Application 30 (2005).
 double colorDifference(const vec3& lab, const vec3& other);
