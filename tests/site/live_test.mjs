@@ -21,8 +21,8 @@ const share = ({ demo, settings }) => {
   if (demo === 'robot-arm' && settings.scene === 'walker') return 0.001;
   // Of eight thousand steps one ends on the other side of a pixel's edge.
   if (demo === 'path' && settings.steps === '8000') return 0.001;
-  // An edge of a paper, whose corners are placed by sines, goes through the middles of some pixels: as many as an edge has, at most.
-  if (demo === 'shadow-polygons' && settings.scene !== 'crossing') return 0.001;
+  // An edge of a paper, whose corners are placed by sines, goes through the middles of pixels: no more than are along one edge.
+  if (demo === 'shadow-polygons' && (settings.polygons || settings['paper-size'])) return 0.001;
   return 0;
 };
 // SwiftShader: where more than a half percent of the pixels differ by more than 3 levels of 255.
