@@ -60,7 +60,7 @@ static double largest(const Settings& s, const Made& made) { return *std::ranges
 // The light, or a number of each pixel in grey, white where it is largest.
 Picture shown(const Settings& s, const Made& made) {
     const TracePicture& picture = made.picture;
-    if (s.show == Show::light) return developed(picture.light(), picture.width(), picture.height());
+    if (s.show == Show::light) return picture.developed();
     const double most = std::max(largest(s, made), 1e-300);
     std::vector<vec3> greys;
     for (const double number : numbersOf(s, made)) greys.emplace_back(number / most);

@@ -149,7 +149,10 @@ const bool added = addLesson(
         .figure = drawFigure,
         .readOut = readOut,
         .check = check,
-        .passes = [](const Settings& s) { return TracePicture::passesOf(s.samples); },
+        .passes =
+            [](const Settings& s, const FrameInfo& frame) {
+                return TracePicture::passesOf(s.samples, frame.width(), frame.height());
+            },
         .refine = refine,
         .values = values,
         .valueCounts = valueCounts,

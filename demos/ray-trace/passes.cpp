@@ -51,6 +51,14 @@ Traced traceSample(const TracePicture::Plan& plan, const Ray& ray, double spread
     return all;
 }
 
+// In sRGB, with light above 1 as white.
+Pixel pixelOf(const vec3& light) {
+    const auto byte = [](double value) {
+        return static_cast<std::uint8_t>(std::lround(255 * srgbFromLinear(std::clamp(value, 0.0, 1.0))));
+    };
+    return {byte(light.x), byte(light.y), byte(light.z)};
+}
+
 }  // namespace
 
 TracedScene tracedRoom(TracedRoom room, double lampSize, double index, std::shared_ptr<const TriangleFinder> mesh,
@@ -119,6 +127,7 @@ void TracePicture::pass(const Plan& plan, int number) {
         cut_.assign(pixels, 0);
         raysSum_.assign(pixels, 0);
         raysAt_.assign(pixels, 0);
+        developed_ = Picture(width_, height_);
         rays_ = 0;
     }
     if (number < coarsePasses) {
@@ -131,11 +140,13 @@ void TracePicture::pass(const Plan& plan, int number) {
                 const vec2 middle = double(side) * (vec2(column, row) + 0.5);
                 const Traced traced = traceSample(plan, lens.through(middle), side * lens.spread(), vec2(0));
                 rays += traced.rays;
+                const Pixel seen = pixelOf(traced.light);
                 for (int y = row * side; y < std::min(height_, (row + 1) * side); ++y) {
                     for (int x = column * side; x < std::min(width_, (column + 1) * side); ++x) {
                         shown_[pixelIndex(x, y, width_)] = traced.light;
                         cut_[pixelIndex(x, y, width_)] = traced.cut;
                         raysAt_[pixelIndex(x, y, width_)] = double(traced.rays);
+                        developed_.set(x, y, seen);
                     }
                 }
             }
@@ -144,10 +155,13 @@ void TracePicture::pass(const Plan& plan, int number) {
         rays_ += cast;
         return;
     }
-    const int sample = number - coarsePasses;
+    const int bands = bandsOf(width_, height_), sample = (number - coarsePasses) / bands,
+              band = (number - coarsePasses) % bands;
+    const int first = height_ * band / bands, end = height_ * (band + 1) / bands;
     // Each sample stands for its part of the pixel
     const double spread = lens.spread() / std::sqrt(plan.samples);
-    inRows(height_, plan.threads, [&](int row) {
+    inRows(end - first, plan.threads, [&](int index) {
+        const int row = first + index;
         long rays = 0;
         for (int x = 0; x < width_; ++x) {
             const std::size_t pixel = pixelIndex(x, row, width_);
@@ -161,6 +175,7 @@ void TracePicture::pass(const Plan& plan, int number) {
             shown_[pixel] = sum_[pixel] / double(sample + 1);
             cut_[pixel] = cutSum_[pixel] / (sample + 1);
             raysAt_[pixel] = raysSum_[pixel] / (sample + 1);
+            developed_.set(x, row, pixelOf(shown_[pixel]));
         }
         cast += rays;
     });
@@ -180,14 +195,8 @@ std::vector<Ray> raysThrough(const TracePicture::Plan& plan) {
 
 Picture developed(const std::vector<vec3>& light, int width, int height) {
     Picture picture(width, height);
-    const auto byte = [](double value) {
-        return static_cast<std::uint8_t>(std::lround(255 * srgbFromLinear(std::clamp(value, 0.0, 1.0))));
-    };
-    for (std::size_t i = 0; i < light.size(); ++i) {
-        picture.rgba[4 * i] = byte(light[i].x);
-        picture.rgba[4 * i + 1] = byte(light[i].y);
-        picture.rgba[4 * i + 2] = byte(light[i].z);
-        picture.rgba[4 * i + 3] = 255;
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) picture.set(x, y, pixelOf(light[pixelIndex(x, y, width)]));
     }
     return picture;
 }

@@ -44,8 +44,8 @@ class TracePicture {
         int threads = 0;  // 0: one for each processor; the result does not depend on their number
     };
 
-    // Blocks of 16, 8, 4 and 2 pixels, then the samples.
-    static int passesOf(int samples) { return coarsePasses + samples; }
+    // Blocks of 16, 8, 4 and 2 pixels, then the samples, each for one band of rows after the other.
+    static int passesOf(int samples, int width, int height) { return coarsePasses + samples * bandsOf(width, height); }
     // Pass 0 begins the picture anew.
     void pass(const Plan& plan, int number);
 
@@ -53,6 +53,8 @@ class TracePicture {
     int height() const { return height_; }
     // Linear light, the upper row first, and what the depth cut off, as the passes so far have them.
     const std::vector<vec3>& light() const { return shown_; }
+    // The light as a picture.
+    const Picture& developed() const { return developed_; }
     const std::vector<double>& cut() const { return cut_; }
     // A sample, with those to the lamp, for each pixel; and of all passes together.
     const std::vector<double>& raysAt() const { return raysAt_; }
@@ -60,9 +62,13 @@ class TracePicture {
 
   private:
     static constexpr int coarsePasses = 4;
+    // A window answers after each pass: one takes no more pixels than two processors trace in a few tenths of a second.
+    static int bandsOf(int width, int height) { return (width * height + (1 << 20) - 1) >> 20; }
+
     int width_ = 0, height_ = 0;
     std::vector<vec3> sum_, shown_;
     std::vector<double> cutSum_, cut_, raysSum_, raysAt_;
+    Picture developed_;
     long rays_ = 0;
 };
 

@@ -14,8 +14,8 @@ namespace mv::ray_trace {
 TracePicture whole(const TracePicture::Plan& plan) {
     TracePicture picture;
     picture.pass(plan, 0);
-    for (int pass = TracePicture::passesOf(0); pass < TracePicture::passesOf(plan.samples); ++pass)
-        picture.pass(plan, pass);
+    const auto passesOf = [&](int samples) { return TracePicture::passesOf(samples, plan.width, plan.height); };
+    for (int pass = passesOf(0); pass < passesOf(plan.samples); ++pass) picture.pass(plan, pass);
     return picture;
 }
 

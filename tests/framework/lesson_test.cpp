@@ -272,7 +272,7 @@ TEST(Lessons, passes_make_what_is_drawn) {
     };
     Lesson<Settings, Gpu, Made> lesson;
     lesson.rows = together(oneOf("cups", &Settings::cups, {1, 2, 4}, "of it"));
-    lesson.passes = [](const Settings& s) { return s.cups; };
+    lesson.passes = [](const Settings& s, const FrameInfo&) { return s.cups; };
     lesson.refine = [](Made& made, const Settings&, const FrameInfo&, int pass) { made.passes = pass + 1; };
     static int drawn = 0;
     lesson.draw = [](Gpu&, const Settings&, const Made& made, const Frame&) { drawn = made.passes; };

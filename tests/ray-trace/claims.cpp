@@ -5,6 +5,7 @@
 // - [leaves] Of the rays that leave a floor y = 0 of slender triangles a quarter meet the triangle again, from the point itself and off
 //   it by each coordinate's roundings; off it by the largest coordinate's fewer, and with a bound none.
 // - [as-one-thread] The picture has the same bits, however many threads share the rows.
+// - [bands] A large picture's samples are taken in bands of rows, between which a window answers. No pixel of the result shows them.
 // - [soft-contact] A lamp without an area makes shadows that are on or off; one with an area makes them soft, and the softer,
 //   the farther the body is from the floor.
 // - [through-glass] Glass casts a shadow, with some light in it.
@@ -65,7 +66,8 @@ TracedScene glassBall(double index) {
 
 TracePicture traced(const TracePicture::Plan& plan) {
     TracePicture picture;
-    for (int pass = 0; pass < TracePicture::passesOf(plan.samples); ++pass) picture.pass(plan, pass);
+    const int passes = TracePicture::passesOf(plan.samples, plan.width, plan.height);
+    for (int pass = 0; pass < passes; ++pass) picture.pass(plan, pass);
     return picture;
 }
 
@@ -213,6 +215,32 @@ TEST(RayTraceFull, as_one_thread) {
                 ASSERT_EQ(one.rays(), many.rays());
             }
         }
+    }
+}
+
+TEST(RayTraceFull, bands) {
+    EXPECT_EQ(TracePicture::passesOf(16, 480, 320), TracePicture::passesOf(0, 480, 320) + 16);
+    TracePicture::Plan plan = smallPlan(TracedRoom::lamp);
+    plan.samples = 1;
+    plan.width = 1200;
+    plan.height = 1001;
+    const int blocks = TracePicture::passesOf(0, plan.width, plan.height);
+    ASSERT_EQ(TracePicture::passesOf(1, plan.width, plan.height), blocks + 2);
+    TracePicture picture;
+    std::vector<std::vector<vec3>> lights;
+    for (int pass = 0; pass < blocks + 2; ++pass) {
+        picture.pass(plan, pass);
+        ASSERT_EQ(picture.developed(), developed(picture.light(), plan.width, plan.height)) << pass;
+        lights.push_back(picture.light());
+    }
+    const std::vector<vec3>&before = lights[lights.size() - 3], &between = lights[lights.size() - 2],
+          &after = lights.back();
+    const auto middle = std::ptrdiff_t(plan.height / 2) * plan.width;
+    EXPECT_TRUE(std::equal(between.begin(), between.begin() + middle, after.begin()));
+    EXPECT_TRUE(std::equal(between.begin() + middle, between.end(), before.begin() + middle));
+    for (int y = 0; y < plan.height; ++y) {
+        const auto row = std::ptrdiff_t(y) * plan.width;
+        EXPECT_FALSE(std::equal(before.begin() + row, before.begin() + row + plan.width, after.begin() + row)) << y;
     }
 }
 
@@ -532,7 +560,8 @@ TracePicture colored(ray_trace::Settings s) {
     s.samples = 1;
     const TracePicture::Plan plan = ray_trace::planOf(s, 120, 80, {});
     TracePicture picture;
-    for (int pass = 0; pass < TracePicture::passesOf(1); ++pass) picture.pass(plan, pass);
+    const int passes = TracePicture::passesOf(1, plan.width, plan.height);
+    for (int pass = 0; pass < passes; ++pass) picture.pass(plan, pass);
     return picture;
 }
 

@@ -117,7 +117,7 @@ struct Lesson {
     Kept (*start)(const Settings&) = {};
     void (*step)(Kept&, const Settings&, int index) = {};
     // A picture made in passes.
-    int (*passes)(const Settings&) = {};
+    int (*passes)(const Settings&, const FrameInfo&) = {};
     void (*refine)(Kept&, const Settings&, const FrameInfo&, int pass) = {};
     // For a study of values.
     std::vector<double> (*values)(const Settings&) = {};
@@ -170,7 +170,9 @@ class LessonDemo final : public Demo {
             if (lesson_->step) lesson_->step(**remembered_, settings_, index);
         }
     }
-    int passes(const FrameInfo&) const override { return lesson_->passes ? lesson_->passes(settings_) : 0; }
+    int passes(const FrameInfo& frame) const override {
+        return lesson_->passes ? lesson_->passes(settings_, frame) : 0;
+    }
     void refine(const FrameInfo& frame, int pass) override {
         if constexpr (remembers) lesson_->refine(made_, settings_, frame, pass);
     }
