@@ -91,7 +91,7 @@ TEST_P(Visits, ends_without_what_a_context_may_lack) {
             DemoRun run(GetParam());
             drawSmall();
             visitScene("initial");
-            if (!isLeftToLong()) {
+            if (!sanitized) {
                 Tried tried;
                 for (const std::string& message : run.messages()) tried.sentences.insert(message);
                 tried.sentences.merge(visitEnds(run).sentences);
@@ -134,7 +134,7 @@ const std::set<std::string> unseen{
 // settings below says so there, or is one of the above. The settings: each preset, and beside the first one each choice
 // and switch.
 TEST_P(Visits, idle_knobs) {
-    if (isLeftToLong()) return;
+    if (sanitized) return;
     const bool small = hasPasses(findDemo(GetParam()));
     DemoRun run(GetParam(), small ? 36 : 160, small ? 24 : 120);
     const std::vector<Knob*>& knobs = run.demo().knobs();
@@ -264,7 +264,7 @@ void visitBothWays(Settings& settings, const std::vector<Row>& rows) {
 // Every pair of ends of two knobs is drawn, in few rows that have as many pairs as can be, or refused by itself; in ./test --long each
 // by itself, too, while all other knobs are as they open.
 TEST_P(Visits, pairs_of_ends) {
-    if (isLeftToLong()) return;
+    if (sanitized) return;
     DemoRun run(GetParam(), 64, 48);
     Settings few(run.demo(), false);
     const CoveringArray array =

@@ -49,7 +49,7 @@ TEST_P(Visits, twice_as_large) {
 // is the same whatever was drawn before, and the first frame is again what it was. A demo that has to compute each frame
 // from the one before, in milliseconds, is given fewer by affordable(), as a knob "frame".
 TEST_P(Visits, a_day_of_frames) {
-    if (isLeftToLong()) return;
+    if (sanitized) return;
     DemoRun run(GetParam(), 64, 48);
     const int day = std::stoi(affordable("frame", "5184000"));
     const auto first = drawnOnce(1, true), later = drawnOnce(day, true);

@@ -26,9 +26,6 @@ std::optional<Picture> visitScene(const std::string& setting);
 // One drawing of it alone, with or without its readouts; nothing, and a test failure, where it throws.
 std::optional<Picture> drawnOnce(int frame, bool readouts);
 
-// Whether this takes too long under the sanitizers for all but ./test --long.
-inline bool isLeftToLong() { return sanitized && !isLong(); }
-
 // A quarter of the points of the initial size, and of what the processor computes in passes a hundredth: there are many settings
 // to draw, and each still shows something. (Under the sanitizers, where that is not looked at, a quarter of it.)
 void drawSmall();
