@@ -354,7 +354,8 @@ TEST(RayTrace, texture_averaged) {
         vec3 mean(0);
         constexpr int side = 40;
         for (int k = 0; k < side * side; ++k) {
-            const double along = width * ((k % side + 0.5) / side - 0.5), up = width * ((k / side + 0.5) / side - 0.5);
+            const int column = k % side, row = k / side;
+            const double along = width * ((column + 0.5) / side - 0.5), up = width * ((row + 0.5) / side - 0.5);
             const double latitude = radians(north) + up;
             mean += textureAround(globe, back * normalAt(radians(east) + along, latitude), 0);
         }
