@@ -53,9 +53,9 @@ class TracePicture {
     int height() const { return height_; }
     // Linear light, the upper row first, and what the depth cut off, as the passes so far have them.
     const std::vector<vec3>& light() const { return shown_; }
-    // The light as a picture.
-    const Picture& developed() const { return developed_; }
     const std::vector<double>& cut() const { return cut_; }
+    // The light in sRGB, what is above 1 as white, as developed() makes it of light().
+    const Picture& developed() const { return developed_; }
     // A sample, with those to the lamp, for each pixel; and of all passes together.
     const std::vector<double>& raysAt() const { return raysAt_; }
     long rays() const { return rays_; }

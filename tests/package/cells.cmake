@@ -1,4 +1,5 @@
-# What a user may choose: each compiler with each build type that is in use, and flags that are theirs, builds the library and a demo, which draws.
+# What a user may choose: each compiler, with each build type that is in use and with flags of their own, builds the library and a
+# demo, which draws.
 include("${CMAKE_CURRENT_LIST_DIR}/run.cmake")
 set(work "${BUILD}/cells")
 set(cells "")
