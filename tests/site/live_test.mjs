@@ -33,8 +33,8 @@ const softly = ({ demo, settings }) => {
   if (['view-volume', 'path', 'clipping', 'keyframes', 'frame-rate'].includes(demo)) return { levels: 10, share: 0.005 };
   // What is cut at the edge of its guard band has texture coordinates that are less exact: floors that reach behind the eye.
   if (demo === 'texture-filter' || demo === 'texture-map' || (demo === 'procedural' && settings.view === 'floor')) return { levels: 3, share: 0.4 };
-  // OpenGL's own lines again: whole edges stand a pixel aside, in one start of the browser and not in the next, always within a line's
-  // width. Four houses of some 25 edges, 100 pixels each.
+  // Whole edges stand a pixel aside in one start of the browser and not in the next, and why is not known: a pixel along each edge
+  // of four houses, of some 25 edges of 100 pixels, is what may differ.
   if (demo === 'projections') return { levels: 3, share: 0.015 };
   // The pixels that OpenGL sets, beside those of the lesson: lines are each renderer's own, as with the golden pictures.
   if (demo === 'rasterizer') return { levels: 3, share: 0.03 };
