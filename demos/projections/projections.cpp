@@ -15,12 +15,11 @@
 namespace mv::projections {
 
 void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
-    // Let near things hide far ones, and push faces back behind their edges
+    // Let near things hide far ones
     glClearColor(1, 1, 1, 1);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);
     glEnable(GL_CULL_FACE);
-    glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(1, 1);
     glEnable(GL_SCISSOR_TEST);
     gpu.lines.use();
@@ -32,11 +31,16 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
         const mat4 clip = clipFromWorld(four[i], pane);
         frame.show(four[i].name + "FromWorld", clip);
 
-        // Draw the house into its pane, and its edges over it. A perspective leaves the colour of an axis, so set grey again
+        // Draw the house into its pane, its faces pushed back behind their edges. OpenGL's offset is one of faces alone, but
+        // some drivers push lines too
         beginPane(pane);
         gpu.faces.use();
         gpu.faces.set("clipFromWorld", clip);
+        glEnable(GL_POLYGON_OFFSET_FILL);
         gpu.house.draw();
+        glDisable(GL_POLYGON_OFFSET_FILL);
+
+        // Draw its edges over it. A perspective leaves the colour of an axis, so set grey again
         gpu.lines.use();
         gpu.lines.set("clipFromWorld", clip);
         if (i == 0 || !four[i - 1].isParallel()) gpu.lines.set("color", vec4(0.1, 0.1, 0.1, 1));
