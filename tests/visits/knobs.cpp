@@ -193,10 +193,10 @@ TEST_P(Visits, idle_knobs) {
 }
 
 // The knobs of the open demo, each with the values that are tried: every option of a choice, both of a toggle, and of a
-// number its ends and its initial value.
+// number its ends and its initial value. What takes seconds a picture is drawn once, in `ends`, and not here.
 class Settings {
   public:
-    Settings(Demo& demo, bool all) : demo_(demo) {
+    explicit Settings(Demo& demo) : demo_(demo) {
         for (const Knob* knob : demo.knobs()) {
             std::vector<std::string> values;
             const auto add = [&](const std::string& value) {
@@ -204,7 +204,7 @@ class Settings {
             };
             const std::vector<std::string> ends = knob->sweep();
             const bool number = knob->options().empty() && ends.size() > 2;
-            const auto tried = [&](const std::string& value) { return all ? value : affordable(knob->name(), value); };
+            const auto tried = [&](const std::string& value) { return affordable(knob->name(), value); };
             for (const std::string& value : number ? std::vector{ends.front(), knob->text(), ends.back()} : ends) {
                 add(tried(value));
             }
@@ -266,31 +266,29 @@ void visitBothWays(Settings& settings, const std::vector<Row>& rows) {
 TEST_P(Visits, pairs_of_ends) {
     if (sanitized) return;
     DemoRun run(GetParam(), 64, 48);
-    Settings few(run.demo(), false);
+    Settings settings(run.demo());
     const CoveringArray array =
-        coveringArray(few.levels(), few.usual(), [&](const Row& row) { return few.allowed(row); });
-    visitBothWays(few, array.rows);
+        coveringArray(settings.levels(), settings.usual(), [&](const Row& row) { return settings.allowed(row); });
+    visitBothWays(settings, array.rows);
     for (const ValuePair& pair : array.refused) {
-        few.strike(few.usualWith(pair));
+        settings.strike(settings.usualWith(pair));
         visitRefused(run);
     }
-    std::printf("%s: %zu knobs, %zu settings, %zu pairs refused\n", GetParam().c_str(), few.levels().size(),
+    std::printf("%s: %zu knobs, %zu settings, %zu pairs refused\n", GetParam().c_str(), settings.levels().size(),
                 array.rows.size(), array.refused.size());
     if (!isLong()) return;
-    few.strike(few.usual());
-    Settings all(run.demo(), true);
     std::set<Row> rows;  // without those that come again: a pair of initial values is all of them
     int refused = 0;
-    forEachPair(all.levels(), [&](const ValuePair& pair) {
-        const Row row = all.usualWith(pair);
-        if (all.allowed(row)) {
+    forEachPair(settings.levels(), [&](const ValuePair& pair) {
+        const Row row = settings.usualWith(pair);
+        if (settings.allowed(row)) {
             rows.insert(row);
         } else {
             visitRefused(run);
             ++refused;
         }
     });
-    visitBothWays(all, {rows.begin(), rows.end()});
+    visitBothWays(settings, {rows.begin(), rows.end()});
     std::printf("%s: %zu settings, %d refused\n", GetParam().c_str(), rows.size(), refused);
 }
 

@@ -163,7 +163,7 @@ TEST_P(Visits, work_of_presets) {
 
 // Every draw, or 12 of them, in the demo's own settings; the ends in the other presets. (What stops a frame is the same in all.)
 TEST_P(Visits, steps_of_presets) {
-    const int by = coarserIfSanitized(findDemo(GetParam()));
+    const int by = coarser(findDemo(GetParam()));
     DemoRun run(GetParam(), 160 / by, 120 / by);
     const std::vector<Preset>& presets = stage().info().presets;
     for (const Preset& preset : presets) {
