@@ -30,12 +30,12 @@ Wide commonDivisor(Wide a, Wide b) {
     return a;
 }
 
-// A place x / below, y / below, in lowest terms: the same place has the same numbers.
-struct Place {
+// A point x / below, y / below, in lowest terms: the same point has the same numbers.
+struct ExactPoint {
     Wide x, y, below;
     auto key() const { return std::tuple(x, y, below); }
-    bool operator<(const Place& other) const { return key() < other.key(); }
-    bool operator==(const Place& other) const { return key() == other.key(); }
+    bool operator<(const ExactPoint& other) const { return key() < other.key(); }
+    bool operator==(const ExactPoint& other) const { return key() == other.key(); }
     vec2 rounded() const {
         const auto divided = [this](Wide above) {
             return static_cast<double>(static_cast<long double>(above) / static_cast<long double>(below));
@@ -49,11 +49,11 @@ struct Parameter {
     std::int64_t above, below;  // below > 0
     bool operator<(const Parameter& other) const { return Wide(above) * other.below < Wide(other.above) * below; }
 };
-Place placeAt(const GridPoint& a, const GridPoint& b, const Parameter& t) {
-    Place place{Wide(a.x) * t.below + Wide(b.x - a.x) * t.above, Wide(a.y) * t.below + Wide(b.y - a.y) * t.above,
-                t.below};
-    const Wide common = commonDivisor(commonDivisor(place.x, place.y), place.below);
-    return {place.x / common, place.y / common, place.below / common};
+ExactPoint pointAt(const GridPoint& a, const GridPoint& b, const Parameter& t) {
+    ExactPoint point{Wide(a.x) * t.below + Wide(b.x - a.x) * t.above, Wide(a.y) * t.below + Wide(b.y - a.y) * t.above,
+                     t.below};
+    const Wide common = commonDivisor(commonDivisor(point.x, point.y), point.below);
+    return {point.x / common, point.y / common, point.below / common};
 }
 
 // The parameters at which edge a b meets the edges of the other polygon, with the edge's own ends, in order.
@@ -98,7 +98,7 @@ EdgePart::Lies whereLies(const Middle& m, const GridPoint& direction, const Grid
 }
 
 struct Directed {
-    Place from, to;
+    ExactPoint from, to;
     GridPoint direction;
     bool used = false;
 };
@@ -130,7 +130,7 @@ std::size_t leftmost(const std::vector<std::size_t>& begin, const std::vector<Di
 }
 
 std::vector<std::vector<vec2>> joined(std::vector<Directed> edges) {
-    std::map<Place, std::vector<std::size_t>> beginAt;
+    std::map<ExactPoint, std::vector<std::size_t>> beginAt;
     for (std::size_t i = 0; i < edges.size(); ++i) beginAt[edges[i].from].push_back(i);
     std::vector<std::vector<vec2>> polygons;
     for (std::size_t start = 0; start < edges.size(); ++start) {
@@ -207,7 +207,7 @@ Overlap overlap(GridPolygon first, GridPolygon second) {
             const GridPoint a = own[i], b = next(own, i);
             const std::vector<Parameter> at = meetings(a, b, other);
             for (std::size_t k = 1; k < at.size(); ++k) {
-                const Place from = placeAt(a, b, at[k - 1]), to = placeAt(a, b, at[k]);
+                const ExactPoint from = pointAt(a, b, at[k - 1]), to = pointAt(a, b, at[k]);
                 if (from == to) continue;
                 const Middle middle{from.x * to.below + to.x * from.below, from.y * to.below + to.y * from.below,
                                     2 * from.below * to.below};

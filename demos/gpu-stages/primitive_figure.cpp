@@ -27,7 +27,7 @@ MeshData meshOf(const PrimitiveType& type, int vertices) {
 vec2 middleOf(const Pane& pane) { return {0.5 * pane.width, 0.62 * pane.height}; }
 double halfOf(const Pane& pane) { return std::min(0.42 * pane.width, 0.34 * pane.height); }
 
-mat4 clipFromPane(const FrameInfo& frame, const Pane& pane) {
+mat4 clipFromFigure(const FrameInfo& frame, const Pane& pane) {
     const vec2 size(frame.width(), frame.height()), middle = vec2(pane.x, pane.y) + middleOf(pane);
     return translate(2 * middle.x / size.x - 1, 2 * middle.y / size.y - 1, 0) *
            scale(2 * halfOf(pane) / size.x, 2 * halfOf(pane) / size.y, 1);
@@ -47,7 +47,7 @@ void PrimitiveFigure::draw(const Frame& frame, const Program& program, int verti
     for (std::size_t i = 0; i < primitiveTypes.size(); ++i) {
         const PrimitiveType& type = primitiveTypes.at(i);
         const Mesh& mesh = meshes_[i];
-        program.set("clipFromPane", clipFromPane(frame, panes[i]));
+        program.set("clipFromPane", clipFromFigure(frame, panes[i]));
         if (type.inCore) {
             mesh.drawAs(type.mode);
             if (anew && counts)
