@@ -31,8 +31,7 @@ void draw(Gpu& gpu, const Settings& s, const Frame& frame) {
         const mat4 clip = clipFromWorld(four[i], pane);
         frame.show(four[i].name + "FromWorld", clip);
 
-        // Draw the house into its pane, its faces pushed back behind their edges. OpenGL's offset is one of faces alone, but
-        // some drivers push lines too
+        // Draw the house into its pane, its faces pushed back behind their edges: they alone, since some drivers push lines too
         beginPane(pane);
         gpu.faces.use();
         gpu.faces.set("clipFromWorld", clip);

@@ -206,6 +206,18 @@ TEST_F(Undefined, attributes_and_indices_stay_within_their_buffers) {
     EXPECT_NE(few[0].find("its indices reach beyond their buffer"), std::string::npos);
 }
 
+TEST_F(Undefined, lines_have_no_polygons_offset) {
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    EXPECT_EQ(faults(white), "");
+    MeshData edge = triangle();
+    edge.primitive = Primitive::lines;
+    edge.positions.pop_back();
+    mesh = Mesh(edge, "edge");
+    EXPECT_NE(faults(white).find("draw of 'edge': points and lines have no polygon's offset"), std::string::npos);
+    glDisable(GL_POLYGON_OFFSET_FILL);
+    EXPECT_EQ(faults(white), "");
+}
+
 TEST_F(Undefined, queries_and_feedback_are_begun_and_ended_in_order) {
     GLuint query = 0, result = 0;
     glGenQueries(1, &query);

@@ -2,7 +2,7 @@
 // that draws through the same Mesa: pictures, readouts, matrices and sentences are the native program's, of each demo at its presets
 // (all but the first a quarter as large), and with --all-ends at each end of each knob (./test --long does). With --software Chromium
 // draws by its own SwiftShader, and pictures may differ a little: each demo as it opens, and with --all-ends at its presets. With --half
-// each second demo alone: two that run side by side take little longer than one, which waits for half of its time.
+// each second demo alone: of two that run side by side one works while the other waits.
 import { execFileSync } from 'node:child_process';
 import fs from 'node:fs';
 import path from 'node:path';
@@ -11,6 +11,7 @@ import { browserOf, counted, demosOf, equal, expect, made, opened, scratch, serv
 const [source, program, native, build, ...rest] = process.argv.slice(2);
 const software = rest.includes('--software'), allEnds = rest.includes('--all-ends') || Boolean(process.env.MVGL_LONG);
 const half = rest.includes('--half') ? Number(rest.splice(rest.indexOf('--half'), 2)[1]) : 0;
+if (![0, 1, 2].includes(half)) throw new Error(`--half: must be 1 or 2, ${half}`);
 const named = rest.filter((word) => !word.startsWith('--'));
 skipUnlessBuilt(build);
 

@@ -242,11 +242,11 @@ struct Vertices {
 class UndefinedWatch {
   public:
     // ---- draws
-    void before_DrawArrays(GLenum, GLint first, GLsizei count) {
-        beforeDraw([&] { return Vertices{first, long{first} + count - 1}; });
+    void before_DrawArrays(GLenum mode, GLint first, GLsizei count) {
+        beforeDraw(mode, [&] { return Vertices{first, long{first} + count - 1}; });
     }
-    void before_DrawElements(GLenum, GLsizei count, GLenum type, const void* offset) {
-        beforeDraw([&] { return indexed(count, type, reinterpret_cast<std::uintptr_t>(offset)); });
+    void before_DrawElements(GLenum mode, GLsizei count, GLenum type, const void* offset) {
+        beforeDraw(mode, [&] { return indexed(count, type, reinterpret_cast<std::uintptr_t>(offset)); });
     }
     void before_DispatchCompute(GLuint, GLuint, GLuint) {
         if (!isAllowed(Newer::compute)) return;  // it is refused
@@ -364,7 +364,7 @@ class UndefinedWatch {
     }
 
     template <class FindVertices>
-    void beforeDraw(const FindVertices& vertices) {
+    void beforeDraw(GLenum mode, const FindVertices& vertices) {
         subject_ = "draw of " + labelOf(GL_VERTEX_ARRAY, bound(GL_VERTEX_ARRAY_BINDING));
         const GLuint program = programInUse();
         if (program == 0) return;
@@ -378,6 +378,10 @@ class UndefinedWatch {
         }
         checkUniforms(program, written, drawsPixels && writesColors(own, written));
         checkAttributes(vertices());
+        if (drawsPixels && mode < GL_TRIANGLES && below.IsEnabled(GL_POLYGON_OFFSET_FILL) == GL_TRUE)
+            faultHere(
+                "points and lines have no polygon's offset, and GL_POLYGON_OFFSET_FILL is on: some drivers push them "
+                "all the same");
         if (!own || !drawsPixels) return;
         GLbitfield reads = 0, writes = GL_COLOR_BUFFER_BIT;
         if (below.IsEnabled(GL_BLEND) == GL_TRUE) reads |= GL_COLOR_BUFFER_BIT;

@@ -16,6 +16,7 @@ namespace mv {
 // - no texture is read at a level that the draw writes;
 // - each enabled attribute has a buffer that reaches as far as the draw's vertices, and indices lie within theirs;
 // - the framebuffer is complete, and what a depth test, a stencil test, blending, a blit or a read-back reads was written;
+// - no point or line is drawn while GL_POLYGON_OFFSET_FILL is on: SwiftShader pushes them, too, by whatever slope it finds;
 // - queries and transform feedback are begun, ended and asked in this order;
 // - each uniform that the program uses was set. Left out are arrays, of which a program reads as many elements as another uniform
 //   says; samplers and images, which begin with unit 0 or the shader's: what that unit holds is asked above; and draws of depths or
