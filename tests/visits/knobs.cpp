@@ -246,8 +246,9 @@ class Settings {
     Row usual_;
 };
 
-// The settings of one row after the other, and then in reverse: each has the same bytes both times, whatever was drawn
-// before it. What a demo keeps from frame to frame and should not have kept shows where neighbours differ by one knob.
+// The settings of one row after the other, with their readouts, and then in reverse, without: each has the same bytes both times,
+// whatever was drawn or measured before it. What a demo keeps from frame to frame and should not have kept shows where
+// neighbours differ by one knob.
 void visitBothWays(Settings& settings, const std::vector<Row>& rows) {
     std::vector<std::optional<Picture>> pictures;
     for (const Row& row : rows) {
@@ -257,7 +258,7 @@ void visitBothWays(Settings& settings, const std::vector<Row>& rows) {
     for (std::size_t i = rows.size(); i-- > 0;) {
         if (!pictures[i]) continue;
         settings.strike(rows[i]);
-        EXPECT_EQ(drawnOnce(1, true), pictures[i]) << "another picture the second time, in row " << i;
+        EXPECT_EQ(drawnOnce(1, false), pictures[i]) << "another picture the second time, in row " << i;
     }
 }
 

@@ -71,7 +71,7 @@ std::optional<Picture> visitScene(const std::string& setting) {
 }
 
 void drawSmall() {
-    const int by = (sanitized ? 2 : 1) * std::max(2, coarser(stage().info()));
+    const int by = sanitized ? 2 * std::max(2, coarser(stage().info())) : std::max(3, coarser(stage().info()));
     stage().resize(stage().front().width() / by, stage().front().height() / by);
 }
 
