@@ -94,7 +94,7 @@ TEST(StepRules, depth_and_stencil_are_seen_by_es_too) {
         std::vector<std::vector<BufferPicture>> seen[2];
         for (const bool es : {false, true}) {
             stageOn(HostKind::egl, es);
-            DemoRun run(demo);
+            DemoRun run(demo, 240, 180);
             const Picture whole = run.picture();
             const int all = drawsOf();
             for (const int draws : {1, all / 2, all}) seen[es].push_back(stopped(draws).shown.buffers);

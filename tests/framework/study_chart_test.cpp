@@ -153,6 +153,9 @@ TEST(StudyChart, no_label_covers_anything) {
                     EXPECT_FALSE(mark.meets(label.box)) << label.text;
                 }
                 for (const ChartLine& line : chart->lines) {  // by a way of its own: a thousand places along it
+                    const auto [left, right] = std::minmax(line.fromX, line.toX);
+                    const auto [top, bottom] = std::minmax(line.fromY, line.toY);
+                    if (!ChartBox{left, top, right, bottom}.meets(label.box)) continue;
                     for (int i = 0; i <= 1000; ++i) {
                         const double part = i / 1000.0, x = line.fromX + part * (line.toX - line.fromX),
                                      y = line.fromY + part * (line.toY - line.fromY);
