@@ -128,6 +128,9 @@ function contents(html) {
   return headings.length < 2 ? '' : `<nav class="contents" aria-label="${word('contents')}"><ul>\n${headings.join('\n')}\n</ul></nav>\n`;
 }
 
+// Each as an element, which the browser lays out when it comes near (site.css).
+const inSections = (html) => html.split(/(?=<h2 )/).map((part) => (part.startsWith('<h2 ') ? `<section>\n${part}</section>\n` : part)).join('');
+
 // What stands in English on a page of another language says so.
 const english = () => (language() === 'en' ? '' : ' lang="en"');
 
@@ -152,7 +155,7 @@ export function demoPage(demo, before, after, module = '', chapters, address = '
 ${address && `<meta property="og:url" content="${address}demos/${inLanguage(demo.name)}">\n`}`,
     side: sideList(chapters, demo.name),
     foot: `<footer><nav aria-label="${word('onwards')}">${to(before, 'before', 'prev')}${to(after, 'next', 'next')}</nav></footer>\n`,
-    main: `<p class="sentence"${sentence === demo.sentence ? english() : ''}>${escaped(sentence)}</p>\n${pictures(demo, Boolean(module))}${contents(lesson)}${demo.isTranslated ? '' : `<p class="notes">${word('untranslated')}</p>\n`}<article${demo.isTranslated ? '' : english()}>\n${lesson}</article>\n${curve(demo)}${sources(demo)}`,
+    main: `<p class="sentence"${sentence === demo.sentence ? english() : ''}>${escaped(sentence)}</p>\n${pictures(demo, Boolean(module))}${contents(lesson)}${demo.isTranslated ? '' : `<p class="notes">${word('untranslated')}</p>\n`}<article${demo.isTranslated ? '' : english()}>\n${inSections(lesson)}</article>\n${curve(demo)}${sources(demo)}`,
   });
 }
 

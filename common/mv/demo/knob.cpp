@@ -34,12 +34,12 @@ std::string textOf(std::span<const vec2> points) {
     return text;
 }
 
-void requireRange(const AnyRow& row, const std::string& range) {
+void requireRange(const AnyRow& row, const Knob& knob) {
     const bool logarithmic = row.range.scale == Scale::logarithmic;
     if (logarithmic && !(row.range.low > 0))
-        throw Error("knob " + row.name, "must have a logarithmic range above 0", range);
+        throw Error("knob " + row.name, "must have a logarithmic range above 0", knob.range());
     if (row.range.orZero && !logarithmic)
-        throw Error("knob " + row.name, "must be logarithmic to have 0 as an end of its own", range);
+        throw Error("knob " + row.name, "must be logarithmic to have 0 as an end of its own", knob.range());
 }
 
 constexpr const char* noFile = "none";
@@ -47,7 +47,7 @@ constexpr const char* noFile = "none";
 }  // namespace
 
 Knob::Knob(const AnyRow& row, void* settings, const void* initial) : row_(row), settings_(settings), initial_(initial) {
-    requireRange(row, range());
+    requireRange(row, *this);
     parse(text());  // refused, if it is none
 }
 
