@@ -69,6 +69,12 @@ await page.evaluate(() => [...document.querySelectorAll('.panel button')].find((
 equal(await sumOf(page), first, 'the picture after Reset');
 equal(await text(page, '.presets [aria-pressed="true"]'), 'original', 'the preset that it is');
 equal(await drawnMeanwhile(page), 0, 'pictures that a resting canvas draws');
+// What is far below is laid out when it comes near
+const lastIsLaidOut = () => document.querySelector('article > section:last-of-type > :last-child').checkVisibility({ contentVisibilityAuto: true });
+equal(await page.evaluate(lastIsLaidOut), false, 'the end of the lesson is laid out');
+await page.$eval('article > section:last-of-type', (section) => section.scrollIntoView({ behavior: 'instant' }));
+await page.waitForFunction(lastIsLaidOut);
+await page.evaluate(() => scrollTo({ top: 0, behavior: 'instant' }));
 // The lesson's own lines, and a picture of it
 const above = await page.$$('article .above');
 expect(above.length > 0, 'lines of the lesson that can be shown above');

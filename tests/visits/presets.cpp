@@ -139,7 +139,7 @@ TEST_P(Visits, presets) {
 }
 
 // A frame of a preset does nothing needless that the demo does not declare; and what it declares, some preset does.
-// (Counts are the same under the sanitizers, which have seen each preset drawn, and the audit's own tests.)
+// (Under the sanitizers these are the same counts of the same draws, which `presets` has made.)
 TEST_P(Visits, work_of_presets) {
     if (sanitized) return;
     const DemoInfo& demo = findDemo(GetParam());
