@@ -237,6 +237,9 @@ TEST(Program, drivers_that_end_by_a_signal_are_passed_over) {
         << passedOver.err;
     expectRefusal(run("=osmesa", {crashing, "GALLIUM_DRIVER=llvmpipe"}), 1,
                   "OSMesa: must draw, and is ended by a signal (Segmentation fault); unset");
+    expectRefusal(
+        run("=osmesa", {crashing, "OSMESA_EXIT=127"}), 1,
+        "OSMesa: must draw, and is ended by its driver (status 127); unset what steers its driver, OSMESA_EXIT=127");
     // The answers of Mesa 22; another one may draw, or refuse in words of its own
     for (const std::string variable : {"GALLIUM_DRIVER=zink", "GALLIUM_DRIVER=virgl", "GALLIUM_DRIVER=nosuch",
                                        "MESA_GLSL_VERSION_OVERRIDE=120", "DRAW_USE_LLVM=0"}) {

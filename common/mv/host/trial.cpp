@@ -213,11 +213,11 @@ std::unique_ptr<Context> openTried(const std::string& host, const std::function<
     int status = 0;
     while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
     }
-    if (WIFSIGNALED(status)) {
-        throw Error(host,
-                    std::string("must draw, and is ended by a signal (") + strsignal(WTERMSIG(status)) +
-                        "); unset what steers its driver",
-                    variables);
+    // A loader that finds its lists overwritten ends the process by its own exit.
+    if (status != 0) {
+        const std::string end = WIFSIGNALED(status) ? std::string("a signal (") + strsignal(WTERMSIG(status)) + ")"
+                                                    : "its driver (status " + std::to_string(WEXITSTATUS(status)) + ")";
+        throw Error(host, "must draw, and is ended by " + end + "; unset what steers its driver", variables);
     }
     return openWithin(host, open);
 }
