@@ -12,7 +12,7 @@ bool isOrange(const Settings& s) { return s.body == ReliefBody::orange; }
 bool usesFrames(Method method) { return method != Method::smooth && method != Method::displaced; }
 bool hasMirroredFrames(const Settings& s) { return isMirrored(s) && usesFrames(s.method); }
 
-std::vector<Row<Settings>> rows() {
+std::vector<Row<Settings>> panelRows() {
     return {word("body", &Settings::body, {{"wall", "bricks"}, {"orange", "a sphere with pores"}}, "what is bumped"),
             word("method", &Settings::method,
                  {{"smooth", "no bumps: painted only"},
@@ -83,7 +83,7 @@ std::optional<vec2> placeOfEye(const Settings& s, const FrameInfo& frame) { retu
 const bool added = addLesson(
     about,
     Lesson<Settings, Gpu>{
-        .rows = rows(),
+        .rows = panelRows(),
         .presets = presets(),
         .controls = {drag("spin-y", 0.5, "spin-x", 0.5), keys(Key::left, Key::right, "angle", 5), wheel("depth", 0.01)},
         .handles = {{"lamp", {"lamp-turn", "lamp-height"}, placeOfLamp}, {"eye", {"angle"}, placeOfEye}},

@@ -41,7 +41,7 @@ bool hasRounds(const Settings& s) {
            (is<Subject::polygon>(s) && s.polygons.method == PolygonMethod::sutherlandHodgman);
 }
 
-std::vector<Row<Settings>> rows() {
+std::vector<Row<Settings>> panelRows() {
     const PointLimits two{{-3, -2.6}, {3, 2.6}, 2, 2, gridStep};
     return together(
         word("subject", &Settings::subject,
@@ -120,7 +120,7 @@ std::optional<vec2> placeOf(const Settings& s, const FrameInfo& frame, const vec
 const bool added = addLesson(
     about,
     Lesson<Settings, Gpu>{
-        .rows = rows(),
+        .rows = panelRows(),
         .presets = presets(),
         .controls = {keys(Key::left, Key::right, "round", 1)},
         .handles = {{"end", {"ends"}, {}, placeOf<Subject::point, Subject::segment>},

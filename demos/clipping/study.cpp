@@ -102,7 +102,7 @@ Study study() {
     return study;
 }
 
-[[maybe_unused]] const bool added = addStudy("clipping", study());
+[[maybe_unused]] const bool studied = addStudy("clipping", study());
 
 }  // namespace
 }  // namespace mv::clipping

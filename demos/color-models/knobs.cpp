@@ -8,7 +8,7 @@ namespace {
 bool isSolids(const Settings& s) { return s.shows == Shows::solids; }
 bool isDiagram(const Settings& s) { return s.shows == Shows::diagram; }
 
-std::vector<Row<Settings>> rows() {
+std::vector<Row<Settings>> panelRows() {
     const Literal noSolids = "the diagram has neither solids nor strips";
     return together(
         word("scene", &Settings::shows,
@@ -96,7 +96,7 @@ LessonHandle<Settings> second(Literal name) {
 
 const bool added = addLesson(
     about, Lesson<Settings, Gpu>{
-               .rows = rows(),
+               .rows = panelRows(),
                .presets = presets(),
                .controls = {drag("spin-y", 1, "spin-x", 1), keys(Key::left, Key::right, "steps", 1)},
                .handles = {first<cube>("color in the cube"), second<cube>("second color in the cube"),

@@ -52,6 +52,10 @@ std::vector<fvec4> clipCorners(const MeshData& mesh, const Settings& s, double a
 // figure.cpp
 void drawFigure(Gpu& gpu, const Settings& s, const Frame& frame);
 
+// nearest_faces.cpp: of each pixel, the upper row first, how far along the gaze the first face is that its ray meets, from either
+// side; -1 where there is none, or none between the near plane and the far one.
+std::vector<double> nearestFaces(const Settings& s, const FrameInfo& frame);
+
 // study.cpp
 void drawDistances(Gpu& gpu, const Settings& s, const Frame& frame);
 void readOut(Gpu& gpu, const Settings& s, const Frame& frame, Numbers& numbers);

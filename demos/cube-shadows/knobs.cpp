@@ -33,7 +33,7 @@ Settings fallback(Settings s) {
 bool isLamp(const Settings& s) { return !s.atInfinity; }
 bool isDark(const Settings& s) { return s.darkness > 0; }
 
-std::vector<Row<Settings>> rows() {
+std::vector<Row<Settings>> panelRows() {
     const Literal noShadow = "at darkness 0 there is no shadow";
     return together(
         word("scene", &Settings::scene,
@@ -125,7 +125,7 @@ std::optional<vec2> placeOfLight(const Settings& s, const FrameInfo& frame) {
 
 const bool added = addLesson(
     about, Lesson<Settings, Gpu>{
-               .rows = rows(),
+               .rows = panelRows(),
                .presets = presets(),
                .controls = {drag("theta", -360.0 / 700, "phi", -360.0 / 700), wheel("distance", -0.5),
                             keys(Key::left, Key::right, "light-theta", 5), keys(Key::up, Key::down, "light-phi", 5)},

@@ -30,7 +30,7 @@ Settings fallback(Settings s) {
 bool stores(const Settings& s) { return s.way != Way::forward; }
 bool showsPicture(const Settings& s) { return s.show == Show::picture || s.way == Way::forward; }
 
-std::vector<Row<Settings>> rows() {
+std::vector<Row<Settings>> panelRows() {
     return together(
         word("way", &Settings::way,
              {{"forward", "each fragment asks each lamp, when it is drawn"},
@@ -79,7 +79,7 @@ std::vector<SettingsPreset<Settings>> presets() {
 }
 
 const bool added = addLesson(about, Lesson<Settings, Gpu>{
-                                        .rows = rows(),
+                                        .rows = panelRows(),
                                         .presets = presets(),
                                         .controls = {orbitDrag, orbitWheel, keys(Key::left, Key::right, "lamps", 8)},
                                         .draw = draw,

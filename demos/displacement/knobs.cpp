@@ -11,7 +11,7 @@ bool hasOneLevel(const Settings& s) { return !isByDistance(s); }
 bool isWall(const Settings& s) { return s.body == ReliefBody::wall; }
 bool isOrange(const Settings& s) { return s.body == ReliefBody::orange; }
 
-std::vector<Row<Settings>> rows() {
+std::vector<Row<Settings>> panelRows() {
     return {
         word("body", &Settings::body, {{"wall", "bricks, along a street"}, {"orange", "a sphere with pores"}}, "what"),
         word("method", &Settings::method,
@@ -95,7 +95,7 @@ std::optional<vec2> placeOfLamp(const Settings& s, const FrameInfo& frame) {
 
 const bool added = addLesson(
     about, Lesson<Settings, Gpu>{
-               .rows = rows(),
+               .rows = panelRows(),
                .presets = presets(),
                .controls = {drag("spin-y", 0.5, "spin-x", 0.5), wheel("distance", -0.1),
                             keys(Key::left, Key::right, "angle", 5), keys(Key::down, Key::up, "fineness", 0.25)},

@@ -27,7 +27,7 @@ bool isGlass(const Settings& s) { return s.material == Material::glass; }
 bool isNoMirror(const Settings& s) { return s.material != Material::mirror; }
 bool hasNoModel(const Settings& s) { return !s.model.isSet(); }
 
-std::vector<Row<Settings>> rows() {
+std::vector<Row<Settings>> panelRows() {
     return together(
         word("around", &Settings::around, {{"room", "drawn into the cube"}, {"sky", "infinitely far"}},
              "what is mirrored")
@@ -129,7 +129,7 @@ std::optional<vec2> placeOfBall(const Settings& s, const FrameInfo& frame) {
 
 const bool added =
     addLesson(about, Lesson<Settings, Gpu>{
-                         .rows = rows(),
+                         .rows = panelRows(),
                          .presets = presets(),
                          .controls = {orbitDrag, orbitWheel, keys(Key::left, Key::right, "ball", 5),
                                       keys(Key::down, Key::up, "room", 0.1)},

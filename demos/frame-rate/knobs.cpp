@@ -7,7 +7,7 @@ namespace {
 
 bool areWays(const Settings& s) { return s.beside == Beside::ways; }
 
-std::vector<Row<Settings>> rows() {
+std::vector<Row<Settings>> panelRows() {
     return together(
         word("beside", &Settings::beside,
              {{"displays", "the first way on three of them, and the second"}, {"ways", "four, on one display"}},
@@ -84,7 +84,7 @@ std::vector<SettingsPreset<Settings>> presets() {
 
 const bool added = addLesson(
     about, Lesson<Settings, Gpu, Running>{
-               .rows = rows(),
+               .rows = panelRows(),
                .presets = presets(),
                .readouts = {{"per-picture-off", "how far the first way's time is off", "s"},
                             {"per-second-off", "how far the second way's time is off", "s"},

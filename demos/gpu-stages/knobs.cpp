@@ -53,7 +53,7 @@ bool movesSomething(const Stages& s) { return hasAmount(s.geometry) && cutsNoLin
 bool hasFragments(const Stages& s) { return s.fragments; }
 bool isSolid(const Settings& s) { return s.show != Show::stages || s.stages.fragments; }
 
-std::vector<Row<Settings>> rows() {
+std::vector<Row<Settings>> panelRows() {
     const Literal notTessellated = "nothing is tessellated", notDrawn = "nothing is drawn",
                   flat = "the picture is flat";
     return together(
@@ -151,7 +151,7 @@ std::vector<SettingsPreset<Settings>> presets() {
 
 const bool added = addLesson(
     about, Lesson<Settings, Gpu>{
-               .rows = rows(),
+               .rows = panelRows(),
                .presets = presets(),
                .controls = {drag("spin-y", 1, "spin-x", 1), wheel("inner", 1), keys(Key::down, Key::up, "bend", 0.05)},
                .readouts = {{"into-geometry", "primitives that reach the geometry stage's place, by a query"},

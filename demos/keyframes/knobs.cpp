@@ -114,7 +114,7 @@ std::vector<Row<DollyZoom>> cameraRows() {
             number("fovy", &DollyZoom::fovy, {20, 90}, "angle of view at the first key and the last", "deg")};
 }
 
-std::vector<Row<Settings>> rows() {
+std::vector<Row<Settings>> panelRows() {
     return together(word("scene", &Settings::which,
                          {{"ball", "through keys that are dragged, a second from each to the next"},
                           {"runge", "one polynomial through nodes of a function, and the curve through them"},
@@ -178,7 +178,7 @@ std::vector<SettingsPreset<Settings>> presets() {
 const bool added = addLesson(
     about,
     Lesson<Settings, Gpu>{
-        .rows = rows(),
+        .rows = panelRows(),
         .presets = presets(),
         .handles = {{"key", {"points"}, {}, placeOfKey}, {"handle", {"handles"}, {}, placeOfHandle}},
         .readouts = {{"velocity-jump", "how far the velocity jumps at a key, at most; the ends aside", "m/s"},

@@ -30,7 +30,7 @@ namespace {
 bool hasSpot(const Settings& s) { return isOn(s, Kind::spot); }
 bool hasPlaces(const Settings& s) { return isOn(s, Kind::directional) || isOn(s, Kind::point) || hasSpot(s); }
 
-std::vector<Row<Settings>> rows() {
+std::vector<Row<Settings>> panelRows() {
     const auto light = [](std::size_t index, Literal name, Literal help) {
         return word(name, element(&Settings::kinds, index), kindWords, help);
     };
@@ -131,7 +131,7 @@ std::optional<vec2> placeOfMark(const Settings& s, const FrameInfo& frame) { ret
 
 const bool added = addLesson(
     about, Lesson<Settings, Gpu>{
-               .rows = rows(),
+               .rows = panelRows(),
                .presets = presets(),
                .handles = {{"light", {"places"}, {}, placeOfLight},
                            {"aim", {"aim-x", "aim-z"}, placeOfAim},

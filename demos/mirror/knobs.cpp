@@ -24,7 +24,7 @@ Settings fallback(Settings s) {
 bool hasTwo(const Settings& s) { return s.count == Count::two; }
 bool hasTexture(const Settings& s) { return s.method == Method::texture; }
 
-std::vector<Row<Settings>> rows() {
+std::vector<Row<Settings>> panelRows() {
     const Literal noTexture = "there is no texture";
     return together(
         word("method", &Settings::method,
@@ -98,7 +98,7 @@ std::optional<vec2> placeOfEye(const Settings& s, const FrameInfo& frame) {
 
 const bool added = addLesson(
     about, Lesson<Settings, Gpu>{
-               .rows = rows(),
+               .rows = panelRows(),
                .presets = presets(),
                .controls = {keys(Key::left, Key::right, "bounces", 1), drag("eye-x", -0.01, "eye-height", 0.01),
                             wheel("eye-z", -0.1)},

@@ -70,7 +70,7 @@ std::vector<Row<Poses>> poseRows(Pose Poses::*pose, Literal yaw, Literal pitch, 
                        angle(roll, &Pose::roll, "the pose: leaning to the left")});
 }
 
-std::vector<Row<Settings>> rows() {
+std::vector<Row<Settings>> panelRows() {
     const Literal poseless = "the track has no keys of poses";
     return together(
         word("scene", &Settings::show, {{"track"}, {"poses", "three ways between two poses"}}, "what is shown"),
@@ -154,7 +154,7 @@ std::vector<Probe::Number> readouts() {
 const bool added = addLesson(
     about,
     Lesson<Settings, Gpu>{
-        .rows = rows(),
+        .rows = panelRows(),
         .presets = presets(),
         .controls = {drag("spin-y", 0.5, "spin-x", 0.5)},
         .handles = {{"car", {"start"}, placeOfCar},

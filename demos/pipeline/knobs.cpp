@@ -19,7 +19,7 @@ constexpr Declaration about{
               {"outside-view", "draw of 'cube'", "what is clipped is the lesson"}},
 };
 
-std::vector<Row<Settings>> rows() {
+std::vector<Row<Settings>> panelRows() {
     return {
         number("distance", &Settings::distance, {-3, 8},
                "from the cube's middle back to the eye; below 0 the eye is past it"),
@@ -66,7 +66,7 @@ std::vector<SettingsPreset<Settings>> presets() {
 
 const bool added = addLesson(
     about, Lesson<Settings, Gpu>{
-               .rows = rows(),
+               .rows = panelRows(),
                .presets = presets(),
                .controls = {drag("spin-y", 1, "spin-x", 1), wheel("distance", 0.1),
                             keys(Key::left, Key::right, "vertex", 1), keys(Key::up, Key::down, "distance", 0.1)},

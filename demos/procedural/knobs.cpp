@@ -25,7 +25,7 @@ bool isComputed(const Settings& s) { return !isFromTexture(s); }
 bool addsOctaves(const Settings& s) { return isWall(s) && hasOctaves(s) && isComputed(s); }
 bool takesSamples(const Settings& s) { return s.filter == Filter::samples && isComputed(s); }
 
-std::vector<Row<Settings>> rows() {
+std::vector<Row<Settings>> panelRows() {
     return {
         word("pattern", &Settings::pattern, {{"brick"}, {"wood"}, {"marble"}, {"noise"}}, "which"),
         word("view", &Settings::view,
@@ -87,7 +87,7 @@ std::vector<SettingsPreset<Settings>> presets() {
 
 const bool added = addLesson(
     about, Lesson<Settings, Gpu>{
-               .rows = rows(),
+               .rows = panelRows(),
                .presets = presets(),
                .controls = {wheel("zoom", 0.1), keys(Key::down, Key::up, "zoom", 0.25),
                             keys(Key::left, Key::right, "turn", 5)},

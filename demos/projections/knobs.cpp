@@ -25,7 +25,7 @@ bool isOblique(const Settings& s) { return s.show == Show::oblique; }
 bool isTurned(const Settings& s) { return !isOblique(s); }
 bool hasPerspective(const Settings& s) { return s.show == Show::cad || s.show == Show::vanishing; }
 
-std::vector<Row<Settings>> rows() {
+std::vector<Row<Settings>> panelRows() {
     const Literal isFacing = "an oblique view has its front to the picture";
     const Literal noPerspective = "there is no perspective among these views";
     const Literal noOblique = "there is no oblique view among these";
@@ -79,7 +79,7 @@ std::vector<SettingsPreset<Settings>> presets() {
 
 const bool added = addLesson(
     about, Lesson<Settings, Gpu>{
-               .rows = rows(),
+               .rows = panelRows(),
                .presets = presets(),
                .controls = {drag("turn", -0.5, "tilt", 0.5)},
                .readouts = {{"shortening-x", "in your parallel view: how long a metre along x is drawn", "m"},

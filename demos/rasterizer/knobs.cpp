@@ -86,7 +86,7 @@ bool is(const Settings& s) {
     return ((s.subject == subjects) || ...);
 }
 
-std::vector<Row<Settings>> rows() {
+std::vector<Row<Settings>> panelRows() {
     return together(
         word("subject", &Settings::subject,
              {{"line"},
@@ -215,7 +215,7 @@ std::optional<vec2> placeOfRim(const Settings& s, const FrameInfo& frame) {
 const bool added = addLesson(
     about,
     Lesson<Settings, Gpu>{
-        .rows = rows(),
+        .rows = panelRows(),
         .presets = presets(),
         .controls = {keys(Key::left, Key::right, "step", 1)},
         .handles = {{"end", {"ends"}, {}, placeOfPixel<Subject::line>},

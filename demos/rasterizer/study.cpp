@@ -122,7 +122,7 @@ Study study() {
     return study;
 }
 
-[[maybe_unused]] const bool added = addStudy("rasterizer", study());
+[[maybe_unused]] const bool studied = addStudy("rasterizer", study());
 
 }  // namespace
 }  // namespace mv::rasterizer

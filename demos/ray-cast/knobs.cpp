@@ -27,7 +27,7 @@ bool isPlane(const Settings& s) { return isThere(s, CastKind::plane); }
 bool hasGrid(const Settings& s) { return isThere(s, CastKind::surface) && s.form == CastForm::stable; }
 bool hasThreads(const Settings&) { return haveThreads(); }
 
-std::vector<Row<Settings>> rows() {
+std::vector<Row<Settings>> panelRows() {
     return together(
         word("form", &Settings::form, formWords, "how rays and objects are intersected")
             .when(hasForms, "triangles in a tree, and bodies round an axis, are met by the stable form"),
@@ -116,7 +116,7 @@ std::optional<vec2> placeOfPixel(const Settings& s, const FrameInfo& frame) {
 
 const bool added =
     addLesson(about, Lesson<Settings, Gpu>{
-                         .rows = rows(),
+                         .rows = panelRows(),
                          .presets = presets(),
                          .handles = {{"pixel", {"pixel-x", "pixel-y"}, placeOfPixel}},
                          .readouts = {{"t", "of the chosen pixel's ray, to the nearest object"},

@@ -33,7 +33,7 @@ bool hasGlobes(const Settings& s) { return s.room == TracedRoom::globes; }
 bool hasPattern(const Settings& s) { return partsColors(s) || hasTeapot(s) || hasGlobes(s); }
 bool isFollowed(const Settings& s) { return hasPattern(s) || s.room == TracedRoom::white; }
 
-std::vector<Row<Settings>> rows() {
+std::vector<Row<Settings>> panelRows() {
     return together(
         word("room", &Settings::room,
              {{"still-life", "mirror, glass, a floor of squares"},
@@ -137,7 +137,7 @@ std::vector<SettingsPreset<Settings>> presets() {
 const bool added = addLesson(
     about,
     Lesson<Settings, Gpu, Made>{
-        .rows = rows(),
+        .rows = panelRows(),
         .presets = presets(),
         .controls = {keys(Key::left, Key::right, "eye-turn", 5), keys(Key::down, Key::up, "depth", 1),
                      drag("eye-turn", 0.5, "eye-height", 0.01)},

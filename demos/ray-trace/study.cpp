@@ -149,7 +149,7 @@ Study study() {
     return study;
 }
 
-[[maybe_unused]] const bool added = addStudy("ray-trace", study());
+[[maybe_unused]] const bool studied = addStudy("ray-trace", study());
 
 }  // namespace
 }  // namespace mv::ray_trace

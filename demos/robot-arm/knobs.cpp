@@ -55,7 +55,7 @@ std::vector<Row<Arm>> armRows() {
             toggle("limits", &Arm::limits, "joints of the arm stop where these four knobs end")};
 }
 
-std::vector<Row<Settings>> rows() {
+std::vector<Row<Settings>> panelRows() {
     const Literal aimless = "forward there is no target, and the walker's feet have theirs";
     return together(
         word("scene", &Settings::which, {{"two-links"}, {"arm"}, {"walker"}, {"person", "trunk, head, arms and legs"}},
@@ -142,7 +142,7 @@ std::vector<SettingsPreset<Settings>> presets() {
 const bool added = addLesson(
     about,
     Lesson<Settings, Gpu>{
-        .rows = rows(),
+        .rows = panelRows(),
         .presets = presets(),
         .controls = {orbitDrag, orbitWheel},
         .handles = {{"target", {"target-x", "target-y", "target-z"}, placeOfTarget}},

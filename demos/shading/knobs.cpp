@@ -20,7 +20,7 @@ constexpr Declaration about{
 bool isLit(const Settings& s) { return s.shading != Shading::own; }
 bool asksForLobe(const Settings& s) { return isLit(s) && s.material != Kind::diffuse && s.material != Kind::brushed; }
 
-std::vector<Row<Settings>> rows() {
+std::vector<Row<Settings>> panelRows() {
     const Literal ownColor = "a colour of its own asks for no light";
     return {
         word("shading", &Settings::shading,
@@ -89,7 +89,7 @@ MaybePlace placeOfEye(const Settings& s, const FrameInfo& frame) { return inFigu
 
 const bool added = addLesson(
     about, Lesson<Settings, Gpu>{
-               .rows = rows(),
+               .rows = panelRows(),
                .presets = presets(),
                .controls = {drag("spin-y", 1, "spin-x", 1), wheel("exponent", 0.1),
                             keys(Key::left, Key::right, "lamp-turn", 5), keys(Key::down, Key::up, "lamp-height", 5)},

@@ -56,7 +56,7 @@ void check(const Settings& s) {
                     numberText(outside->x) + "," + numberText(outside->y));
 }
 
-std::vector<Row<Settings>> rows() {
+std::vector<Row<Settings>> panelRows() {
     return together(
         word("scene", &Settings::scene,
              {{"lamps"}, {"circle"}, {"placed", "as the circle, with the lights where --places says"}},
@@ -105,7 +105,7 @@ std::optional<vec2> placeOfLight(const Settings& s, const FrameInfo& frame, cons
 
 const bool added =
     addLesson(about, Lesson<Settings, Gpu>{
-                         .rows = rows(),
+                         .rows = panelRows(),
                          .presets = presets(),
                          .controls = {orbitDrag, orbitWheel, keys(Key::left, Key::right, "lights", 1)},
                          .handles = {{.name = "light", .knobs = {"places"}, .wherePoint = placeOfLight}},

@@ -39,7 +39,7 @@ bool isCone(const Settings& s) { return s.rays == Rays::spot && s.frustum == Fit
 bool isSet(const Settings& s) { return s.frustum == Fit::set; }
 bool hasTarget(const Settings& s) { return s.rays != Rays::spot || s.frustum == Fit::set; }
 
-std::vector<Row<Settings>> rows() {
+std::vector<Row<Settings>> panelRows() {
     const Literal fitted = "a fitted frustum has its own window", casts = "a fitted frustum looks at what casts";
     return together(
         word("scene", &Settings::scene,
@@ -177,7 +177,7 @@ std::optional<vec2> placeOf(const Settings& s, const FrameInfo& frame, const vec
 
 const bool added = addLesson(
     about, Lesson<Settings, Gpu>{
-               .rows = rows(),
+               .rows = panelRows(),
                .presets = presets(),
                .controls = {orbitDrag, orbitWheel, keys(Key::left, Key::right, "light-x", 0.1),
                             keys(Key::up, Key::down, "light-z", 0.1)},

@@ -35,7 +35,7 @@ bool isSplit(const Settings& s) { return s.against != Against::off && s.show == 
 bool hasBalls(const Settings& s) { return s.scene == Which::balls; }
 bool hasMap(const Settings& s) { return usesMap(s.method) || usesMap(secondOf(s)); }
 
-std::vector<Row<Settings>> rows() {
+std::vector<Row<Settings>> panelRows() {
     const Literal noMap = "no map is used";
     return together(
         word("scene", &Settings::scene,
@@ -88,7 +88,7 @@ std::vector<SettingsPreset<Settings>> presets() {
 
 const bool added =
     addLesson(about, Lesson<Settings, Gpu>{
-                         .rows = rows(),
+                         .rows = panelRows(),
                          .presets = presets(),
                          .controls = {orbitDrag, orbitWheel, keys(Key::left, Key::right, "split", 0.02),
                                       keys(Key::down, Key::up, "ball-height", 0.05)},

@@ -21,7 +21,7 @@ constexpr Declaration about{
 
 bool arePapers(const Settings& s) { return s.scene == Which::papers; }
 
-std::vector<Row<Settings>> rows() {
+std::vector<Row<Settings>> panelRows() {
     return together(
         word("scene", &Settings::scene,
              {{"papers", "over a floor, turned and placed by chance"},
@@ -73,7 +73,7 @@ std::optional<vec2> placeOfLight(const Settings& s, const FrameInfo& frame) {
 
 const bool added = addLesson(
     about, Lesson<Settings, Gpu>{
-               .rows = rows(),
+               .rows = panelRows(),
                .presets = presets(),
                .controls = {orbitDrag, orbitWheel, keys(Key::left, Key::right, "polygons", 1)},
                .handles = {{.name = "light", .knobs = {"light-x", "light-y", "light-z"}, .where = placeOfLight}},

@@ -34,7 +34,7 @@ bool drawsSilhouette(const Settings& s) { return s.silhouette; }
 bool drawsSidesAlone(const Settings& s) { return s.method != Method::zFail || s.show == Show::volumes; }
 bool hidesCount(const Settings& s) { return s.show != Show::count; }
 
-std::vector<Row<Settings>> rows() {
+std::vector<Row<Settings>> panelRows() {
     return together(
         word("scene", &Settings::scene, {{"cube"}, {"still-life"}, {"nested"}}, "what is shown"),
         whole("shells", &Settings::shells, {1, 300}, "boxes in boxes, of the nested scene")
@@ -101,7 +101,7 @@ Settings fallback(Settings s) {
 
 const bool added = addLesson(
     about, Lesson<Settings, Gpu>{
-               .rows = rows(),
+               .rows = panelRows(),
                .presets = presets(),
                .controls = {orbitDrag, orbitWheel, keys(Key::left, Key::right, "light-turn", 5),
                             keys(Key::down, Key::up, "light-height", 0.1)},

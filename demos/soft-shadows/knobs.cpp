@@ -45,7 +45,7 @@ void check(const Settings& s) {
                     std::to_string(s.lights));
 }
 
-std::vector<Row<Settings>> rows() {
+std::vector<Row<Settings>> panelRows() {
     return together(
         word("scene", &Settings::scene, {{"cube"}, {"table"}}, "what stands under the lamp"),
         word("method", &Settings::method,
@@ -97,7 +97,7 @@ std::vector<SettingsPreset<Settings>> presets() {
 }
 
 const bool added = addLesson(about, Lesson<Settings, Gpu>{
-                                        .rows = rows(),
+                                        .rows = panelRows(),
                                         .presets = presets(),
                                         .controls = {drag("spin-y", 1, "spin-x", 1), wheel("caster-height", 0.05),
                                                      keys(Key::left, Key::right, "lamp-size", 0.05)},

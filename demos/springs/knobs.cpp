@@ -60,7 +60,7 @@ std::optional<vec2> placeOfHand(const Settings& s, const FrameInfo& frame) {
     return pictureFromPane(pane, springPixel(pane, vec3(s.played.hand, 0)));
 }
 
-std::vector<Row<Settings>> rows() {
+std::vector<Row<Settings>> panelRows() {
     return together(
         word("problem", &Settings::problem, problemWords, "what moves").beginsAnew(),
         word("method", &Settings::method, methodWords, "how it is integrated"),
@@ -131,7 +131,7 @@ std::vector<SettingsPreset<Settings>> presets() {
 const bool added = addLesson(
     about,
     Lesson<Settings, Gpu, Memory>{
-        .rows = rows(),
+        .rows = panelRows(),
         .presets = presets(),
         .handles = {{"hand", {"hand-x", "hand-y"}, placeOfHand}},
         .readouts =

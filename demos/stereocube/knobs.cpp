@@ -47,7 +47,7 @@ std::vector<Row<Hypercube>> hypercubeRows() {
                    "side of the farthest cell where the nearest has 1; at 1 nothing grows smaller along w")};
 }
 
-std::vector<Row<Settings>> rows() {
+std::vector<Row<Settings>> panelRows() {
     const Literal apart = "each eye has a picture of its own", solid = "the still life has surfaces, and no lines";
     return together(
         number("eye-sep", &Settings::eyeSep, {0, 1}, "distance between the eyes"),
@@ -96,7 +96,7 @@ std::vector<Row<Settings>> rows() {
 }
 
 const Lesson<Settings, Gpu> lesson{
-    .rows = rows(),
+    .rows = panelRows(),
     .presets =
         {
             {"turned",

@@ -23,7 +23,7 @@ bool isAnisotropic(const Settings& s) { return s.filter == Filter::anisotropic; 
 bool hasPattern(const Settings& s) { return !s.picture.isSet(); }
 bool isPlain(const Settings& s) { return !s.showLevels; }
 
-std::vector<Row<Settings>> rows() {
+std::vector<Row<Settings>> panelRows() {
     return {
         word("filter", &Settings::filter, filterWords, "how a pixel's colour is looked up"),
         whole("anisotropy", &Settings::anisotropy, {1, 16},
@@ -98,7 +98,7 @@ std::optional<vec2> placeOfPixel(const Settings& s, const FrameInfo& frame) { re
 
 const bool added =
     addLesson(about, Lesson<Settings, Gpu>{
-                         .rows = rows(),
+                         .rows = panelRows(),
                          .presets = presets(),
                          .handles = {{"pixel", {"pixel-x", "pixel-y"}, placeOfPixel}},
                          .readouts = {{"level", "the level of that pixel's footprint, as OpenGL's formula has it"},

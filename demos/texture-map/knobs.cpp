@@ -35,7 +35,7 @@ bool hasFaces(const Settings& s) { return !isCircle(s); }
 bool goesBeyond(const Settings& s) { return s.reach > 1; }
 bool hasTexels(const Settings& s) { return !s.picture.isSet() || isForward(s); }
 
-std::vector<Row<Settings>> rows() {
+std::vector<Row<Settings>> panelRows() {
     return together(
         word("shape", &Settings::shape, shapeWords, "what has the texture"),
         word("method", within(&Settings::surface, &Surface::method), methodWords,
@@ -127,7 +127,7 @@ std::optional<vec2> placeOfFarEdge(const Settings& s, const FrameInfo& frame) {
 const bool added = addLesson(
     about,
     Lesson<Settings, Gpu>{
-        .rows = rows(),
+        .rows = panelRows(),
         .presets = presets(),
         .controls = {keys(Key::down, Key::up, "divisions", 1), keys(Key::left, Key::right, "turn", 5)},
         .handles = {{"far edge", {"ratio"}, placeOfFarEdge}},

@@ -38,7 +38,7 @@ constexpr Declaration about{
 
 bool culls(const Settings& s) { return s.cull; }
 
-std::vector<Row<Settings>> rows() {
+std::vector<Row<Settings>> panelRows() {
     return {
         word("projection", &Settings::projection, {{"perspective"}, {"orthographic"}}, "of the camera"),
         number("near", &Settings::near, {0.5, 25, Scale::logarithmic}, "where it begins, in front of the camera", "m"),
@@ -101,7 +101,7 @@ std::optional<vec2> middleOfFar(const Settings& s, const FrameInfo& frame) { ret
 
 const bool added =
     addLesson(about, Lesson<Settings, Gpu>{
-                         .rows = rows(),
+                         .rows = panelRows(),
                          .presets = presets(),
                          .controls = {drag("turn", -0.5, "tilt", 0.5), wheel("far", 1),
                                       keys(Key::down, Key::up, "near", 0.1), keys(Key::right, Key::left, "pan", 5)},

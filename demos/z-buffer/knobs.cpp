@@ -31,7 +31,7 @@ bool keepsDepth(const Settings& s) { return s.depthTest; }
 
 bool showsBars(const Settings& s) { return s.shown == Shown::colors && s.scene == Which::cycle; }
 
-std::vector<Row<Settings>> rows() {
+std::vector<Row<Settings>> panelRows() {
     return {
         word("scene", &Settings::scene,
              {{"cycle", "three bars, each over the next one"},
@@ -97,7 +97,7 @@ std::vector<SettingsPreset<Settings>> presets() {
 const bool added = addLesson(
     about,
     Lesson<Settings, Gpu>{
-        .rows = rows(),
+        .rows = panelRows(),
         .presets = presets(),
         .controls = {drag("spin-y", 1, "spin-x", 1), keys(Key::left, Key::right, "order", 1),
                      keys(Key::down, Key::up, "depth-test", 1)},

@@ -67,6 +67,38 @@ void balance(Square& a) {
     }
 }
 
+// Eigen::EigenSolver takes these steps as well, and those for eigenvectors: without them half as much is compiled.
+Eigen::MatrixXd schurForm(const Square& square) {
+    using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    const auto n = static_cast<Eigen::Index>(square.n);
+    const Eigen::HessenbergDecomposition<Eigen::MatrixXd> reduced(Eigen::Map<const Rows>(square.values.data(), n, n));
+    const Eigen::MatrixXd hessenberg = reduced.matrixH();
+    Eigen::RealSchur<Eigen::MatrixXd> solver(n);
+    if (solver.computeFromHessenberg(hessenberg, hessenberg, false).info() != Eigen::Success)
+        throw Error("eigenvalues", "must be found within 40 steps for each, one with another");
+    return solver.matrixT();
+}
+
+// Of a real Schur form: a block of two has a conjugate pair.
+std::vector<std::complex<double>> ofDiagonalBlocks(const Eigen::MatrixXd& t) {
+    std::vector<std::complex<double>> found;
+    for (Eigen::Index i = 0; i < t.rows(); ++i) {
+        if (i + 1 == t.rows() || t(i + 1, i) == 0) {
+            found.emplace_back(t(i, i));
+            continue;
+        }
+        const double half = (t(i, i) - t(i + 1, i + 1)) / 2, below = t(i + 1, i), above = t(i, i + 1);
+        // Relative to the largest, so that no product is too small.
+        const double largest = std::max({std::abs(half), std::abs(below), std::abs(above)});
+        const double imaginary =
+            largest * std::sqrt(std::abs(std::pow(half / largest, 2) + below / largest * (above / largest)));
+        found.emplace_back(t(i + 1, i + 1) + half, imaginary);
+        found.emplace_back(t(i + 1, i + 1) + half, -imaginary);
+        ++i;
+    }
+    return found;
+}
+
 }  // namespace
 
 std::vector<std::complex<double>> eigenvaluesOf(std::vector<double> matrix, std::size_t n) {
@@ -80,12 +112,7 @@ std::vector<std::complex<double>> eigenvaluesOf(std::vector<double> matrix, std:
     const int exponent = std::ilogb(largestOf(square.values));
     for (double& value : square.values) value = std::ldexp(value, -exponent);
     balance(square);
-    using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    const auto size = static_cast<Eigen::Index>(square.n);
-    const Eigen::EigenSolver<Eigen::MatrixXd> solver(Eigen::Map<const Rows>(square.values.data(), size, size), false);
-    if (solver.info() != Eigen::Success)
-        throw Error("eigenvalues", "must be found within 40 steps for each, one with another");
-    for (const std::complex<double>& value : solver.eigenvalues())
+    for (const std::complex<double>& value : ofDiagonalBlocks(schurForm(square)))
         found.emplace_back(std::ldexp(value.real(), exponent), std::ldexp(value.imag(), exponent));
     return found;
 }
