@@ -415,7 +415,7 @@ TEST(CubeShadows, far_from_the_origin) {
     }
 }
 
-TEST(CubeShadows, moved_by_hand) {
+TEST(CubeShadowsFull, moved_by_hand) {
     DemoRun run = inRoom();
     run.picture();
     struct Case {

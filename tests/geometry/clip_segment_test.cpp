@@ -41,7 +41,7 @@ TEST(Orientation, HasTheExactSignWhereCoordinatesAreNeighbours) {
     }
     EXPECT_GT(zero, 50);
     Random random(3);
-    for (int i = 0; i < 5000; ++i) {
+    for (int i = 0; i < 1500; ++i) {
         const auto point = [&] {
             const double x = random.sign() * random.logarithmic(1e-100, 1e100);
             return vec2(x, random.sign() * random.logarithmic(1e-100, 1e100));

@@ -163,7 +163,7 @@ TEST(Lights, directional_is_far) {
     }
 }
 
-TEST(Lights, behind_lights_nothing) {
+TEST(LightsFull, behind_lights_nothing) {
     DemoRun run("lights", width, height);
     run.set("height", 1.3).set("places", "0,0/0,0/0,0/0,0/0,0/0,0/0,0/0,-1.5");
     for (const char* kind : {"point", "spot", "directional"}) {

@@ -116,7 +116,7 @@ TEST(RayTraceFull, energy) {
     }
 }
 
-TEST(RayTrace, never_itself) {
+TEST(RayTraceFull, never_itself) {
     Random random(22);
     for (const double size : {1e-3, 1.0, 1e6}) {
         TracedScene scene;

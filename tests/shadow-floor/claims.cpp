@@ -56,7 +56,7 @@ std::string onlyMessage(DemoRun& run) {
 
 }  // namespace
 
-TEST(ShadowFloor, cast_by_rays) {
+TEST(ShadowFloorFull, cast_by_rays) {
     DemoRun run("shadow-floor");
     run.set("rays", "off");
     struct Case {

@@ -165,7 +165,7 @@ TEST(ShadowMapFull, error_is_one_over_resolution) {
     EXPECT_NEAR(*slope, -1, 0.1);
 }
 
-TEST(ShadowMap, acne_without_bias) {
+TEST(ShadowMapFull, acne_without_bias) {
     DemoRun run("shadow-map", width, height);
     strike(run, cube);
     run.set("slope-bias", 0);

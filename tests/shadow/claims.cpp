@@ -59,7 +59,7 @@ std::string onlyMessage(DemoRun& run) {
 
 }  // namespace
 
-TEST(Shadow, cast_by_rays) {
+TEST(ShadowFull, cast_by_rays) {
     DemoRun run("shadow");
     run.set("rays", "off");
     struct Case {

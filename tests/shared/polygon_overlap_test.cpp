@@ -110,7 +110,7 @@ TEST(PolygonOverlap, OfAConcaveOneIsSeveral) {
 TEST(PolygonOverlap, EqualsBoostsWhereCornersAndEdgesMeet) {
     Random random(2019);
     int empty = 0, several = 0, along = 0;
-    for (int i = 0; i < 3000; ++i) {
+    for (int i = 0; i < 1000; ++i) {
         const int size = i % 3 == 0 ? 2 : i % 3 == 1 ? 4 : 9;
         const GridPolygon a = randomPolygon(random, 3 + i % 5, size), b = randomPolygon(random, 3 + i / 5 % 5, size);
         const Overlap common = overlap(a, b);
@@ -131,9 +131,9 @@ TEST(PolygonOverlap, EqualsBoostsWhereCornersAndEdgesMeet) {
                      : 0;
     }
     // There were enough of each kind
-    EXPECT_GT(empty, 100);
-    EXPECT_GT(several, 100);
-    EXPECT_GT(along, 300);
+    EXPECT_GT(empty, 30);
+    EXPECT_GT(several, 30);
+    EXPECT_GT(along, 100);
 }
 
 TEST(PolygonOverlap, RefusesWhatIsNoPolygon) {

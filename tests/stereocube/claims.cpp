@@ -134,7 +134,7 @@ TEST(StereocubeFull, left_is_red_channel) {
     }
 }
 
-TEST(Stereocube, left_is_left) {
+TEST(StereocubeFull, left_is_left) {
     DemoRun run("stereocube");
     run.preset("original");
     run.picture();
@@ -219,7 +219,7 @@ TEST(Stereocube, toe_in_is_crooked) {
     EXPECT_GT(std::abs(tops.front() - tops.back()), 10);
 }
 
-TEST(Stereocube, off_axis_is_level) {
+TEST(StereocubeFull, off_axis_is_level) {
     DemoRun run("stereocube");
     run.preset("original");
     run.set("stereo", "off-axis");
@@ -301,7 +301,7 @@ TEST(Stereocube, eyes_turn_outwards) {
     EXPECT_EQ(run.messages().size(), 0U);
 }
 
-TEST(Stereocube, side_by_side) {
+TEST(StereocubeFull, side_by_side) {
     const auto alone = [](const std::string& eye) {
         DemoRun run("stereocube", 600, 600);
         run.set("stereo", "off-axis").set("colors", "masks").set("plan", "off");

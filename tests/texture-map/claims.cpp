@@ -144,7 +144,7 @@ TEST(TextureMap, divide_at_the_end) {
     EXPECT_LT(largest(slips(run.set("ratio", 1))), 0.01);
 }
 
-TEST(TextureMap, forward_leaves_holes) {
+TEST(TextureMapFull, forward_leaves_holes) {
     for (const int texels : {64, 512}) {
         DemoRun run = quadRun();
         run.set("method", "forward").set("texels", texels).set("ratio", 3);

@@ -58,7 +58,7 @@ TEST(ZBufferFull, any_order_with_depth) {
     }
 }
 
-TEST(ZBuffer, no_order_without) {
+TEST(ZBufferFull, no_order_without) {
     DemoRun run("z-buffer", 300, 300);
     run.set("depth-test", "off");
     std::set<std::string> pictures;
