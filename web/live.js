@@ -23,8 +23,8 @@ const lines = (settings) => Object.entries(settings).map(([knob, value]) => `${k
 const withoutFlags = (words) => words.replace(/(^|[\s('])--(?=[a-z])/g, '$1');
 
 // What a demo says in English, in this page's language where it has the words.
-const says = JSON.parse(document.querySelector('.says')?.textContent ?? '{}');
-const said = (words) => says[words] ?? words;
+let says; // is below the demo in the page
+const said = (words) => (says ??= JSON.parse(document.querySelector('.says')?.textContent ?? '{}'))[words] ?? words;
 function translated(what) {
   for (const knob of what.knobs) knob.help = said(knob.help);
   for (const { options = [] } of Object.values(what.widgets)) for (const option of options) option.meaning = said(option.meaning);
@@ -490,11 +490,14 @@ async function live(box) {
   return { demo, settle, what, compare, withPictures, state: () => state, size: () => size };
 }
 
-// The page may not be read so far.
+// The page may not be read so far, up to the command below the demo, nor the style that says how wide the picture is.
 const box = await new Promise((found) => {
-  const look = () => document.querySelector('.live .panel') && (watch.disconnect(), found(document.querySelector('.live')));
+  const look = () => document.querySelector('.stage .command') && document.querySelector('link[rel=stylesheet]').sheet && here();
   const watch = new MutationObserver(look);
+  const here = () => (watch.disconnect(), found(document.querySelector('.live')));
   watch.observe(document, { childList: true, subtree: true });
+  document.addEventListener('load', look, { capture: true });
+  begun.isRead.then(here);
   look();
 });
 live(box).then((made) => (box.live = made), async (error) => (await begun.isRead, box.dispatchEvent(new CustomEvent('mvgl-still', { detail: error.message }))));
