@@ -10,9 +10,9 @@ namespace mv {
 
 // Opens a context by `open`. A child process does it first where the environment steers the driver (GALLIUM_DRIVER,
 // MESA_..., LIBGL_... and the like), and draws with it: some values end Mesa by a signal, in the midst of making a
-// context. Elsewhere nothing is tried, and no time is spent. Error: as `open`; or the child was ended by a signal or an exit, with
-// the variables' names; or the system gives no threads, for which a driver would wait for ever, or too little memory
-// (ulimit).
+// context. Elsewhere nothing is tried, and no time is spent. Error: as `open`; or a signal or an exit of the driver's
+// ended the child, with the variables' names; or the system gives no threads, for which a driver would wait for ever, or
+// too little memory (ulimit).
 std::unique_ptr<Context> openTried(const std::string& host, const std::function<std::unique_ptr<Context>()>& open);
 
 // Ends the program by a sentence and with status 1 where its limits of stack and data (ulimit -s, -d) are less than what it
