@@ -81,7 +81,7 @@ std::string valueAt(const BufferPicture& buffer, int x, int y) {
 
 class StepWatch::Listener {
   public:
-    void begin(std::optional<int> stopAfter) {
+    void begin(int stopAfter) {
         draws.clear();
         shown = {};
         stopAfter_ = stopAfter;
@@ -90,7 +90,7 @@ class StepWatch::Listener {
         picture_ = bound(GL_DRAW_FRAMEBUFFER_BINDING);
     }
     void end() {
-        if (stopAfter_ && !stopped_) stop(picture_);  // a frame without draws
+        if (!stopped_) stop(picture_);  // a frame with fewer draws, or none
         inFrame_ = false;
     }
 
@@ -126,13 +126,11 @@ class StepWatch::Listener {
         counts_ = inFrame_ && below().IsEnabled(GL_RASTERIZER_DISCARD) == GL_FALSE;
         if (!counts_) return false;
         if (stopAfter_ == 0 && !stopped_) stop(picture_);
-        if (stopped_) return true;
         draws.push_back(described(mode, count, indexed));
-        return false;
+        return stopped_;
     }
     void afterDraw() {
-        if (counts_ && stopAfter_ && draws.size() == static_cast<std::size_t>(*stopAfter_))
-            stop(bound(GL_DRAW_FRAMEBUFFER_BINDING));
+        if (counts_ && draws.size() == static_cast<std::size_t>(stopAfter_)) stop(bound(GL_DRAW_FRAMEBUFFER_BINDING));
     }
 
     DrawStep described(GLenum mode, GLsizei count, bool indexed) const {
@@ -270,7 +268,7 @@ class StepWatch::Listener {
         return result;
     }
 
-    std::optional<int> stopAfter_;
+    int stopAfter_ = 0;
     bool inFrame_ = false, stopped_ = false;
     bool counts_ = false;  // the draw that is being made is a step
     GLuint picture_ = 0;
@@ -284,7 +282,7 @@ class StepWatch::Listener {
 StepWatch::StepWatch() : listener_(std::make_unique<Listener>()) { Layer<Listener>::layOver(*listener_); }
 StepWatch::~StepWatch() { Layer<Listener>::takeOff(); }
 
-void StepWatch::begin(std::optional<int> stopAfter) { listener_->begin(stopAfter); }
+void StepWatch::begin(int stopAfter) { listener_->begin(stopAfter); }
 void StepWatch::end() { listener_->end(); }
 const std::vector<DrawStep>& StepWatch::draws() const { return listener_->draws; }
 const TargetPictures& StepWatch::shown() const { return listener_->shown; }

@@ -7,7 +7,6 @@
 // clears before it.
 #pragma once
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -61,12 +60,12 @@ class StepWatch {
     StepWatch(const StepWatch&) = delete;
     StepWatch& operator=(const StepWatch&) = delete;
 
-    // The frame begins; the framebuffer that is bound is the picture's. The frame is stopped after so many draws, or
-    // not at all.
-    void begin(std::optional<int> stopAfter);
+    // The frame begins; the framebuffer that is bound is the picture's. The frame is stopped after so many draws; one with
+    // fewer is whole.
+    void begin(int stopAfter);
     void end();
 
-    const std::vector<DrawStep>& draws() const;  // that were made
+    const std::vector<DrawStep>& draws() const;  // of the whole frame, those that were left out, too
     const TargetPictures& shown() const;         // where it was stopped
 
   private:

@@ -185,7 +185,7 @@ Stage::Drawn Stage::drawInto(const Target& target, int index, FrameMode mode, bo
 }
 
 Stage::Drawn Stage::paint(Demo& demo, const Target& target, int index, FrameMode mode,
-                          const std::function<void()>& begins, bool isHalfMade) const {
+                          const std::function<void()>& beginsSteps) const {
     Drawn drawn;
     mode.bindTarget = [&target] { target.bind(); };
     restoreInitialState();
@@ -204,7 +204,7 @@ Stage::Drawn Stage::paint(Demo& demo, const Target& target, int index, FrameMode
         const FrameInfo info = mode.measuring ? FrameInfo(index, target.width(), target.height())
                                               : this->frame(index, target.width(), target.height());
         const Frame frame(info, drawn.notes, mode);
-        if (begins) begins();
+        if (beginsSteps) beginsSteps();
         demo.draw(frame);
         if (!mode.measuring) demo.annotate(frame);
     } catch (...) {
@@ -221,7 +221,8 @@ Stage::Drawn Stage::paint(Demo& demo, const Target& target, int index, FrameMode
     if (auditing()) drawn.undone = changedState();
     restoreInitialState();
     const std::vector<std::string> errors = takeErrors();
-    if (!errors.empty() && !isHalfMade) {
+    // A frame that was stopped may read what it did not come to write
+    if (!errors.empty() && !beginsSteps) {
         const std::string more = listeningToDriver() ? "" : " (--audit prints what the driver says of it)";
         throw Error("OpenGL in " + info_->name, "must report no error" + more, errors.front());
     }
@@ -275,7 +276,7 @@ bool Stage::drawFront(int index, bool readouts, bool onlyNextPass) {
     return whole;
 }
 
-FrameSteps Stage::stepsOf(const Target& target, int index, std::optional<int> stopAfter) {
+FrameSteps Stage::stepsOf(const Target& target, int index, int stopAfter) {
     StepWatch watch;  // from before the demo is made: it is told the sizes of the textures, too
     const std::unique_ptr<Demo> demo = info_->make();
     demo->init();
@@ -288,28 +289,21 @@ FrameSteps Stage::stepsOf(const Target& target, int index, std::optional<int> st
     for (int pass = 0; pass < demo->passes(frame); ++pass) demo->refine(frame, pass);
     target.bind();
     clearTarget(vec4(0), info_->needs);  // OpenGL says nothing of what a demo without a background would find
-    // A stopped frame may read what it did not come to write.
-    const bool isHalfMade = stopAfter.has_value();
-    paint(
-        *demo, target, index, {}, [&] { watch.begin(stopAfter); }, isHalfMade);
+    paint(*demo, target, index, {}, [&] { watch.begin(stopAfter); });
     watch.end();
-    return {watch.draws(), stopAfter.value_or(static_cast<int>(watch.draws().size())), watch.shown()};
+    return {watch.draws(), stopAfter, watch.shown()};
 }
 
 void Stage::stopAfter(int index, int draws) {
     if (samples() > 0) throw Error("draws", "are shown one by one without smooth edges, with --multisample 0");
     timeline_->bring(index);
     demo_->check();
-    FrameSteps whole = stepsOf(front(), index, {});
-    const int all = static_cast<int>(whole.draws.size());
-    if (draws < 0 || draws > all) {
-        steps_ = std::move(whole);
-        throw Error("draws", "must be 0 .. " + std::to_string(all) + ", those of this frame in these settings",
-                    std::to_string(draws));
-    }
-    FrameSteps stopped = stepsOf(front(), index, draws);
-    stopped.draws = std::move(whole.draws);
-    steps_ = std::move(stopped);
+    steps_ = stepsOf(front(), index, draws);
+    const int all = static_cast<int>(steps_->draws.size());
+    if (draws >= 0 && draws <= all) return;
+    steps_->until = all;  // nothing was left out
+    throw Error("draws", "must be 0 .. " + std::to_string(all) + ", those of this frame in these settings",
+                std::to_string(draws));
 }
 
 std::vector<float> Stage::measure(int index) {

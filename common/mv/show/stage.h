@@ -76,7 +76,8 @@ class Stage {
     // from frames before, so a shadow map that is made once is among its draws, and what a stopped frame leaves half made is
     // kept by nobody. The picture is cleared before it also where the demo declares no background: to transparent black.
     // Counters, notes and readouts stay those of the last draw(). Error: more draws than it has, or fewer than 0, with how
-    // many it has, and the whole frame is then shown, by steps(), too; else as draw().
+    // many it has, and the whole frame is then shown, by steps(), too; else as draw(), but for what OpenGL reports, which a
+    // frame that lacks some of its draws may be to blame for.
     void stopAfter(int index, int draws);
     // The draws that stopAfter() found, and none after another draw().
     const std::optional<FrameSteps>& steps() const { return steps_; }
@@ -118,9 +119,9 @@ class Stage {
     void refine(const FrameInfo& frame, bool onlyNext);
     bool drawFront(int index, bool readouts, bool onlyNextPass);
     Drawn drawInto(const Target& target, int index, FrameMode mode, bool onlyNextPass = false);
-    Drawn paint(Demo& demo, const Target& target, int index, FrameMode mode, const std::function<void()>& begins,
-                bool isHalfMade = false) const;
-    FrameSteps stepsOf(const Target& target, int index, std::optional<int> stopAfter);
+    Drawn paint(Demo& demo, const Target& target, int index, FrameMode mode,
+                const std::function<void()>& beginsSteps) const;
+    FrameSteps stepsOf(const Target& target, int index, int stopAfter);
     void keep(Drawn drawn);
     void fitForMeasuring(Target& target, int width, int height) const;
     void askProbes(const Target& drawn, int index);
