@@ -37,7 +37,7 @@ Ends endsOf(DepthRange range) {
 }
 
 // fovy, aspect, near, far, range.
-Arguments views(Random& random, Domain domain) {
+Arguments peerViews(Random& random, Domain domain) {
     Arguments a{};
     const bool isWhole = domain == Domain::whole;
     const double fovy = isWhole ? random.logarithmic(1e-9, 90) : random.number(10, 90);
@@ -435,7 +435,7 @@ std::vector<Function> viewFormFunctions() {
                               .measured = "entrywise",
                               .domain = "near 1e-280 to 1e270, far/near − 1 from 1e-12 to 1e12",
                               .reason = "",
-                              .sample = views,
+                              .sample = peerViews,
                               .truth = perspectiveTruth,
                               .limits = "fovy at least 1e-290; far up to 1e290, near at least 1e-290 and 1e-100 of it",
                               .within =

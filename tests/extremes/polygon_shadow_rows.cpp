@@ -25,7 +25,7 @@ std::vector<vec3> ours(const FlatPolygon& receiver, const FlatPolygon& caster, c
 }
 
 // As the slide has it: each corner of the caster moved along its ray onto the receiver's plane, and the polygon clipped there.
-std::vector<vec3> textbook(const FlatPolygon& receiver, const FlatPolygon& caster, const vec3& light) {
+std::vector<vec3> textbookShadow(const FlatPolygon& receiver, const FlatPolygon& caster, const vec3& light) {
     const std::vector<vec3>& on = receiver.corners;
     const vec3 normal = glm::normalize(glm::cross(on[1] - on[0], on[2] - on[0]));
     std::vector<vec4> corners, edges;
@@ -94,7 +94,7 @@ Row cut(const std::string& id, const std::string& where, double low, double high
             .input = "200 squares " + where + ", a light at 4 over a floor",
             .measured = "points of the floor, of 20 000, that are lit or dark against their ray to the light",
             .naive = "each corner moved along its ray onto the plane",
-            .naiveError = wrongPoints(textbook, low, high),
+            .naiveError = wrongPoints(textbookShadow, low, high),
             .ours = "shadowOn: cut off at the plane and at the light's height first",
             .ourError = wrongPoints(ours, low, high),
             .tolerance = 0,
@@ -123,7 +123,7 @@ double shadowsInPlane(const Shadow& shadow) {
                .input = "1000 pairs of squares that overlap in one plane, but for the roundings of their corners",
                .measured = "pairs of which one throws a shadow on the other",
                .naive = "each corner moved along its ray onto the plane",
-               .naiveError = shadowsInPlane(textbook),
+               .naiveError = shadowsInPlane(textbookShadow),
                .ours = "shadowOn: what is nearer to the plane than some roundings is in it",
                .ourError = shadowsInPlane(ours),
                .tolerance = 0,
@@ -149,7 +149,7 @@ double litFromTheSide(const Shadow& shadow) {
                .input = "1000 lights in the plane of receiver and caster, but for their rounding",
                .measured = "receivers with a dark part and a lit one, though no side is lit",
                .naive = "each corner moved along its ray onto the plane",
-               .naiveError = litFromTheSide(textbook),
+               .naiveError = litFromTheSide(textbookShadow),
                .ours = "receiverOf: no side is lit",
                .ourError = litFromTheSide(ours),
                .tolerance = 0,

@@ -16,7 +16,7 @@ struct Fire {
     double heat = 1;
     int logs = 3;
 };
-struct Settings {
+struct TeaSettings {
     double water = 0.5;
     bool lid = true;
     Tea tea = Tea::green;
@@ -30,27 +30,28 @@ struct Settings {
 };
 struct Gpu {};
 
-bool hasWater(const Settings& s) { return s.water > 0; }
+bool hasWater(const TeaSettings& s) { return s.water > 0; }
 bool burns(const Fire& fire) { return fire.logs > 0; }
 
 constexpr PointLimits few{{0, 0}, {10, 10}, 1, 3, 1};
 
 std::vector<std::string> calls;
-void check(const Settings& s) {
+void check(const TeaSettings& s) {
     if (s.water == 2 && s.lid) throw Error("--water", "must leave room for the lid");
 }
 
-Lesson<Settings, Gpu> kettle() {
-    Lesson<Settings, Gpu> lesson;
+Lesson<TeaSettings, Gpu> kettle() {
+    Lesson<TeaSettings, Gpu> lesson;
     lesson.rows = together(
-        number("water", &Settings::water, {0, 2}, "how much", "l"), toggle("lid", &Settings::lid, "on it"),
-        word("tea", &Settings::tea, {{"none"}, {"green", "steamed"}, {"black"}}, "in it").when(hasWater, "it is dry"),
-        oneOf("cups", &Settings::cups, {1, 2, 4}, "of it"),
-        number("spout-y", y(&Settings::spout), {0, 9}, "of the spout"), angle("turn", &Settings::turn, "of it"),
-        points("leaves", &Settings::leaves, few, "where they are"),
-        points("handle", &Settings::handle, {{0, 0}, {10, 10}, 1, 1, 1}, "where it is"),
-        points("feet", &Settings::feet, {{0, 0}, {10, 10}, 2, 2, 1}, "where they are"),
-        part(&Settings::fire,
+        number("water", &TeaSettings::water, {0, 2}, "how much", "l"), toggle("lid", &TeaSettings::lid, "on it"),
+        word("tea", &TeaSettings::tea, {{"none"}, {"green", "steamed"}, {"black"}}, "in it")
+            .when(hasWater, "it is dry"),
+        oneOf("cups", &TeaSettings::cups, {1, 2, 4}, "of it"),
+        number("spout-y", y(&TeaSettings::spout), {0, 9}, "of the spout"), angle("turn", &TeaSettings::turn, "of it"),
+        points("leaves", &TeaSettings::leaves, few, "where they are"),
+        points("handle", &TeaSettings::handle, {{0, 0}, {10, 10}, 1, 1, 1}, "where it is"),
+        points("feet", &TeaSettings::feet, {{0, 0}, {10, 10}, 2, 2, 1}, "where they are"),
+        part(&TeaSettings::fire,
              {number("heat", &Fire::heat, {0, 3}, "of it").when(burns, "there is no wood"),
               whole("logs", &Fire::logs, {0, 9}, "of wood")},
              hasWater, "an empty kettle is not put on the fire"));
@@ -59,12 +60,14 @@ Lesson<Settings, Gpu> kettle() {
     lesson.controls = {keys(Key::down, Key::up, "water", 0.25), keySets(key('L'), "lid", "off"),
                        drag("turn", 2, "spout-y", -1), wheel("heat", 0.5)};
     lesson.handles = {
-        {"spout", {"spout-y"}, [](const Settings& s, const FrameInfo&) { return std::optional(vec2(s.spout)); }},
-        {"leaf", {"leaves"}, {}, [](const Settings&, const FrameInfo&, const vec2& at) { return std::optional(at); }}};
+        {"spout", {"spout-y"}, [](const TeaSettings& s, const FrameInfo&) { return std::optional(vec2(s.spout)); }},
+        {"leaf", {"leaves"}, {}, [](const TeaSettings&, const FrameInfo&, const vec2& at) {
+             return std::optional(at);
+         }}};
     lesson.readouts = {{"steam", "above it"}};
-    lesson.draw = [](Gpu&, const Settings&, const Frame&) { calls.emplace_back("draw"); };
-    lesson.figure = [](Gpu&, const Settings&, const Frame&) { calls.emplace_back("figure"); };
-    lesson.readOut = [](Gpu&, const Settings& s, const Frame&, Numbers& numbers) {
+    lesson.draw = [](Gpu&, const TeaSettings&, const Frame&) { calls.emplace_back("draw"); };
+    lesson.figure = [](Gpu&, const TeaSettings&, const Frame&) { calls.emplace_back("figure"); };
+    lesson.readOut = [](Gpu&, const TeaSettings& s, const Frame&, Numbers& numbers) {
         calls.emplace_back("readOut");
         numbers.set("steam", s.fire.heat * s.water);
     };
@@ -72,9 +75,9 @@ Lesson<Settings, Gpu> kettle() {
     return lesson;
 }
 
-using Kettle = LessonDemo<Settings, Gpu, NothingKept>;
-std::shared_ptr<const Lesson<Settings, Gpu>> shared() {
-    return std::make_shared<const Lesson<Settings, Gpu>>(kettle());
+using Kettle = LessonDemo<TeaSettings, Gpu, NothingKept>;
+std::shared_ptr<const Lesson<TeaSettings, Gpu>> shared() {
+    return std::make_shared<const Lesson<TeaSettings, Gpu>>(kettle());
 }
 
 std::string refusalOf(const std::function<void()>& act) {
@@ -108,7 +111,7 @@ TEST(Lessons, rows_are_knobs_of_the_settings) {
                                                                                      {"logs", "7"}}) {
         demo.knob(name).parse(text);
     }
-    const Settings s = demo.settings();
+    const TeaSettings s = demo.settings();
     EXPECT_EQ(s.water, 1.5);
     EXPECT_FALSE(s.lid);
     EXPECT_EQ(s.tea, Tea::black);
@@ -120,7 +123,7 @@ TEST(Lessons, rows_are_knobs_of_the_settings) {
     EXPECT_EQ(s.feet, (std::array<vec2, 2>{vec2(3, 4), vec2(5, 6)}));
     EXPECT_EQ(s.fire.heat, 2.5);
     EXPECT_EQ(s.fire.logs, 7);
-    EXPECT_EQ(settingsOf<Settings>(demo).fire.logs, 7);
+    EXPECT_EQ(settingsOf<TeaSettings>(demo).fire.logs, 7);
     EXPECT_THROW((void)settingsOf<Fire>(demo), Error) << "another lesson's settings";
     EXPECT_EQ(refusalOf([&] { demo.knob("water").parse("3"); }), "--water: must be 0 .. 2 l, '3'");
 }
@@ -145,10 +148,10 @@ TEST(Lessons, presets_are_what_differs_from_the_first) {
     std::string text;
     for (const auto& [name, value] : changedKnobs(initial, full)) text += name + "=" + value + " ";
     EXPECT_EQ(text, "water=2 lid=off tea=black heat=3 ");
-    Settings wrong;
+    TeaSettings wrong;
     wrong.water = 5;
     EXPECT_EQ(refusalOf([&] { Kettle(lesson, wrong); }), "--water: must be 0 .. 2 l, '5'");
-    EXPECT_EQ(with(wrong, [](Settings& s) { s.water = 1; }).water, 1);
+    EXPECT_EQ(with(wrong, [](TeaSettings& s) { s.water = 1; }).water, 1);
 }
 
 TEST(Lessons, controls_and_handles_move_the_settings) {
@@ -173,11 +176,11 @@ TEST(Lessons, controls_and_handles_move_the_settings) {
     EXPECT_EQ(*demo.handles()[0].where(large, 0), 2.0 * *demo.handles()[0].where(frame, 0));
     auto misspelt = kettle();
     misspelt.controls = {wheel("heats", 1)};
-    EXPECT_EQ(refusalOf([&] { Kettle(std::make_shared<const Lesson<Settings, Gpu>>(misspelt)); }),
+    EXPECT_EQ(refusalOf([&] { Kettle(std::make_shared<const Lesson<TeaSettings, Gpu>>(misspelt)); }),
               "--heats: is no knob of this demo; did you mean 'heat'?");
     misspelt = kettle();
     misspelt.handles.front().knobs = {"lid"};
-    EXPECT_EQ(refusalOf([&] { Kettle(std::make_shared<const Lesson<Settings, Gpu>>(misspelt)); }),
+    EXPECT_EQ(refusalOf([&] { Kettle(std::make_shared<const Lesson<TeaSettings, Gpu>>(misspelt)); }),
               "handle: must name rows that are numbers, lid");
 }
 
@@ -202,17 +205,17 @@ TEST(Lessons, functions_are_called_where_a_demo_would_be) {
 }
 
 TEST(Lessons, draws_what_a_study_measures_in_the_pictures_place) {
-    Lesson<Settings, Gpu> lesson = kettle();
+    Lesson<TeaSettings, Gpu> lesson = kettle();
     FrameNotes notes;
     const auto drawnFor = [&](bool measuring) {
-        Kettle demo(std::make_shared<const Lesson<Settings, Gpu>>(lesson));
+        Kettle demo(std::make_shared<const Lesson<TeaSettings, Gpu>>(lesson));
         demo.init();
         calls.clear();
         demo.draw(Frame(FrameInfo(1, 8, 8), notes, {.measuring = measuring}));
         return calls;
     };
     EXPECT_EQ(drawnFor(true), std::vector<std::string>{"draw"});
-    lesson.measure = [](Gpu&, const Settings&, const Frame&) { calls.emplace_back("measure"); };
+    lesson.measure = [](Gpu&, const TeaSettings&, const Frame&) { calls.emplace_back("measure"); };
     EXPECT_EQ(drawnFor(true), std::vector<std::string>{"measure"});
     EXPECT_EQ(drawnFor(false), std::vector<std::string>{"draw"});
 }
@@ -220,15 +223,15 @@ TEST(Lessons, draws_what_a_study_measures_in_the_pictures_place) {
 // Knobs and check() keep what was asked for; what draws gets what the context can.
 TEST(Lessons, fallback_changes_what_is_drawn_and_no_knob) {
     static double drawn, told;
-    Lesson<Settings, Gpu> lesson = kettle();
-    lesson.fallback = [](Settings s) {
+    Lesson<TeaSettings, Gpu> lesson = kettle();
+    lesson.fallback = [](TeaSettings s) {
         s.water = 0.25;
         return s;
     };
-    lesson.draw = [](Gpu&, const Settings& s, const Frame&) { drawn = s.water; };
+    lesson.draw = [](Gpu&, const TeaSettings& s, const Frame&) { drawn = s.water; };
     lesson.figure = {};
-    lesson.readOut = [](Gpu&, const Settings& s, const Frame&, Numbers&) { told = s.water; };
-    LessonDemo<Settings, Gpu, NothingKept> demo(std::make_shared<const Lesson<Settings, Gpu>>(lesson));
+    lesson.readOut = [](Gpu&, const TeaSettings& s, const Frame&, Numbers&) { told = s.water; };
+    LessonDemo<TeaSettings, Gpu, NothingKept> demo(std::make_shared<const Lesson<TeaSettings, Gpu>>(lesson));
     FrameNotes notes;
     demo.init();
     demo.draw(Frame({1, 4, 4}, notes, {.readouts = true}));
@@ -243,13 +246,13 @@ TEST(Lessons, memory_is_the_frameworks_to_keep) {
     struct Sum {
         int of = 0;
     };
-    Lesson<Settings, Gpu, Sum> lesson;
-    lesson.rows = together(oneOf("cups", &Settings::cups, {1, 2, 4}, "of it").beginsAnew());
-    lesson.start = [](const Settings& s) { return Sum{100 * s.cups}; };
-    lesson.step = [](Sum& sum, const Settings&, int index) { sum.of += index; };
+    Lesson<TeaSettings, Gpu, Sum> lesson;
+    lesson.rows = together(oneOf("cups", &TeaSettings::cups, {1, 2, 4}, "of it").beginsAnew());
+    lesson.start = [](const TeaSettings& s) { return Sum{100 * s.cups}; };
+    lesson.step = [](Sum& sum, const TeaSettings&, int index) { sum.of += index; };
     static int drawn = 0;
-    lesson.draw = [](Gpu&, const Settings&, const Sum& sum, const Frame&) { drawn = sum.of; };
-    LessonDemo<Settings, Gpu, Sum> demo(std::make_shared<const Lesson<Settings, Gpu, Sum>>(lesson));
+    lesson.draw = [](Gpu&, const TeaSettings&, const Sum& sum, const Frame&) { drawn = sum.of; };
+    LessonDemo<TeaSettings, Gpu, Sum> demo(std::make_shared<const Lesson<TeaSettings, Gpu, Sum>>(lesson));
     ASSERT_NE(demo.memory(), nullptr);
     EXPECT_TRUE(demo.knob("cups").doesBeginAnew());
     demo.init();
@@ -270,13 +273,13 @@ TEST(Lessons, passes_make_what_is_drawn) {
     struct Made {
         int passes = 0;
     };
-    Lesson<Settings, Gpu, Made> lesson;
-    lesson.rows = together(oneOf("cups", &Settings::cups, {1, 2, 4}, "of it"));
-    lesson.passes = [](const Settings& s, const FrameInfo&) { return s.cups; };
-    lesson.refine = [](Made& made, const Settings&, const FrameInfo&, int pass) { made.passes = pass + 1; };
+    Lesson<TeaSettings, Gpu, Made> lesson;
+    lesson.rows = together(oneOf("cups", &TeaSettings::cups, {1, 2, 4}, "of it"));
+    lesson.passes = [](const TeaSettings& s, const FrameInfo&) { return s.cups; };
+    lesson.refine = [](Made& made, const TeaSettings&, const FrameInfo&, int pass) { made.passes = pass + 1; };
     static int drawn = 0;
-    lesson.draw = [](Gpu&, const Settings&, const Made& made, const Frame&) { drawn = made.passes; };
-    LessonDemo<Settings, Gpu, Made> demo(std::make_shared<const Lesson<Settings, Gpu, Made>>(lesson));
+    lesson.draw = [](Gpu&, const TeaSettings&, const Made& made, const Frame&) { drawn = made.passes; };
+    LessonDemo<TeaSettings, Gpu, Made> demo(std::make_shared<const Lesson<TeaSettings, Gpu, Made>>(lesson));
     EXPECT_EQ(demo.memory(), nullptr) << "what passes made is no memory";
     demo.init();
     const FrameInfo frame(1, 10, 10);

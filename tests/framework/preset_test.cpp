@@ -13,19 +13,19 @@ using namespace mv::test;
 
 namespace {
 
-struct Values {
+struct KettleValues {
     double water = 0.5;
     bool lid = true;
     double heat = 1;
 };
-bool hasWater(const Values& s) { return s.water > 0; }
-bool hasLid(const Values& s) { return s.lid; }
+bool hasWater(const KettleValues& s) { return s.water > 0; }
+bool hasLid(const KettleValues& s) { return s.lid; }
 
-struct Kettle : DemoOf<Values> {
+struct Kettle : DemoOf<KettleValues> {
     Kettle()
-        : DemoOf(together(mv::number("water", &Values::water, {0, 2}, "how much", "l"),
-                          toggle("lid", &Values::lid, "on it"),
-                          mv::number("heat", &Values::heat, {0, 3}, "of the fire")
+        : DemoOf(together(mv::number("water", &KettleValues::water, {0, 2}, "how much", "l"),
+                          toggle("lid", &KettleValues::lid, "on it"),
+                          mv::number("heat", &KettleValues::heat, {0, 3}, "of the fire")
                               .when(hasWater, "an empty kettle is not put on the fire")
                               .when(hasLid, "it is not heated without its lid"))) {}
     Knob &water = knob("water"), &lid = knob("lid"), &heat = knob("heat");

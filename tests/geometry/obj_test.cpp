@@ -15,12 +15,12 @@ std::string refused(const std::string& text) {
     return refusal([&] { (void)meshFromObj(text, "x.obj"); });
 }
 
-const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+const std::string squareText = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
 }  // namespace
 
 TEST(Obj, quads_become_triangles_with_their_faces_normal) {
-    const MeshData mesh = meshOf(square + "f 1 2 3 4\n");
+    const MeshData mesh = meshOf(squareText + "f 1 2 3 4\n");
     EXPECT_EQ(mesh.positions, (std::vector<fvec3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}));
     EXPECT_EQ(mesh.indices, (std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3}));
     EXPECT_EQ(mesh.normals, (std::vector<fvec3>(4, fvec3(0, 0, 1))));
@@ -29,7 +29,7 @@ TEST(Obj, quads_become_triangles_with_their_faces_normal) {
 }
 
 TEST(Obj, a_vertex_for_each_that_some_corner_has_together) {
-    const std::string text = square + "vt 0 0\nvt 1 0 0\nvn 0 0 2\nf 1/1/1 2/2/1 3/2/1\nf 3/2/1 1/1/1 2/1/1\n";
+    const std::string text = squareText + "vt 0 0\nvt 1 0 0\nvn 0 0 2\nf 1/1/1 2/2/1 3/2/1\nf 3/2/1 1/1/1 2/1/1\n";
     const MeshData mesh = meshOf(text);
     EXPECT_EQ(mesh.indices, (std::vector<std::uint32_t>{0, 1, 2, 2, 0, 3}));
     EXPECT_EQ(mesh.positions.size(), 4U);
@@ -37,7 +37,7 @@ TEST(Obj, a_vertex_for_each_that_some_corner_has_together) {
     EXPECT_EQ(mesh.texCoords[1], fvec2(1, 0));
     EXPECT_EQ(mesh.normals[0], fvec3(0, 0, 1));  // of unit length
     // v//vn, and v alone in a file with texture coordinates
-    const MeshData mixed = meshOf(square + "vt 1 1\nvn 1 0 0\nf 1//1 2/1 3\n");
+    const MeshData mixed = meshOf(squareText + "vt 1 1\nvn 1 0 0\nf 1//1 2/1 3\n");
     EXPECT_EQ(mixed.normals, (std::vector<fvec3>{{1, 0, 0}, {0, 0, 1}, {0, 0, 1}}));
     EXPECT_EQ(mixed.texCoords, (std::vector<fvec2>{{0, 0}, {1, 1}, {0, 0}}));
 }
@@ -50,18 +50,18 @@ TEST(Obj, negative_indices_count_from_where_they_stand) {
 }
 
 TEST(Obj, lines_as_files_have_them) {
-    const MeshData plain = meshOf(square + "f 1 2 3 4\n");
-    EXPECT_EQ(meshOf("v 0 0 0\r\nv 1 0 0\r\nv 1 1 0\r\nv 0 1 0\r\nf 1 2 3 4"), plain);        // CRLF, no end
-    EXPECT_EQ(meshOf("v 0 0 0\rv 1 0 0\rv 1 1 0\rv 0 1 0\rf 1 2 3 4\r"), plain);              // CR
-    EXPECT_EQ(meshOf("\xEF\xBB\xBF# mark\n\n" + square + "f 1 2 \\\n 3 \\\r\n 4\n"), plain);  // continued
+    const MeshData plain = meshOf(squareText + "f 1 2 3 4\n");
+    EXPECT_EQ(meshOf("v 0 0 0\r\nv 1 0 0\r\nv 1 1 0\r\nv 0 1 0\r\nf 1 2 3 4"), plain);            // CRLF, no end
+    EXPECT_EQ(meshOf("v 0 0 0\rv 1 0 0\rv 1 1 0\rv 0 1 0\rf 1 2 3 4\r"), plain);                  // CR
+    EXPECT_EQ(meshOf("\xEF\xBB\xBF# mark\n\n" + squareText + "f 1 2 \\\n 3 \\\r\n 4\n"), plain);  // continued
     EXPECT_EQ(meshOf("v\t0  0 0 # a comment \\\n v 1.0 0e5 -0\nv +1 1. 0 1\nv 0 1 0 0.5 0.5 0.5\n f  1 2\t3 4  \n"),
               plain);
     // Names in Windows-1252: fa\xE7" "ade, M\xFC" "ller
     const std::string names =
         "# M\xFCller\nmtllib fa\xE7\x80.mtl\no fa\xE7"
         "ade\ng a b\ns off\nusemtl \x93rot\x94\n";
-    EXPECT_EQ(meshOf(names + square + "f 1 2 3 4\n"), plain);
-    EXPECT_EQ(meshFromObj(square + "l 1 2 3\np 1 2\nf 1 2 3\n", "x.obj").leftOut, 3U);
+    EXPECT_EQ(meshOf(names + squareText + "f 1 2 3 4\n"), plain);
+    EXPECT_EQ(meshFromObj(squareText + "l 1 2 3\np 1 2\nf 1 2 3\n", "x.obj").leftOut, 3U);
     EXPECT_EQ(meshOf("v 1e-400 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").positions[0], fvec3(0));
     // More digits than a buffer has
     EXPECT_EQ(
@@ -84,22 +84,22 @@ TEST(Obj, a_thousand_corners_and_none) {
 
 TEST(Obj, the_rest_is_refused_with_its_line) {
     EXPECT_EQ(refused(""), "x.obj: the file must have faces");
-    EXPECT_EQ(refused(square), "x.obj: the file must have faces");
-    EXPECT_EQ(refused(square + "f 1 2\n"), "x.obj:5: a face must have 3 corners or more, 2");
-    EXPECT_EQ(refused(square + "f 1 2 5\n"), "x.obj:5: an index must be one of the file's 4 positions (v), 5");
-    EXPECT_EQ(refused(square + "f 1/1 2 3\n"),
+    EXPECT_EQ(refused(squareText), "x.obj: the file must have faces");
+    EXPECT_EQ(refused(squareText + "f 1 2\n"), "x.obj:5: a face must have 3 corners or more, 2");
+    EXPECT_EQ(refused(squareText + "f 1 2 5\n"), "x.obj:5: an index must be one of the file's 4 positions (v), 5");
+    EXPECT_EQ(refused(squareText + "f 1/1 2 3\n"),
               "x.obj:5: an index must be one of the file's 0 texture coordinates (vt), 1");
-    EXPECT_EQ(refused(square + "f 1 2 3//9\n"), "x.obj:5: an index must be one of the file's 0 normals (vn), 9");
+    EXPECT_EQ(refused(squareText + "f 1 2 3//9\n"), "x.obj:5: an index must be one of the file's 0 normals (vn), 9");
     const std::string before = "an index must be that of something before: from 1, or from -1 backwards, ";
-    EXPECT_EQ(refused(square + "f 0 1 2\n"), "x.obj:5: " + before + "0");
-    EXPECT_EQ(refused(square + "f 1 2 -5\n"), "x.obj:5: " + before + "-5");
-    EXPECT_EQ(refused(square + "f -9223372036854775808 1 2\n"), "x.obj:5: " + before + "-9223372036854775808");
-    EXPECT_EQ(refused(square + "f 99999999999999999999 1 2\n"),
+    EXPECT_EQ(refused(squareText + "f 0 1 2\n"), "x.obj:5: " + before + "0");
+    EXPECT_EQ(refused(squareText + "f 1 2 -5\n"), "x.obj:5: " + before + "-5");
+    EXPECT_EQ(refused(squareText + "f -9223372036854775808 1 2\n"), "x.obj:5: " + before + "-9223372036854775808");
+    EXPECT_EQ(refused(squareText + "f 99999999999999999999 1 2\n"),
               "x.obj:5: an index must be a whole number, 99999999999999999999");
-    EXPECT_EQ(refused(square + "f 1 2 1.5\n"), "x.obj:5: an index must be a whole number, 1.5");
+    EXPECT_EQ(refused(squareText + "f 1 2 1.5\n"), "x.obj:5: an index must be a whole number, 1.5");
     const std::string corner = "x.obj:5: a corner must be v, v/vt, v//vn or v/vt/vn, ";
-    EXPECT_EQ(refused(square + "f 1 2 1/1/1/1\n"), corner + "1/1/1/1");
-    EXPECT_EQ(refused(square + "f 1 2 /3\n"), corner + "/3");
+    EXPECT_EQ(refused(squareText + "f 1 2 1/1/1/1\n"), corner + "1/1/1/1");
+    EXPECT_EQ(refused(squareText + "f 1 2 /3\n"), corner + "/3");
     const std::string number = "a number must be finite, with a point, and fit into floats, ";
     EXPECT_EQ(refused("v 0 0,5 0\n"), "x.obj:1: " + number + "0,5");
     EXPECT_EQ(refused("# one\nv 0 \\\n nan 0\n"), "x.obj:2: " + number + "nan");
@@ -119,7 +119,7 @@ TEST(Obj, the_rest_is_refused_with_its_line) {
 
 // Whatever the bytes: a mesh that holds together, or a sentence.
 TEST(ObjExtremes, no_bytes_break_it) {
-    const std::string start = square + "vt 0 0\nvn 0 0 1\nf 1/1/1 2/1/1 3/1/1 4/1/1\nf -1 -2 -3\n";
+    const std::string start = squareText + "vt 0 0\nvn 0 0 1\nf 1/1/1 2/1/1 3/1/1 4/1/1\nf -1 -2 -3\n";
     Random random(1);
     int whole = 0;
     for (int i = 0; i < 20000; ++i) {

@@ -52,7 +52,7 @@ double windingByAngle(const ShadowVolume& volume, const vec3& point) {
     return sum / (4 * pi);
 }
 
-const std::array<MeshData, 4> solids() {
+const std::array<MeshData, 4> casters() {
     return {box({-1, -1, -1}, {1, 1, 1}), colorCube(), sphere(1, 24, 12), torus(1, 0.4, 24, 12)};
 }
 
@@ -119,7 +119,7 @@ TEST(Silhouette, IsTheOutlineOfACube) {
 }
 
 TEST(Silhouette, FormsClosedLoops) {
-    for (const MeshData& mesh : solids()) {
+    for (const MeshData& mesh : casters()) {
         const ClosedMesh closed(mesh);
         for (const vec4& light : {above, sun, vec4(1, 5, 1, 1), vec4(0, 1, 0, 0), vec4(-3, 0.1, 2, 1)}) {
             std::map<std::uint32_t, int> balance;
@@ -136,7 +136,7 @@ TEST(Silhouette, FormsClosedLoops) {
 }
 
 TEST(ShadowVolume, IsClosed) {
-    for (const MeshData& mesh : solids()) {
+    for (const MeshData& mesh : casters()) {
         const ClosedMesh closed(mesh);
         // The last two lie exactly in planes of faces, the one before inside the box and the ball.
         for (const vec4& light :
@@ -189,7 +189,7 @@ TEST(ShadowVolume, HasThePartsItCounts) {
 TEST(ShadowVolume, WindsRoundWhatIsInShadow) {
     Random random(7);
     int inside = 0, outside = 0, twice = 0;
-    for (const MeshData& mesh : solids()) {
+    for (const MeshData& mesh : casters()) {
         const ClosedMesh closed(mesh);
         for (const vec4& light : {above, vec4(-3, 0.1, 2, 1), vec4(4, 1.5, 0.2, 1), sun, vec4(5, 1.2, 0.3, 0)}) {
             const ShadowVolume volume = shadowVolume(closed, light);

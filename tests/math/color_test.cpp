@@ -11,14 +11,13 @@
 #include <vector>
 
 #include "mv/error.h"
+#include "support.h"
 #include "support/random.h"
 
 using namespace mv;
 using namespace mv::test;
 
 namespace {
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 vec3 anyColor(Random& random) {
     const double r = random.number(0, 1), g = random.number(0, 1);
@@ -137,15 +136,14 @@ TEST(HslAndHsv, greys_have_no_hue) {
 }
 
 TEST(HslAndHsv, refuse_what_is_no_color) {
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    for (const vec3& rgb : {vec3(1.5, 1, 1), vec3(-0.01, 0, 0), vec3(nan, 0, 0), vec3(0, 0, infinite)}) {
+    for (const vec3& rgb : {vec3(1.5, 1, 1), vec3(-0.01, 0, 0), vec3(notANumber, 0, 0), vec3(0, 0, infinite)}) {
         expectRefused([&] { (void)hslFromRgb(rgb); }, "red, green and blue must be 0 to 1");
         expectRefused([&] { (void)hsvFromRgb(rgb); }, "red, green and blue must be 0 to 1");
     }
     expectRefused([] { (void)rgbFromHsl(Hsl{0, 1, 1.5}); }, "lightness must be 0 to 1");
     expectRefused([] { (void)rgbFromHsl(Hsl{0, -1, 0.5}); }, "saturation must be 0 to 1");
     expectRefused([] { (void)rgbFromHsv(Hsv{0, 1, 1.5}); }, "value must be 0 to 1");
-    expectRefused([&] { (void)rgbFromHsl(Hsl{nan, 1, 0.5}); }, "hue must be finite");
+    expectRefused([&] { (void)rgbFromHsl(Hsl{notANumber, 1, 0.5}); }, "hue must be finite");
 }
 
 TEST(Oklab, known_colors) {

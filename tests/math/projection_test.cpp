@@ -14,17 +14,12 @@ namespace {
 
 vec3 ndcOf(const mat4& clipFromCamera, const vec3& p) { return ndcFromClip(clipFromCamera * vec4(p, 1)); }
 
-double distance(const vec3& a, const vec3& b) { return glm::length(a - b); }
-
-// A few roundings of numbers of size 1 (2.2e-16 each).
-constexpr double rounding = 2e-15;
-
 // ---- ortho
 
 TEST(Ortho, MapsTheCornersOfItsBoxToTheCube) {
     const mat4 m = ortho(-1, 3, 2, 7, 1, 3);
-    EXPECT_LT(distance(ndcOf(m, {-1, 2, -1}), {-1, -1, -1}), rounding);
-    EXPECT_LT(distance(ndcOf(m, {3, 7, -3}), {1, 1, 1}), rounding);
+    EXPECT_LT(glm::distance(ndcOf(m, {-1, 2, -1}), {-1, -1, -1}), rounding);
+    EXPECT_LT(glm::distance(ndcOf(m, {3, 7, -3}), {1, 1, 1}), rounding);
     EXPECT_EQ(m, glm::ortho(-1.0, 3.0, 2.0, 7.0, 1.0, 3.0));
 }
 
@@ -88,8 +83,8 @@ TEST(Projections, RefuseEachArgumentThatIsNotFinite) {
 TEST(Perspective, MapsTheEdgesOfItsViewToTheCube) {
     const mat4 m = perspective(60, 2, 0.5, 10);
     const double tangent = std::tan(radians(30));
-    EXPECT_LT(distance(ndcOf(m, {-2 * 0.5 * tangent, -0.5 * tangent, -0.5}), {-1, -1, -1}), rounding);
-    EXPECT_LT(distance(ndcOf(m, {2 * 10 * tangent, 10 * tangent, -10}), {1, 1, 1}), rounding);
+    EXPECT_LT(glm::distance(ndcOf(m, {-2 * 0.5 * tangent, -0.5 * tangent, -0.5}), {-1, -1, -1}), rounding);
+    EXPECT_LT(glm::distance(ndcOf(m, {2 * 10 * tangent, 10 * tangent, -10}), {1, 1, 1}), rounding);
 }
 
 TEST(Perspective, AgreesWithGlm) {
@@ -141,8 +136,8 @@ TEST(Perspective, IsNotTheSlides) {
 
 TEST(Frustum, MapsTheCornersOfItsWindowAndAgreesWithGlm) {
     const mat4 m = frustum(-0.2, 0.6, -0.1, 0.3, 0.5, 10);
-    EXPECT_LT(distance(ndcOf(m, {-0.2, -0.1, -0.5}), {-1, -1, -1}), rounding);
-    EXPECT_LT(distance(ndcOf(m, {0.6 * 20, 0.3 * 20, -10}), {1, 1, 1}), rounding);
+    EXPECT_LT(glm::distance(ndcOf(m, {-0.2, -0.1, -0.5}), {-1, -1, -1}), rounding);
+    EXPECT_LT(glm::distance(ndcOf(m, {0.6 * 20, 0.3 * 20, -10}), {1, 1, 1}), rounding);
     EXPECT_LT(largestDifference(m, glm::frustum(-0.2, 0.6, -0.1, 0.3, 0.5, 10.0)), rounding);
 }
 
@@ -386,17 +381,17 @@ TEST(ViewVolumeCorners, GoToTheCornersOfTheCube) {
     for (unsigned i = 0; i < 8; ++i) {
         const vec3 cube((i & 1U) ? 1 : -1, (i & 2U) ? 1 : -1, (i & 4U) ? 1 : -1);
         // The inverse's condition is some far/near * coordinates: 100 roundings.
-        EXPECT_LT(distance(ndcOf(clipFromWorld, corners[i]), cube), 100 * rounding) << i;
+        EXPECT_LT(glm::distance(ndcOf(clipFromWorld, corners[i]), cube), 100 * rounding) << i;
     }
 }
 
 TEST(ViewVolumeCorners, AreTheArgumentsOfOrthoAndFrustum) {
     const auto box = viewVolumeCorners(ortho(-1, 3, 2, 7, 1, 3));
-    EXPECT_LT(distance(box[0], {-1, 2, -1}), 10 * rounding);
-    EXPECT_LT(distance(box[7], {3, 7, -3}), 10 * rounding);
+    EXPECT_LT(glm::distance(box[0], {-1, 2, -1}), 10 * rounding);
+    EXPECT_LT(glm::distance(box[7], {3, 7, -3}), 10 * rounding);
     const auto pyramid = viewVolumeCorners(frustum(-1, 3, 2, 7, 1, 3));
-    EXPECT_LT(distance(pyramid[1], {3, 2, -1}), 10 * rounding);
-    EXPECT_LT(distance(pyramid[6], {-3, 21, -3}), 100 * rounding);  // coordinates of 21
+    EXPECT_LT(glm::distance(pyramid[1], {3, 2, -1}), 10 * rounding);
+    EXPECT_LT(glm::distance(pyramid[6], {-3, 21, -3}), 100 * rounding);  // coordinates of 21
 }
 
 TEST(ViewVolumeCorners, RefusesWhatHasNone) {

@@ -10,8 +10,6 @@ using namespace mv::test;
 
 namespace {
 
-const vec4 ground(0, 1, 0, 0);
-
 // A unit square whose two sides are at these heights.
 std::array<vec3, 4> slab(double low, double high) {
     return {vec3(-0.5, low, 0.5), vec3(-0.5, low, -0.5), vec3(0.5, high, -0.5), vec3(0.5, high, 0.5)};

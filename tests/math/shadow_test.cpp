@@ -12,14 +12,7 @@ using namespace mv::test;
 
 namespace {
 
-const vec4 ground(0, 1, 0, 0);
-
-// A few roundings of numbers of size 1 (2.2e-16 each).
-constexpr double rounding = 2e-15;
-
 vec3 divided(const vec4& p) { return vec3(p) / p.w; }
-
-double distance(const vec3& a, const vec3& b) { return glm::length(a - b); }
 
 // The point where the ray from the light through p meets the plane, by the parameter of the ray: another way to the same point.
 vec3 castByRay(const vec4& light, const vec4& plane, const vec3& p) {
@@ -44,7 +37,7 @@ TEST(ShadowProjection, CastsAlongTheRayFromTheLight) {
         EXPECT_GT(image.w, 0);
         const vec3 shadow = divided(image);
         // Coordinates of up to 20, divided by heights of about 1.
-        EXPECT_LT(distance(shadow, castByRay(light, plane, caster)), 1e-12);
+        EXPECT_LT(glm::distance(shadow, castByRay(light, plane, caster)), 1e-12);
         EXPECT_NEAR((glm::dot(normal, shadow) + plane.w) / glm::length(normal), 0, 1e-12);
         for (const vec4& bound : shadowCasterBounds(light, plane)) EXPECT_GT(glm::dot(bound, vec4(caster, 1)), 0);
     }
@@ -52,7 +45,7 @@ TEST(ShadowProjection, CastsAlongTheRayFromTheLight) {
 
 TEST(ShadowProjection, LeavesThePlaneWhereItIs) {
     const mat4 m = shadowProjection({1, 5, 2, 1}, {0, 2, 0, -2});  // y = 1
-    EXPECT_LT(distance(divided(m * vec4(3, 1, -4, 1)), {3, 1, -4}), 1e-14);
+    EXPECT_LT(glm::distance(divided(m * vec4(3, 1, -4, 1)), {3, 1, -4}), 1e-14);
 }
 
 TEST(ShadowProjection, IsTheTextbooksForTheGround) {
@@ -89,8 +82,9 @@ TEST(ShadowProjection, IsNotTheSlidesTranspose) {
     const vec4 caster(1, -0.5, 0.25, 1);
     EXPECT_NEAR(divided(ours * caster).z, -1.0125, rounding);
     const vec3 slide = divided(glm::transpose(ours) * caster);
-    EXPECT_GT(std::abs(slide.z + 1.0125), 0.1);                                                     // off the plane
-    EXPECT_LT(distance(divided(caster * glm::transpose(ours)), divided(ours * caster)), rounding);  // row vector: right
+    EXPECT_GT(std::abs(slide.z + 1.0125), 0.1);  // off the plane
+    EXPECT_LT(glm::distance(divided(caster * glm::transpose(ours)), divided(ours * caster)),
+              rounding);  // row vector: right
 }
 
 // The lecture's matrices, where they are right, are ours; the transposed one for row vectors only.
@@ -215,7 +209,7 @@ TEST(ShadowExtremes, X14LightInThePlaneIsRefusedAndLightBelowTurnsThePlane) {
     const vec4 below(1, -10, 0, 1);
     const vec4 image = shadowProjection(below, ground) * vec4(3, -2, 0, 1);
     EXPECT_GT(image.w, 0);
-    EXPECT_LT(distance(divided(image), castByRay(below, ground, {3, -2, 0})), rounding * 10);
+    EXPECT_LT(glm::distance(divided(image), castByRay(below, ground, {3, -2, 0})), rounding * 10);
     EXPECT_GT(glm::dot(shadowCasterBounds(below, ground)[0], vec4(3, -2, 0, 1)), 0);
     EXPECT_LT(glm::dot(shadowCasterBounds(below, ground)[0], vec4(3, 2, 0, 1)), 0);
 

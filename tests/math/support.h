@@ -51,5 +51,8 @@ inline std::string refusal(const std::function<void()>& call) {
 
 inline constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
 inline constexpr double infinite = std::numeric_limits<double>::infinity();
+// A few roundings of numbers of size 1 (1.1e-16 each).
+inline constexpr double rounding = 2e-15;
+inline const vec4 ground(0, 1, 0, 0);  // y = 0
 
 }  // namespace mv::test

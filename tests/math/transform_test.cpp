@@ -14,11 +14,6 @@ namespace {
 
 vec3 moved(const mat4& m, const vec3& p) { return vec3(m * vec4(p, 1)); }
 
-double distance(const vec3& a, const vec3& b) { return glm::length(a - b); }
-
-// A few roundings of numbers of size 1 (2.2e-16 each).
-constexpr double rounding = 2e-15;
-
 // ---- translate, scale, rotate
 
 TEST(Translate, MovesPointsAndLeavesDirections) {
@@ -37,9 +32,9 @@ TEST(Scale, MultipliesEachCoordinate) {
 
 TEST(Rotate, IsRightHanded) {
     // The MV.js of 2016 turned the other way (errata E3); a quarter turn tells.
-    EXPECT_LT(distance(moved(rotateX(90), {0, 1, 0}), {0, 0, 1}), rounding);
-    EXPECT_LT(distance(moved(rotateY(90), {0, 0, 1}), {1, 0, 0}), rounding);
-    EXPECT_LT(distance(moved(rotateZ(90), {1, 0, 0}), {0, 1, 0}), rounding);
+    EXPECT_LT(glm::distance(moved(rotateX(90), {0, 1, 0}), {0, 0, 1}), rounding);
+    EXPECT_LT(glm::distance(moved(rotateY(90), {0, 0, 1}), {1, 0, 0}), rounding);
+    EXPECT_LT(glm::distance(moved(rotateZ(90), {1, 0, 0}), {0, 1, 0}), rounding);
 }
 
 TEST(Rotate, AgreesWithRotationAboutTheAxesAndWithGlm) {
@@ -62,7 +57,7 @@ TEST(Rotate, IsRigidAndKeepsItsAxis) {
         EXPECT_LT(orthogonalityError(m), rounding);
         EXPECT_NEAR(glm::determinant(mat3(m)), 1, rounding);
         const double size = std::max({std::abs(axis.x), std::abs(axis.y), std::abs(axis.z)});
-        EXPECT_LT(distance(moved(m, axis / size), axis / size), 2 * rounding);
+        EXPECT_LT(glm::distance(moved(m, axis / size), axis / size), 2 * rounding);
     }
 }
 
@@ -76,7 +71,7 @@ TEST(Rotate, WholeTurnsAreExact) {
 TEST(Rotate, TurnsTheCarAlongItsTrackWhereTheSlideDoesNot) {
     for (int d = 0; d <= 360; d += 3) {
         const vec3 heading(std::cos(radians(d)), -std::sin(radians(d)), 0);
-        EXPECT_LT(distance(moved(rotateZ(-d), {1, 0, 0}), heading), rounding) << d;
+        EXPECT_LT(glm::distance(moved(rotateZ(-d), {1, 0, 0}), heading), rounding) << d;
         // The slide's rotateZ(d) is off by 2 d: right at 0 and 180 degrees, backwards at 90 and 270.
         const double cosine = glm::dot(moved(rotateZ(d), {1, 0, 0}), heading);
         EXPECT_NEAR(cosine, std::cos(radians(2 * d)), rounding) << d;
@@ -103,8 +98,8 @@ TEST(LookAt, PutsTheEyeAtTheOriginTheTargetAheadAndUpUpwards) {
         const vec3 up = random.point(10);
         const mat4 camera = lookAt(eye, at, up);
         // Coordinates of up to 10: a few roundings of 10 (1.8e-15 each).
-        EXPECT_LT(distance(moved(camera, eye), {0, 0, 0}), 2e-14);
-        EXPECT_LT(distance(moved(camera, at), {0, 0, -distance(eye, at)}), 4e-14);
+        EXPECT_LT(glm::distance(moved(camera, eye), {0, 0, 0}), 2e-14);
+        EXPECT_LT(glm::distance(moved(camera, at), {0, 0, -glm::distance(eye, at)}), 4e-14);
         const vec4 upImage = camera * vec4(up, 0);
         EXPECT_NEAR(upImage.x, 0, 4e-14);
         EXPECT_GT(upImage.y, 0);
@@ -267,10 +262,10 @@ TEST(LookAtExtremes, X05SceneFarFromTheOrigin) {
 
         const fmat4 cameraFromModel(lookAt(eye, at, {0, 0, 1}) * translate(base));
         const vec3 ours(fvec3(cameraFromModel * fvec4(vertex, 1)));
-        EXPECT_LE(distance(ours, expected), 1e-5) << size;
+        EXPECT_LE(glm::distance(ours, expected), 1e-5) << size;
 
         const fmat4 twin = glm::lookAt(fvec3(eye), fvec3(at), fvec3(0, 0, 1)) * glm::translate(fmat4(1), fvec3(base));
-        const double twinError = distance(vec3(fvec3(twin * fvec4(vertex, 1))), expected);
+        const double twinError = glm::distance(vec3(fvec3(twin * fvec4(vertex, 1))), expected);
         EXPECT_FALSE(twinError <= 1e-2) << size;  // also when it is NaN
     }
 }
@@ -290,7 +285,7 @@ TEST(NormalMatrix, KeepsNormalsPerpendicularAndOnTheirSide) {
         EXPECT_NEAR(glm::dot(image, glm::normalize(mat3(m) * tangent)), 0, 1e-13);
         EXPECT_GT(glm::dot(image, mat3(m) * normal), 0);
         const vec3 expected = glm::normalize(glm::inverseTranspose(mat3(m)) * normal);
-        EXPECT_LT(distance(image, expected), 1e-13);
+        EXPECT_LT(glm::distance(image, expected), 1e-13);
     }
 }
 
@@ -350,15 +345,15 @@ TEST(NormalMatrix, IsAccurateWhereThePointsAreSqueezedNearlyFlat) {
 TEST(NormalMatrix, X38StaysFiniteUnderAFlatteningScale) {
     const mat3 flat = normalMatrix(rotateX(30) * scale(1, 0, 1));
     const vec3 image = glm::normalize(flat * vec3(0, 1, 0));
-    EXPECT_LT(distance(image, mat3(rotateX(30)) * vec3(0, 1, 0)), rounding);
+    EXPECT_LT(glm::distance(image, mat3(rotateX(30)) * vec3(0, 1, 0)), rounding);
     EXPECT_EQ(normalMatrix(scale(0, 0, 1)), mat3(0));  // no surface is left
     EXPECT_EQ(normalMatrix(scale(0)), mat3(0));
     // Nearly none: the squares of the cofactors would vanish.
     const mat3 needle = normalMatrix(scale(1, 1e-200, 1e-200));
-    EXPECT_LT(distance(needle * vec3(0, 1, 0), {0, std::sqrt(1.5), 0}), rounding);
+    EXPECT_LT(glm::distance(needle * vec3(0, 1, 0), {0, std::sqrt(1.5), 0}), rounding);
     // And too large: the squares would overflow, though those of the columns do not.
     const mat3 large = normalMatrix(scale(8e153, 2, 2));
-    EXPECT_LT(distance(large * vec3(0, 1, 0), {0, std::sqrt(1.5), 0}), rounding);
+    EXPECT_LT(glm::distance(large * vec3(0, 1, 0), {0, std::sqrt(1.5), 0}), rounding);
     // The twin: the inverse does not exist.
     EXPECT_FALSE(std::isfinite(glm::inverseTranspose(mat3(scale(1, 0, 1)))[1][1]));
     mat4 broken(1);

@@ -14,7 +14,7 @@ struct Wave {
 };
 
 // The sum of the waves amplitude * sin(frequency t + phase), and of drift * t.
-struct Curve {
+struct WaveCurve {
     std::vector<Wave> waves;
     vec3 drift{0};
 
@@ -40,23 +40,23 @@ struct Curve {
 };
 
 // In the plane y = 0, once round in 2 pi, to the left seen from above (the outside of the bend is on the right).
-inline Curve circle(double radius, double speed = 1) {
+inline WaveCurve circle(double radius, double speed = 1) {
     return {{{{radius, 0, 0}, speed / radius, pi / 2}, {{0, 0, -radius}, speed / radius, 0}}};
 }
 // Round the y axis, to the left, rising by `rise` for each radian.
-inline Curve helix(double radius, double rise) {
-    Curve curve = circle(radius, radius);
+inline WaveCurve helix(double radius, double rise) {
+    WaveCurve curve = circle(radius, radius);
     curve.drift = {0, rise, 0};
     return curve;
 }
 // A figure of eight in the plane z = 0, with inflections at 0 and pi. Gerono's lemniscate.
-inline Curve eight() { return {{{{1, 0, 0}, 1, 0}, {{0, 0.5, 0}, 2, 0}}}; }
+inline WaveCurve eight() { return {{{{1, 0, 0}, 1, 0}, {{0, 0.5, 0}, 2, 0}}}; }
 // A closed curve in space without inflections, 2 pi long in t.
-inline Curve trefoil() {
+inline WaveCurve trefoil() {
     return {
         {{{1, 0, 0}, 1, 0}, {{2, 0, 0}, 2, 0}, {{0, 1, 0}, 1, pi / 2}, {{0, -2, 0}, 2, pi / 2}, {{0, 0, -1}, 3, 0}}};
 }
 // Viviani's: where a sphere of radius 2 meets a cylinder of radius 1. Closed, 4 pi long in t.
-inline Curve viviani() { return {{{{1, 0, 0}, 1, pi / 2}, {{0, 1, 0}, 1, 0}, {{0, 0, 2}, 0.5, 0}}}; }
+inline WaveCurve viviani() { return {{{{1, 0, 0}, 1, pi / 2}, {{0, 1, 0}, 1, 0}, {{0, 0, 2}, 0.5, 0}}}; }
 
 }  // namespace mv::test

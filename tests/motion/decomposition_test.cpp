@@ -28,7 +28,7 @@ double rebuildError(const mat4& m) {
 }
 
 // A dozen roundings of 1.1e-16: a matrix, its quaternion, and the matrix again
-constexpr double rounding = 4e-15;
+constexpr double dozenRoundings = 4e-15;
 
 TEST(Decompose, GivesThePartsThatWerePutTogether) {
     Random random(1);
@@ -39,9 +39,9 @@ TEST(Decompose, GivesThePartsThatWerePutTogether) {
         const mat4 m = composed({offset, turn, scales});
         const Decomposition parts = decompose(m);
         EXPECT_EQ(parts.translation, offset);
-        EXPECT_LT(angleBetween(parts.rotation, turn), degrees(rounding));
-        for (int k = 0; k < 3; ++k) EXPECT_NEAR(parts.scale[k] / scales[k], 1, rounding);
-        EXPECT_LT(rebuildError(m), rounding);
+        EXPECT_LT(angleBetween(parts.rotation, turn), degrees(dozenRoundings));
+        for (int k = 0; k < 3; ++k) EXPECT_NEAR(parts.scale[k] / scales[k], 1, dozenRoundings);
+        EXPECT_LT(rebuildError(m), dozenRoundings);
     }
 }
 
@@ -52,10 +52,10 @@ TEST(Decompose, GivesMirrorsBackAsTheSameMatrix) {
             const quat turn = quatFromAxis(random.number(0, 180), random.direction());
             const mat4 m = composed({random.point(1), turn, signs * vec3(1, 2, 3)});
             const vec3 scales = decompose(m).scale;
-            EXPECT_NEAR(scales.x, -1, rounding);
-            EXPECT_NEAR(scales.y, 2, rounding);
-            EXPECT_NEAR(scales.z, 3, 2 * rounding);
-            EXPECT_LT(rebuildError(m), rounding);
+            EXPECT_NEAR(scales.x, -1, dozenRoundings);
+            EXPECT_NEAR(scales.y, 2, dozenRoundings);
+            EXPECT_NEAR(scales.z, 3, 2 * dozenRoundings);
+            EXPECT_LT(rebuildError(m), dozenRoundings);
         }
     }
     // Two mirrors are half a turn.
@@ -76,10 +76,10 @@ TEST(Decompose, HandlesEveryScale) {
                 if (scales[k] == 0) {
                     EXPECT_EQ(parts.scale[k], 0);
                 } else {
-                    EXPECT_NEAR(parts.scale[k] / scales[k], 1, rounding);
+                    EXPECT_NEAR(parts.scale[k] / scales[k], 1, dozenRoundings);
                 }
             }
-            EXPECT_LT(rebuildError(m), rounding) << scales.x << " " << scales.y << " " << scales.z;
+            EXPECT_LT(rebuildError(m), dozenRoundings) << scales.x << " " << scales.y << " " << scales.z;
         }
     }
     EXPECT_EQ(decompose(mv::scale(0)).rotation, quat{});

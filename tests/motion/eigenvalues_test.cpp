@@ -16,7 +16,7 @@ using namespace mv::test;
 namespace {
 
 using Complex = std::complex<double>;
-using Values = std::vector<Complex>;
+using Eigenvalues = std::vector<Complex>;
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
@@ -24,11 +24,11 @@ struct Matrix {
     std::size_t n;
     std::vector<double> values = std::vector<double>(n * n);
     double& operator()(std::size_t row, std::size_t column) { return values[row * n + column]; }
-    Values found() const { return eigenvaluesOf(values, n); }
+    Eigenvalues found() const { return eigenvaluesOf(values, n); }
 };
 
 // The farthest that a value of one list is from its own in the other: each is taken once.
-double distance(const Values& one, Values other) {
+double distance(const Eigenvalues& one, Eigenvalues other) {
     EXPECT_EQ(one.size(), other.size());
     double most = 0;
     for (const Complex& value : one) {
@@ -42,7 +42,7 @@ double distance(const Values& one, Values other) {
 }
 
 // Blocks with these eigenvalues on a diagonal, each complex one with its conjugate, turned by reflections from both sides.
-Matrix turned(const Values& values, Random& random) {
+Matrix turned(const Eigenvalues& values, Random& random) {
     Matrix matrix{values.size()};
     for (std::size_t i = 0; i < matrix.n; ++i) {
         matrix(i, i) = values[i].real();
@@ -71,8 +71,8 @@ Matrix turned(const Values& values, Random& random) {
     return matrix;
 }
 
-Values somePairsAndReals(std::size_t n, Random& random) {
-    Values values;
+Eigenvalues somePairsAndReals(std::size_t n, Random& random) {
+    Eigenvalues values;
     while (values.size() < n) {
         const double real = random.number(-1, 1), imaginary = random.number(0.01, 1);
         if (values.size() + 1 < n && random.number(0, 1) < 0.5) {
@@ -93,7 +93,7 @@ TEST(Eigenvalues, AreThoseThatTheMatrixWasMadeOf) {
     Random random(11);
     for (const std::size_t n : {1U, 2U, 3U, 4U, 5U, 8U, 13U, 40U, 120U}) {
         for (int times = 0; times < (n < 20 ? 200 : 3); ++times) {
-            const Values values = somePairsAndReals(n, random);
+            const Eigenvalues values = somePairsAndReals(n, random);
             double largest = 0;
             for (const Complex& each : values) largest = std::max(largest, std::abs(each));
             EXPECT_LE(distance(values, turned(values, random).found()), 10 * double(n) * epsilon * largest) << n;
@@ -105,7 +105,7 @@ TEST(Eigenvalues, AreThoseThatTheMatrixWasMadeOf) {
 TEST(Eigenvalues, OfACycleAreTheRootsOfOne) {
     for (const std::size_t n : {3U, 4U, 5U, 12U}) {
         Matrix cycle{n};
-        Values roots;
+        Eigenvalues roots;
         for (std::size_t i = 0; i < n; ++i) {
             cycle(i, (i + 1) % n) = 1;
             roots.push_back(std::polar(1.0, 2 * pi * double(i) / double(n)));
@@ -119,7 +119,7 @@ TEST(Eigenvalues, OfACycleAreTheRootsOfOne) {
 TEST(Eigenvalues, DoNotFeelTheUnitsOfTheUnknowns) {
     Random random(3);
     for (int times = 0; times < 50; ++times) {
-        const Values values = somePairsAndReals(6, random);
+        const Eigenvalues values = somePairsAndReals(6, random);
         Matrix matrix = turned(values, random);
         for (std::size_t i = 0; i < 6; ++i) {
             for (std::size_t j = 0; j < 6; ++j)
@@ -135,7 +135,7 @@ TEST(Eigenvalues, DoNotFeelTheUnitsOfTheUnknowns) {
 TEST(Eigenvalues, OfManyFreeMassesAreZeros) {
     constexpr std::size_t masses = 70, held = 40;
     Random random(9);
-    Values squares(masses), expected(2 * (masses - held));
+    Eigenvalues squares(masses), expected(2 * (masses - held));
     for (std::size_t i = 0; i < held; ++i) {
         squares[i] = random.number(0.1, 1);
         expected.emplace_back(0, std::sqrt(squares[i].real()));
@@ -152,9 +152,9 @@ TEST(Eigenvalues, OfManyFreeMassesAreZeros) {
 
 TEST(Eigenvalues, OfNilpotentAndTriangularMatricesAreExact) {
     // Powers of it vanish: all zeros, where the cube root of a rounding would be 6e-6.
-    EXPECT_EQ(eigenvaluesOf({0, 0, 0, -0.6018, 0, 0, 1.8847, -1.4757, 0}, 3), Values(3));
-    EXPECT_EQ(eigenvaluesOf({0, 0, 0, 0}, 2), Values(2));
-    EXPECT_EQ(eigenvaluesOf({}, 0), Values());
+    EXPECT_EQ(eigenvaluesOf({0, 0, 0, -0.6018, 0, 0, 1.8847, -1.4757, 0}, 3), Eigenvalues(3));
+    EXPECT_EQ(eigenvaluesOf({0, 0, 0, 0}, 2), Eigenvalues(2));
+    EXPECT_EQ(eigenvaluesOf({}, 0), Eigenvalues());
     EXPECT_EQ(distance({3, -1, 0.5}, eigenvaluesOf({3, 7, -2, 0, -1, 9, 0, 0, 0.5}, 3)), 0);
 }
 
@@ -165,7 +165,7 @@ TEST(Eigenvalues, OfVeryLargeAndVerySmallElements) {
         const Matrix matrix = turned(somePairsAndReals(6, random), random);
         std::vector<double> scaled = matrix.values;
         for (double& each : scaled) each = std::ldexp(each, exponent);
-        Values found = eigenvaluesOf(scaled, 6);
+        Eigenvalues found = eigenvaluesOf(scaled, 6);
         for (Complex& each : found) each = {std::ldexp(each.real(), -exponent), std::ldexp(each.imag(), -exponent)};
         EXPECT_EQ(found, matrix.found());
     }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "math/support.h"
 #include "motion/arms.h"
 #include "mv/error.h"
 #include "mv/math/transform.h"
@@ -13,14 +14,6 @@ using namespace mv;
 using namespace mv::test;
 
 namespace {
-
-double largestDifference(const mat4& a, const mat4& b) {
-    double worst = 0;
-    for (int column = 0; column < 4; ++column) {
-        for (int row = 0; row < 4; ++row) worst = std::max(worst, std::abs(a[column][row] - b[column][row]));
-    }
-    return worst;
-}
 
 void build(const std::vector<Joint>& joints) { const JointTree tree(joints); }
 

@@ -13,11 +13,10 @@ namespace {
 
 constexpr std::array transports{Transport::reorthogonalize, Transport::project, Transport::rotate,
                                 Transport::doubleReflection};
-constexpr double rounding = 2e-15;  // a few of numbers of size 1, 1.1e-16 each
 
 // The angle by which Frenet's frame turns about the path from one parameter to the other, in degrees: the minimizing frame turns back
 // by that. Simpson's rule on 2000 intervals, off by 1e-11 of it here: another method than those under test.
-double totalTorsion(const Curve& curve, double from, double to) {
+double totalTorsion(const WaveCurve& curve, double from, double to) {
     const int intervals = 2000;
     const double step = (to - from) / intervals;
     double sum = curve.torsionRate(from) + curve.torsionRate(to);
@@ -25,12 +24,12 @@ double totalTorsion(const Curve& curve, double from, double to) {
     return degrees(sum * step / 3);
 }
 
-PathFrame frenetFrame(const Curve& curve, double t) {
+PathFrame frenetFrame(const WaveCurve& curve, double t) {
     return frameByAcceleration(curve.derivative(t, 1), curve.derivative(t, 2));
 }
 
 // The degrees by which the last frame is off that of Frenet's turned back, from many steps of one transport.
-double twistError(const Curve& curve, double from, double to, int intervals, Transport transport) {
+double twistError(const WaveCurve& curve, double from, double to, int intervals, Transport transport) {
     const auto samples = samplesOf(curve.path(), from, to, intervals);
     const auto frames = minimizingFrames(samples, frenetFrame(curve, from).up, transport);
     return closingAngle(rolled(frenetFrame(curve, to), -totalTorsion(curve, from, to)), frames.back());
@@ -70,7 +69,7 @@ TEST(MinimizingFrames, ErrorsFallByTheirOrders) {
 
 TEST(MinimizingFrames, TurnBackByTheTorsionOfAHelix) {
     const double radius = 2, rise = 0.7, turn = 5 * pi;
-    const Curve curve = helix(radius, rise);
+    const WaveCurve curve = helix(radius, rise);
     // Closed form: torsion rise/(radius^2 + rise^2) for each unit of length.
     const double speed = std::hypot(radius, rise), torsion = degrees(rise / (speed * speed) * speed * turn);
     EXPECT_NEAR(totalTorsion(curve, 0, turn), torsion, 1e-9);

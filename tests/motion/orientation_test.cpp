@@ -11,15 +11,13 @@ using namespace mv::test;
 
 namespace {
 
-// A few roundings of numbers of size 1, 1.1e-16 each: of sines and cosines, their products and sums.
-constexpr double rounding = 2e-15;
 // The same in degrees, 57.3 times as much.
 constexpr double degreeRounding = 60 * rounding;
 
 quat negated(const quat& q) { return {-q.w, -q.x, -q.y, -q.z}; }
 quat times(double factor, const quat& q) { return {factor * q.w, factor * q.x, factor * q.y, factor * q.z}; }
 
-double largestDifference(const quat& a, const quat& b) {
+double quatDifference(const quat& a, const quat& b) {
     return std::max({std::abs(a.w - b.w), std::abs(a.x - b.x), std::abs(a.y - b.y), std::abs(a.z - b.z)});
 }
 double dot(const quat& a, const quat& b) { return a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z; }
@@ -42,7 +40,7 @@ TEST(Quaternion, TurnsAsTheMatrixOfItsAxisAndAngle) {
         const quat q = quatFromAxis(angle, axis);
         EXPECT_NEAR(dot(q, q), 1, rounding);
         // rotate() has angles of up to 2 pi rad, whose rounding is that much larger
-        EXPECT_LT(mv::test::largestDifference(rotationMatrix(q), rotate(angle, axis)), 3 * rounding);
+        EXPECT_LT(largestDifference(rotationMatrix(q), rotate(angle, axis)), 3 * rounding);
     }
     EXPECT_EQ(quatFromAxis(0, {1, 2, 3}), quat{});
     EXPECT_EQ(quatFromAxis(180, {0, 2, 0}), (quat{0, 0, 1, 0}));
@@ -56,7 +54,7 @@ TEST(Quaternion, AndItsNegativeAreOneOrientation) {
     for (int i = 0; i < 200; ++i) {
         const quat q = randomOrientation(random);
         EXPECT_EQ(rotationMatrix(q), rotationMatrix(negated(q)));
-        EXPECT_LT(largestDifference(quatFromAxis(i + 360, {1, 2, 3}), negated(quatFromAxis(i, {1, 2, 3}))), rounding);
+        EXPECT_LT(quatDifference(quatFromAxis(i + 360, {1, 2, 3}), negated(quatFromAxis(i, {1, 2, 3}))), rounding);
         EXPECT_EQ(angleBetween(q, negated(q)), 0);
     }
 }
@@ -70,8 +68,8 @@ TEST(Quaternion, OfAnyLengthGivesTheSameOrthogonalMatrix) {
         EXPECT_LT(orthogonalityError(m), 4e-15);
         EXPECT_NEAR(glm::determinant(m), 1, 4e-15);
         for (const double size : {0x1p-1000, 0x1p-300, 0x1p300, 0x1p1000}) {
-            EXPECT_LT(mv::test::largestDifference(rotationMatrix(times(size, q)), m), rounding);
-            EXPECT_LT(largestDifference(times(size, q) * times(1 / size, q), q * q), rounding);
+            EXPECT_LT(largestDifference(rotationMatrix(times(size, q)), m), rounding);
+            EXPECT_LT(quatDifference(times(size, q) * times(1 / size, q), q * q), rounding);
             EXPECT_LT(angleBetween(times(size, q), q), degreeRounding);
         }
     }
@@ -83,7 +81,7 @@ TEST(Quaternion, ComesBackFromEveryRotationMatrix) {
             const quat q = quatFromAxis(angle, axis), back = quatFromMatrix(rotationMatrix(q));
             EXPECT_NEAR(dot(back, back), 1, rounding);
             EXPECT_GE(back.w, 0);
-            EXPECT_LT(std::min(largestDifference(back, q), largestDifference(back, negated(q))), rounding) << angle;
+            EXPECT_LT(std::min(quatDifference(back, q), quatDifference(back, negated(q))), rounding) << angle;
         }
     }
     // Half turns: of the two the one whose first component is positive
@@ -97,8 +95,8 @@ TEST(Quaternion, ProductIsTheMatricesProduct) {
     Random random(5);
     for (int i = 0; i < 300; ++i) {
         const quat a = randomOrientation(random), b = randomOrientation(random), c = randomOrientation(random);
-        EXPECT_LT(mv::test::largestDifference(rotationMatrix(a * b), rotationMatrix(a) * rotationMatrix(b)), rounding);
-        EXPECT_LT(largestDifference((a * b) * c, a * (b * c)), rounding);
+        EXPECT_LT(largestDifference(rotationMatrix(a * b), rotationMatrix(a) * rotationMatrix(b)), rounding);
+        EXPECT_LT(quatDifference((a * b) * c, a * (b * c)), rounding);
         const quat product = times(3, a) * times(5, b);
         EXPECT_NEAR(dot(product, product), 1, rounding);
     }
@@ -150,14 +148,14 @@ TEST(Slerp, BeginsAndEndsAtItsEnds) {
         const quat from = randomOrientation(random), to = randomOrientation(random);
         for (const Way way : {Way::shorter, Way::longer}) {
             // One division by a length of 1: an ulp
-            EXPECT_LT(largestDifference(slerp(from, to, 0, way), from), 2.3e-16);
+            EXPECT_LT(quatDifference(slerp(from, to, 0, way), from), 2.3e-16);
             const quat end = slerp(from, to, 1, way);
-            EXPECT_LT(std::min(largestDifference(end, to), largestDifference(end, negated(to))), 2.3e-16);
+            EXPECT_LT(std::min(quatDifference(end, to), quatDifference(end, negated(to))), 2.3e-16);
             // and without a jump there
-            EXPECT_LT(largestDifference(slerp(from, to, 1e-17, way), slerp(from, to, 0, way)), rounding);
-            EXPECT_LT(largestDifference(slerp(from, to, 1 - 0x1p-53, way), end), rounding);
+            EXPECT_LT(quatDifference(slerp(from, to, 1e-17, way), slerp(from, to, 0, way)), rounding);
+            EXPECT_LT(quatDifference(slerp(from, to, 1 - 0x1p-53, way), end), rounding);
         }
-        EXPECT_LT(largestDifference(slerp(from, from, 0.3), from), 2.3e-16);
+        EXPECT_LT(quatDifference(slerp(from, from, 0.3), from), 2.3e-16);
     }
 }
 
@@ -237,7 +235,7 @@ TEST(YawPitchRoll, IsTheProductOfTheThreeTurns) {
     for (int i = 0; i < 300; ++i) {
         const double yaw = random.number(-400, 400), pitch = random.number(-400, 400), roll = random.number(-400, 400);
         const quat q = quatFromYawPitchRoll(yaw, pitch, roll);
-        EXPECT_LT(mv::test::largestDifference(rotationMatrix(q), rotateY(yaw) * rotateX(pitch) * rotateZ(roll)),
+        EXPECT_LT(largestDifference(rotationMatrix(q), rotateY(yaw) * rotateX(pitch) * rotateZ(roll)),
                   // three times the angles' roundings of up to 2 pi rad
                   5 * rounding);
     }

@@ -11,8 +11,6 @@ using namespace mv::test;
 
 namespace {
 
-// A few roundings of numbers of size 1 (1.1e-16 each).
-constexpr double rounding = 2e-15;
 const vec3 gravity(0, -9.81, 0);
 
 mat3 axesOf(const PathFrame& frame) { return {frame.right, frame.up, -frame.forward}; }
@@ -83,7 +81,7 @@ TEST(TurnedTo, IsTheLeastTurn) {
 
 TEST(Banking, LeansByTheAngleOfTheFlatBend) {
     for (const double speed : {0.1, 5.0, 20.0, 100.0}) {
-        const Curve bend = circle(50, speed);
+        const WaveCurve bend = circle(50, speed);
         for (const double t : {0.0, 1.0, 7.3}) {
             const vec3 velocity = bend.derivative(t, 1), acceleration = bend.derivative(t, 2);
             const PathFrame banked = frameByBanking(velocity, acceleration, gravity);
@@ -103,7 +101,7 @@ TEST(Banking, LeansByTheAngleOfTheFlatBend) {
 }
 
 TEST(Samples, AreAtEqualStepsWithBothEnds) {
-    const Curve curve = trefoil();
+    const WaveCurve curve = trefoil();
     const auto samples = samplesOf(curve.path(), 0.1, 0.7, 3);
     ASSERT_EQ(samples.size(), 4u);
     for (const auto& [i, t] : {std::pair(0, 0.1), {1, 0.3}, {2, 0.5}, {3, 0.7}}) {
@@ -143,7 +141,7 @@ TEST(FramesByRule, AreTheFramesOfTheSamplesWhereNothingFails) {
 
 TEST(FramesByRule, TheSlidesRuleFlipsAtAnInflectionAndVanishesOnAStraight) {
     // The inflection at pi is between two samples; a level figure of eight, as a road is.
-    Curve road = eight();
+    WaveCurve road = eight();
     for (Wave& wave : road.waves) wave.amplitude = {wave.amplitude.x, 0, wave.amplitude.y};
     const auto samples = samplesOf(road.path(), 0.1, 6, 200);
     const auto slide = framesByAcceleration(samples);
@@ -167,7 +165,7 @@ TEST(FramesByRule, FixedUpTurnsOverInALoopAndBankingDoesNot) {
     // A vertical loop of radius 5, begun at its foot
     const double radius = 5;
     const auto loop = [&](double speed) {
-        return Curve{{{{0, -radius, 0}, speed / radius, pi / 2}, {{radius, 0, 0}, speed / radius, 0}}};
+        return WaveCurve{{{{0, -radius, 0}, speed / radius, pi / 2}, {{radius, 0, 0}, speed / radius, 0}}};
     };
     const double fast = 12, lap = 2 * pi * radius / fast;
     const auto samples = samplesOf(loop(fast).path(), 0, lap, 101);

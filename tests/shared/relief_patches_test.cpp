@@ -20,7 +20,7 @@ using namespace mv::test;
 
 namespace {
 
-constexpr ReliefBody bodies[] = {ReliefBody::wall, ReliefBody::orange};
+constexpr ReliefBody patchBodies[] = {ReliefBody::wall, ReliefBody::orange};
 
 // A point of a patch, moved by a part of the depth, as the shader moves it.
 vec3 movedPoint(const Relief& relief, const ReliefPatch& patch, double u, double v, double part) {
@@ -33,7 +33,7 @@ vec3 movedPoint(const Relief& relief, const ReliefPatch& patch, double u, double
 
 // Each edge within the surface belongs to two patches, with the same bits in both; the orange has no others.
 TEST(ReliefPatches, share_their_corners) {
-    for (const ReliefBody body : bodies) {
+    for (const ReliefBody body : patchBodies) {
         std::map<std::array<double, 6>, int> edges;
         const auto patches = reliefPatches(body);
         EXPECT_EQ(patches.size(), 96);
@@ -57,7 +57,7 @@ TEST(ReliefPatches, share_their_corners) {
 }
 
 TEST(ReliefPatches, are_cut_on_the_smooth_surface) {
-    for (const ReliefBody body : bodies) {
+    for (const ReliefBody body : patchBodies) {
         for (const int cells : {1, 3, 16}) {
             const MeshData mesh = cutPatches(body, cells);
             validate(mesh);
@@ -135,7 +135,7 @@ TEST(ReliefPatches, what_is_left_out_is_not_seen) {
 }
 
 TEST(ReliefPatches, neighbours_agree_on_levels) {
-    for (const ReliefBody body : bodies) {
+    for (const ReliefBody body : patchBodies) {
         std::map<std::array<double, 6>, double> levelOf;
         LevelRule rule{.fineness = 100, .eye = vec3(0.1, 0.2, 1.5)};
         for (const ReliefPatch& patch : reliefPatches(body)) {
@@ -163,7 +163,7 @@ TEST(ReliefPatches, neighbours_agree_on_levels) {
 
 // Between texels heights are off by the second derivative times the square of a texel.
 TEST(ReliefPatches, finer_maps_are_nearer) {
-    for (const ReliefBody body : bodies) {
+    for (const ReliefBody body : patchBodies) {
         const double ratio = heightMapError({body}, 256) / heightMapError({body}, 512);
         EXPECT_NEAR(ratio, 4, 0.8) << "the next term is smaller by as much again";
     }

@@ -14,7 +14,8 @@ constexpr int candidates = 40;
 
 class Builder {
   public:
-    Builder(const std::vector<int>& levels, const Row& usual, const std::function<bool(const Row&)>& allowed)
+    Builder(const std::vector<int>& levels, const CoveringRow& usual,
+            const std::function<bool(const CoveringRow&)>& allowed)
         : levels_(levels), usual_(usual), allowed_(allowed) {
         int values = 0;
         for (const int count : levels) {
@@ -28,10 +29,10 @@ class Builder {
     CoveringArray build() {
         CoveringArray result;
         while (const std::optional<ValuePair> pair = busiestOpen()) {
-            Row best;
+            CoveringRow best;
             int most = 0;
             for (int i = 0; i < candidates; ++i) {
-                const std::optional<Row> row = candidate(*pair);
+                const std::optional<CoveringRow> row = candidate(*pair);
                 const int gain = row ? openPairs(*row) : 0;
                 if (gain > most) {
                     most = gain;
@@ -54,7 +55,7 @@ class Builder {
     }
 
   private:
-    static int at(const Row& row, int factor) { return row[static_cast<std::size_t>(factor)]; }
+    static int at(const CoveringRow& row, int factor) { return row[static_cast<std::size_t>(factor)]; }
     int factors() const { return static_cast<int>(levels_.size()); }
     // std's distributions differ from library to library.
     int random(int count) { return static_cast<int>(random_() % static_cast<unsigned>(count)); }
@@ -88,7 +89,7 @@ class Builder {
         if (busiest.empty()) return {};
         return busiest[static_cast<std::size_t>(random(static_cast<int>(busiest.size())))];
     }
-    int openPairs(const Row& row) const {
+    int openPairs(const CoveringRow& row) const {
         int count = 0;
         for (int a = 0; a < factors(); ++a) {
             for (int b = a + 1; b < factors(); ++b) count += isOpen(a, at(row, a), b, at(row, b));
@@ -98,8 +99,8 @@ class Builder {
 
     // A row with the pair in it: factor after factor, each with the value that covers most with those before it. Where
     // that row is not allowed, one factor after the other becomes usual until it is.
-    std::optional<Row> candidate(const ValuePair& pair) {
-        Row row = usual_;
+    std::optional<CoveringRow> candidate(const ValuePair& pair) {
+        CoveringRow row = usual_;
         row[static_cast<std::size_t>(pair.factorA)] = pair.valueA;
         row[static_cast<std::size_t>(pair.factorB)] = pair.valueB;
         std::vector<int> order(levels_.size());
@@ -134,8 +135,8 @@ class Builder {
     }
 
     const std::vector<int>& levels_;
-    const Row& usual_;
-    const std::function<bool(const Row&)>& allowed_;
+    const CoveringRow& usual_;
+    const std::function<bool(const CoveringRow&)>& allowed_;
     std::vector<int> first_;  // the number of each factor's first value, counting all values
     std::vector<std::vector<bool>> open_;
     std::mt19937 random_{1};
@@ -143,8 +144,8 @@ class Builder {
 
 }  // namespace
 
-CoveringArray coveringArray(const std::vector<int>& levels, const Row& usual,
-                            const std::function<bool(const Row&)>& allowed) {
+CoveringArray coveringArray(const std::vector<int>& levels, const CoveringRow& usual,
+                            const std::function<bool(const CoveringRow&)>& allowed) {
     return Builder(levels, usual, allowed).build();
 }
 

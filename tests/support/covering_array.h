@@ -7,7 +7,7 @@
 namespace mv::test {
 
 // One value for each factor, counted from 0.
-using Row = std::vector<int>;
+using CoveringRow = std::vector<int>;
 
 struct ValuePair {
     int factorA, valueA, factorB, valueB;
@@ -27,7 +27,7 @@ void forEachPair(const std::vector<int>& levels, Action action) {
 }
 
 struct CoveringArray {
-    std::vector<Row> rows;           // each is allowed
+    std::vector<CoveringRow> rows;   // each is allowed
     std::vector<ValuePair> refused;  // pairs for which no allowed row was found; `usual` with the pair in it is refused
 };
 
@@ -35,7 +35,7 @@ struct CoveringArray {
 // number of values of factor i, and `usual` a row of ordinary values, which is allowed. Always the same for the same
 // arguments. At least two factors.
 // Greedy, after Cohen, Dalal, Fredman and Patton, "The AETG system" (IEEE Trans. Softw. Eng. 23, 1997).
-CoveringArray coveringArray(const std::vector<int>& levels, const Row& usual,
-                            const std::function<bool(const Row&)>& allowed);
+CoveringArray coveringArray(const std::vector<int>& levels, const CoveringRow& usual,
+                            const std::function<bool(const CoveringRow&)>& allowed);
 
 }  // namespace mv::test

@@ -9,13 +9,13 @@ using namespace mv::test;
 
 namespace {
 
-int at(const Row& row, int factor) { return row[static_cast<std::size_t>(factor)]; }
+int at(const CoveringRow& row, int factor) { return row[static_cast<std::size_t>(factor)]; }
 
-bool has(const Row& row, const ValuePair& pair) {
+bool has(const CoveringRow& row, const ValuePair& pair) {
     return at(row, pair.factorA) == pair.valueA && at(row, pair.factorB) == pair.valueB;
 }
 
-bool everything(const Row&) { return true; }
+bool everything(const CoveringRow&) { return true; }
 
 std::vector<int> levelsOf(std::initializer_list<std::pair<int, int>> factorsByLevel) {
     std::vector<int> levels;
@@ -25,7 +25,7 @@ std::vector<int> levelsOf(std::initializer_list<std::pair<int, int>> factorsByLe
 }
 
 CoveringArray coverAll(const std::vector<int>& levels) {
-    return coveringArray(levels, Row(levels.size(), 0), everything);
+    return coveringArray(levels, CoveringRow(levels.size(), 0), everything);
 }
 
 }  // namespace
@@ -36,11 +36,11 @@ TEST(CoveringArray, has_every_pair) {
         const CoveringArray array = coverAll(levels);
         EXPECT_TRUE(array.refused.empty());
         forEachPair(levels, [&](const ValuePair& pair) {
-            EXPECT_TRUE(
-                std::any_of(array.rows.begin(), array.rows.end(), [&](const Row& row) { return has(row, pair); }))
+            EXPECT_TRUE(std::any_of(array.rows.begin(), array.rows.end(),
+                                    [&](const CoveringRow& row) { return has(row, pair); }))
                 << "factor " << pair.factorA << " = " << pair.valueA << ", " << pair.factorB << " = " << pair.valueB;
         });
-        for (const Row& row : array.rows) {
+        for (const CoveringRow& row : array.rows) {
             ASSERT_EQ(row.size(), levels.size());
             for (std::size_t i = 0; i < row.size(); ++i) {
                 EXPECT_GE(row[i], 0);
@@ -73,15 +73,15 @@ TEST(CoveringArray, has_few_rows) {
 // A pair that is not allowed is in no row, and in `refused` where the pair itself is to blame; every other pair is covered.
 TEST(CoveringArray, keeps_to_what_is_allowed) {
     const std::vector<int> levels(6, 3);
-    const Row usual(6, 1);
-    const auto allowed = [](const Row& row) {
+    const CoveringRow usual(6, 1);
+    const auto allowed = [](const CoveringRow& row) {
         return !(row[0] == 2 && row[3] == 0) && row[1] + row[2] + row[4] < 6 && row[5] + row[1] < 4;
     };
     const CoveringArray array = coveringArray(levels, usual, allowed);
-    for (const Row& row : array.rows) EXPECT_TRUE(allowed(row));
+    for (const CoveringRow& row : array.rows) EXPECT_TRUE(allowed(row));
     forEachPair(levels, [&](const ValuePair& pair) {
         const bool covered =
-            std::any_of(array.rows.begin(), array.rows.end(), [&](const Row& row) { return has(row, pair); });
+            std::any_of(array.rows.begin(), array.rows.end(), [&](const CoveringRow& row) { return has(row, pair); });
         const bool impossible = (pair.factorA == 0 && pair.factorB == 3 && pair.valueA == 2 && pair.valueB == 0) ||
                                 (pair.factorA == 1 && pair.factorB == 5 && pair.valueA == 2 && pair.valueB == 2);
         const bool refused = std::any_of(array.refused.begin(), array.refused.end(), [&](const ValuePair& other) {

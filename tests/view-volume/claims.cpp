@@ -21,6 +21,7 @@
 #include <string>
 #include <vector>
 
+#include "math/support.h"
 #include "mv/geometry/ray_caster.h"
 #include "mv/math/projection.h"
 #include "mv/math/shadow.h"
@@ -275,18 +276,6 @@ TEST(ViewVolume, parameters_never_cancel) {
     EXPECT_NE(run.messages()[0].find("cancelled to 0 in float"), std::string::npos);
     EXPECT_THROW(run.demo().values(), Error);
 }
-
-namespace {
-
-double largestDifference(const mat4& a, const mat4& b) {
-    double most = 0;
-    for (int column = 0; column < 4; ++column) {
-        for (int row = 0; row < 4; ++row) most = std::max(most, std::abs(a[column][row] - b[column][row]));
-    }
-    return most;
-}
-
-}  // namespace
 
 TEST(ViewVolume, onto_a_plane) {
     view_volume::Settings s;

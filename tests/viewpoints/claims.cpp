@@ -20,6 +20,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <set>
 
+#include "math/support.h"
 #include "mv/math/projection.h"
 #include "mv/math/transform.h"
 #include "support/demo_run.h"
@@ -73,14 +74,6 @@ Pair original(int view, double degrees, double h) {
         default:
             return car(look({2, 20, 5 + h}, {2, 0, 2}));
     }
-}
-
-double largestDifference(const mat4& a, const mat4& b) {
-    double most = 0;
-    for (int column = 0; column < 4; ++column) {
-        for (int row = 0; row < 4; ++row) most = std::max(most, std::abs(a[column][row] - b[column][row]));
-    }
-    return most;
 }
 
 // The place of a point of the world in the picture, -1 to 1 across and upwards.

@@ -216,14 +216,14 @@ class Settings {
     }
 
     const std::vector<int>& levels() const { return levels_; }
-    const Row& usual() const { return usual_; }
+    const CoveringRow& usual() const { return usual_; }
 
-    void strike(const Row& row) {
+    void strike(const CoveringRow& row) {
         for (std::size_t i = 0; i < row.size(); ++i) {
             demo_.knobs()[i]->parse(values_[i][static_cast<std::size_t>(row[i])]);
         }
     }
-    bool allowed(const Row& row) {
+    bool allowed(const CoveringRow& row) {
         strike(row);
         try {
             demo_.check();
@@ -232,8 +232,8 @@ class Settings {
             return false;
         }
     }
-    Row usualWith(const ValuePair& pair) const {
-        Row row = usual_;
+    CoveringRow usualWith(const ValuePair& pair) const {
+        CoveringRow row = usual_;
         row[static_cast<std::size_t>(pair.factorA)] = pair.valueA;
         row[static_cast<std::size_t>(pair.factorB)] = pair.valueB;
         return row;
@@ -243,15 +243,15 @@ class Settings {
     Demo& demo_;
     std::vector<std::vector<std::string>> values_;
     std::vector<int> levels_;
-    Row usual_;
+    CoveringRow usual_;
 };
 
 // The settings of one row after the other, with their readouts, and then in reverse, without: each has the same bytes both times,
 // whatever was drawn or measured before it. What a demo keeps from frame to frame and should not have kept shows where
 // neighbours differ by one knob.
-void visitBothWays(Settings& settings, const std::vector<Row>& rows) {
+void visitBothWays(Settings& settings, const std::vector<CoveringRow>& rows) {
     std::vector<std::optional<Picture>> pictures;
-    for (const Row& row : rows) {
+    for (const CoveringRow& row : rows) {
         settings.strike(row);
         pictures.push_back(drawnOnce(1, true));
     }
@@ -268,8 +268,8 @@ TEST_P(Visits, pairs_of_ends) {
     if (sanitized) return;
     DemoRun run(GetParam(), 64, 48);
     Settings settings(run.demo());
-    const CoveringArray array =
-        coveringArray(settings.levels(), settings.usual(), [&](const Row& row) { return settings.allowed(row); });
+    const CoveringArray array = coveringArray(settings.levels(), settings.usual(),
+                                              [&](const CoveringRow& row) { return settings.allowed(row); });
     visitBothWays(settings, array.rows);
     for (const ValuePair& pair : array.refused) {
         settings.strike(settings.usualWith(pair));
@@ -278,10 +278,10 @@ TEST_P(Visits, pairs_of_ends) {
     std::printf("%s: %zu knobs, %zu settings, %zu pairs refused\n", GetParam().c_str(), settings.levels().size(),
                 array.rows.size(), array.refused.size());
     if (!isLong()) return;
-    std::set<Row> rows;  // without those that come again: a pair of initial values is all of them
+    std::set<CoveringRow> rows;  // without those that come again: a pair of initial values is all of them
     int refused = 0;
     forEachPair(settings.levels(), [&](const ValuePair& pair) {
-        const Row row = settings.usualWith(pair);
+        const CoveringRow row = settings.usualWith(pair);
         if (settings.allowed(row)) {
             rows.insert(row);
         } else {
