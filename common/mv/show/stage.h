@@ -119,6 +119,7 @@ class Stage {
     void refine(const FrameInfo& frame, bool onlyNext);
     bool drawFront(int index, bool readouts, bool onlyNextPass);
     Drawn drawInto(const Target& target, int index, FrameMode mode, bool onlyNextPass = false);
+    // With `beginsSteps`, which is called before the demo's first call, the frame may be stopped, and errors of OpenGL's are passed over.
     Drawn paint(Demo& demo, const Target& target, int index, FrameMode mode,
                 const std::function<void()>& beginsSteps) const;
     FrameSteps stepsOf(const Target& target, int index, int stopAfter);
