@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bump-map.h"
+#include "mv/demo/cached.h"
 #include "mv/demo/lesson.h"
 #include "mv/math/color.h"
 #include "shared/in_rows.h"
@@ -79,6 +80,8 @@ class Seen {
         return means;
     }
 
+    bool operator==(const Seen&) const = default;
+
   private:
     double mean(int column, int row, int side) const {
         if (!counts(column + 0.5, row + 0.5)) return -1;
@@ -124,14 +127,18 @@ std::vector<double> errorNow(Probing& probing) {
     const std::vector<float> shown = probing.measured(width, height);
     if (shown.empty()) return {};
     const Seen seen(s, {probing.frame().index(), width, height});
-    return rmsOfShown(shown, seen.means(2));
+    static Cached<std::vector<double>, Seen> kept;
+    return rmsOfShown(shown, kept.of({seen}, [&] { return seen.means(2); }));
 }
 
 // How far the normals of the normal map are from the true ones, before any filter: the root mean square, in degrees.
 std::vector<double> errorOfMap(Probing& probing) {
     const auto s = settingsOf<Settings>(probing.demo());
     if (!isMeasured(s)) return {};
-    return {normalMapError({s.body, s.depth}, s.mapSize, s.texels == Kept::bytes)};
+    static Cached<double, ReliefBody, double, int, Kept> kept;
+    return {kept.of({s.body, s.depth, s.mapSize, s.texels}, [&] {
+        return normalMapError({s.body, s.depth}, s.mapSize, s.texels == Kept::bytes);
+    })};
 }
 
 Study study() {

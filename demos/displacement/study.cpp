@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "displacement.h"
+#include "mv/demo/cached.h"
 #include "mv/demo/lesson.h"
 #include "mv/gl/functions.h"
 #include "shared/relief_rays.h"
@@ -116,7 +117,8 @@ std::vector<double> holesNow(Probing& probing) {
 std::vector<double> errorOfMap(Probing& probing) {
     const auto s = settingsOf<Settings>(probing.demo());
     if (s.method == Method::prepared) return {};
-    return {1000 * heightMapError({s.body, s.depth}, s.mapSize)};
+    static Cached<double, ReliefBody, double, int> kept;
+    return {1000 * kept.of({s.body, s.depth, s.mapSize}, [&] { return heightMapError({s.body, s.depth}, s.mapSize); })};
 }
 
 Study study() {

@@ -40,7 +40,7 @@ vec3 wallColor(const vec3& point) {
     return color * (0.8 + 0.2 * tiles(point.x, point.y));
 }
 
-// A sum of octaves about 0.5. The centre is the seed.
+// A sum of octaves about 0.5, in 0..1. The centre is the seed.
 double cloudNoise(const vec3& point, int octaves) {
     return patternAt(PatternPlace{Pattern::noise, octaves, 0, {31.5, 7.25, 12.75}}, point);
 }
@@ -109,11 +109,17 @@ vec3 skyAlong(const vec3& direction) {
         light = glm::mix(light, vec3(0.97, 0.97, 0.98), cover);
     }
     light = glm::mix(light, vec3(1, 0.98, 0.88), smooth(0.9965, 0.9985, toSun));
-    // Two rows of hills, and the ground before them
-    const double far = 0.03 + 0.12 * cloudNoise(2.0 * level, 3), near = -0.03 + 0.10 * cloudNoise(3.0 * level + 7.0, 3);
-    light = glm::mix(light, vec3(0.55, 0.63, 0.66), smooth(far + 0.006, far - 0.006, way.y));
-    const vec3 ground = glm::mix(vec3(0.62, 0.58, 0.40), vec3(0.44, 0.40, 0.28), smooth(0, 0.6, -way.y));
-    light = glm::mix(light, ground * (0.8 + 0.4 * cloudNoise(6.0 * way, 3)), smooth(near + 0.006, near - 0.006, way.y));
+    // Two rows of hills, and the ground before them: none is higher, or lower, than its noise can be
+    if (way.y < 0.16) {
+        const double far = 0.03 + 0.12 * cloudNoise(2.0 * level, 3);
+        light = glm::mix(light, vec3(0.55, 0.63, 0.66), smooth(far + 0.006, far - 0.006, way.y));
+    }
+    if (way.y < 0.08) {
+        const double near = -0.03 + 0.10 * cloudNoise(3.0 * level + 7.0, 3);
+        const vec3 ground = glm::mix(vec3(0.62, 0.58, 0.40), vec3(0.44, 0.40, 0.28), smooth(0, 0.6, -way.y));
+        light =
+            glm::mix(light, ground * (0.8 + 0.4 * cloudNoise(6.0 * way, 3)), smooth(near + 0.006, near - 0.006, way.y));
+    }
     return glm::clamp(light, vec3(0), vec3(1));
 }
 

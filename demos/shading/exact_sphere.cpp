@@ -6,11 +6,12 @@
 
 namespace mv::shading {
 
-ExactSphere::ExactSphere(const Settings& s, const FrameInfo& frame)
-    : scene_(sceneOf(s, frame)),
-      worldFromClip_(glm::inverse(scene_.clipFromWorld())),
-      eye_(glm::inverse(scene_.viewFromWorld)[3]),
-      lamp_(scene_.lights.front().position),
+ExactSphere::ExactSphere(const Settings& s, const FrameInfo& frame) : ExactSphere(s, sceneOf(s, frame)) {}
+
+ExactSphere::ExactSphere(const Settings& s, const Scene& scene)
+    : worldFromClip_(glm::inverse(scene.clipFromWorld())),
+      eye_(glm::inverse(scene.viewFromWorld)[3]),
+      lamp_(scene.lights.front().position),
       lobe_(materialOf(s.material).isBrushed ? Lobe::brushed : s.lobe),
       part_(materialOf(s.material).highlight),
       exponent_(s.exponent) {}

@@ -16,12 +16,14 @@ class ExactSphere {
     // sphere, or within a seventh of its radius of the outline, where a coarse mesh has none of it.
     std::vector<double> picture(int width, int height, int side) const;
 
+    bool operator==(const ExactSphere&) const = default;
+
   private:
+    ExactSphere(const Settings& s, const Scene& scene);
     // x and y from -1 to 1 over the picture.
     std::optional<double> at(double x, double y) const;
     double pixel(int column, int row, int width, int height, int side) const;
 
-    Scene scene_;
     mat4 worldFromClip_;
     vec3 eye_, lamp_;
     Lobe lobe_;

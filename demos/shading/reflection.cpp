@@ -1,6 +1,7 @@
 #include "reflection.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -29,19 +30,25 @@ double brushed(const vec3& n, const vec3& l, const vec3& v, double exponent) {
 }
 
 // The sum of a highlight over the directions above the surface. The sum takes rings about the mirrored direction, whose
-// radii grow as the square of their number, so that the rings of a narrow highlight are narrow.
+// radii grow as the square of their number, so that the rings of a narrow highlight are narrow. Half of each ring is enough: the other
+// half is its mirror image.
 double sumOf(Lobe lobe, double exponent, double angle) {
-    constexpr int rings = 128, parts = 32;
+    constexpr int rings = 128, parts = 16;
     const vec3 n(0, 0, 1), l(-std::sin(radians(angle)), 0, std::cos(radians(angle)));
     const vec3 mirrored(-l.x, 0, l.z), side(0, 1, 0), third = glm::cross(side, mirrored);
+    std::array<vec3, parts> ways;
+    for (int j = 0; j < parts; ++j) {
+        const double turn = pi * (j + 0.5) / parts;
+        ways[std::size_t(j)] = std::cos(turn) * third + std::sin(turn) * side;
+    }
     double sum = 0;
     for (int i = 0; i < rings; ++i) {
         const double part = (i + 0.5) / rings, away = pi * part * part, width = 2 * pi * part / rings;
-        for (int j = 0; j < parts; ++j) {
-            const double turn = 2 * pi * (j + 0.5) / parts;
-            const vec3 v =
-                std::cos(away) * mirrored + std::sin(away) * (std::cos(turn) * side + std::sin(turn) * third);
-            if (v.z > 0) sum += highlight(lobe, n, l, v, exponent) * std::sin(away) * width * 2 * pi / parts;
+        const vec3 middle = std::cos(away) * mirrored;
+        const double radius = std::sin(away), area = radius * width * 2 * pi / parts;
+        for (const vec3& way : ways) {
+            const vec3 v = middle + radius * way;
+            if (v.z > 0) sum += highlight(lobe, n, l, v, exponent) * area;
         }
     }
     return sum;

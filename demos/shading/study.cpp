@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "exact_sphere.h"
+#include "mv/demo/cached.h"
 #include "mv/demo/lesson.h"
 #include "shading.h"
 #include "shared/seen_pixels.h"
@@ -66,8 +67,10 @@ std::optional<Spots> spots(Probing& probing) {
     const auto measured = probing.measured(width, height);
     if (measured.empty()) return {};
     const FrameInfo frame(probing.frame().index(), width, height);
-    // A quarter of the study's rays: a window asks in each frame.
-    const auto exact = ExactSphere(s, frame).picture(width, height, 4);
+    // A quarter of the study's rays, and kept while the sphere rests: a window asks in each frame.
+    static Cached<std::vector<double>, ExactSphere> kept;
+    const ExactSphere sphere(s, frame);
+    const std::vector<double>& exact = kept.of({sphere}, [&] { return sphere.picture(width, height, 4); });
     const Spots both{spotOf({measured.begin(), measured.end()}, exact, width), spotOf(exact, exact, width)};
     if (both.exact.energy == 0) return {};
     return both;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mv/demo/cached.h"
 #include "mv/demo/demo.h"
 #include "shared/lit_reference.h"
 
@@ -22,7 +23,10 @@ std::optional<FalseShadows> falseShadows(Probing& probing, const Scene& scene) {
     const std::vector<float> drawn = probing.measured(width, height, Camera{scene.viewFromWorld, scene.clipFromView});
     if (drawn.empty()) return {};
 
-    const Reference right = litReference(scene, FrameInfo(picture.index(), width, height), {}, {});
+    // Kept while the scene rests: how its shadows are drawn changes nothing of it.
+    static Cached<Reference, Scene, int, int> rays;
+    const Reference& right = rays.of(
+        {scene, width, height}, [&] { return litReference(scene, FrameInfo(picture.index(), width, height), {}, {}); });
     FalseShadows result;
     long dark = 0, lit = 0;
     for (std::size_t i = 0; i < drawn.size(); ++i) {

@@ -19,6 +19,8 @@ struct Relief {
     // Its heights, where there is one, stand for the bricks or the peel: a map as paintedMap() makes them, which is
     // read between its texels as a GPU reads it. The map is the caller's, and outlives this.
     const FloatPicture* own = nullptr;
+
+    bool operator==(const Relief&) const = default;
 };
 
 // The smooth surface at a point of it, or above or below one: there all is as at the nearest one.

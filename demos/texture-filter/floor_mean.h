@@ -24,6 +24,8 @@ class FloorMean {
     // Of all pixels, the upper row first; -1 where a pixel does not count.
     std::vector<double> picture(int side, const std::function<void(double)>& progress) const;
 
+    bool operator==(const FloorMean&) const = default;
+
   private:
     std::size_t texelOf(double repeats) const;
 

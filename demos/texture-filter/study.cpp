@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "floor_mean.h"
+#include "mv/demo/cached.h"
 #include "mv/demo/lesson.h"
 #include "shared/seen_pixels.h"
 #include "texture-filter.h"
@@ -41,7 +42,9 @@ std::vector<double> errorNow(Probing& probing) {
     const std::vector<float> shown = probing.measured(width, height);
     if (shown.empty()) return {};
     const FloorMean floor(settingsOf<Settings>(probing.demo()), {probing.frame().index(), width, height});
-    return rmsOfShown(shown, floor.picture(16, {}));
+    // Kept while the floor rests: how its texture is looked up changes nothing of it.
+    static Cached<std::vector<double>, FloorMean> kept;
+    return rmsOfShown(shown, kept.of({floor}, [&] { return floor.picture(16, {}); }));
 }
 
 Study study() {

@@ -1,8 +1,8 @@
 // The smallest box along the axes that holds some points.
 #pragma once
-#include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
 
 #include "mv/geometry/mesh_data.h"
 
@@ -14,8 +14,8 @@ struct Bounds {
 
     void add(const vec3& point) { add(Bounds{point, point}); }
     void add(const Bounds& other) {
-        low = {std::min(low.x, other.low.x), std::min(low.y, other.low.y), std::min(low.z, other.low.z)};
-        high = {std::max(high.x, other.high.x), std::max(high.y, other.high.y), std::max(high.z, other.high.z)};
+        low = glm::min(low, other.low);
+        high = glm::max(high, other.high);
     }
     vec3 middle() const { return 0.5 * low + 0.5 * high; }
     // Corner i is at the high end of x, y, z where bits 0, 1, 2 of i are set.
