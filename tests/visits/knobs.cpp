@@ -17,6 +17,7 @@ struct Tried {
     std::set<std::string> sentences;
 };
 
+// Each is drawn once: `pairs_of_ends` draws each twice.
 Tried visitEnds(DemoRun& run) {
     Tried tried;
     // By index: a range-for over make()->knobs() would read a dead temporary; here the stage keeps the demo alive.
@@ -29,7 +30,7 @@ Tried visitEnds(DemoRun& run) {
             EXPECT_EQ(knob->text(), value);
             ++tried.cases;
             if (run.refusal().empty()) {
-                visitScene(knob->name() + " = " + value);
+                visitScene(knob->name() + " = " + value, Times::once);
                 for (const std::string& message : run.messages()) tried.sentences.insert(message);
             } else {
                 ++tried.refused;

@@ -8,8 +8,8 @@
 namespace mv::test {
 namespace {
 
-// The pictures of a user who plays with each knob: one after the other, each knob at each of its ends, and between them the demo
-// as it opens, with its readouts once a round. Frames are numbered on, as in a window; but of a demo that remembers each
+// The pictures of a user who plays with each knob: one after the other, each knob at each of its ends while the others are as the demo
+// opens, and then the demo as it opens, with its readouts. Frames are numbered on, as in a window; but of a demo that remembers each
 // round begins with frame 1, since a knob that has moved leads it through all frames before the one that is asked for.
 class Rounds {
   public:
@@ -24,9 +24,8 @@ class Rounds {
                     drawNext();
                 } catch (const Error&) {  // refused by check(), which other tests look at
                 }
-                knob->parse(before);
-                drawNext();
             }
+            knob->parse(before);
         }
         drawNext(true);
         // The past of a demo with a memory is kept, a bounded number of frames of it (Timeline's own test).
@@ -48,7 +47,7 @@ class Rounds {
 // Two rounds fill whatever is kept. After them none ends with more GL objects (there are fewer where a frame has fewer words), nor with
 // more bytes but for what vectors keep in reserve: at most 8 a frame, where the smallest thing that is forgotten in each is of 24.
 TEST_P(Visits, memory_stays) {
-    const int frames = isLong() ? 5000 : 200;
+    const int frames = isLong() ? 5000 : 100;
     // A picture that the processor computes is small here: how much is kept does not grow from frame to frame with its size.
     const int by = hasPasses(findDemo(GetParam())) ? 4 : 1;
     DemoRun run(GetParam(), 64 / by, 48 / by);

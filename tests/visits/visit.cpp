@@ -40,10 +40,10 @@ std::optional<Picture> drawnOnce(int frame, bool readouts) {
     }
 }
 
-std::optional<Picture> visit(int frame) {
+std::optional<Picture> visit(int frame, Times times) {
     SCOPED_TRACE(presentCommand(frame));
-    std::optional<Picture> first = drawnOnce(frame, sanitized);
-    if (first && !sanitized) {
+    std::optional<Picture> first = drawnOnce(frame, times == Times::once);
+    if (first && times == Times::twice) {
         EXPECT_EQ(drawnOnce(frame, true), first) << "another picture the second time, when its readouts are measured";
     }
     return first;
@@ -60,9 +60,9 @@ std::string visitRefused(DemoRun& run) {
     return refusal;
 }
 
-std::optional<Picture> visitScene(const std::string& setting) {
+std::optional<Picture> visitScene(const std::string& setting, Times times) {
     SCOPED_TRACE(setting);
-    std::optional<Picture> picture = visit();
+    std::optional<Picture> picture = visit(1, times);
     if (picture && !sanitized) {
         EXPECT_GT(countColors(*picture, 2), 1)
             << "one colour: a useless setting; saved " << saveFailure("visits", *picture);

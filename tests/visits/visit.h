@@ -18,11 +18,12 @@ class Visits : public testing::TestWithParam<std::string> {};
 // - each readout, each matrix shown and each count is finite;
 // - one that is refused, is so by draw(), too, in a sentence with the flag of a knob and a rule.
 // Returns the picture; nothing where the state is refused, or fails. (Under the sanitizers it is drawn once, with its readouts.)
-std::optional<Picture> visit(int frame = 1);
+enum class Times { once, twice };
+std::optional<Picture> visit(int frame = 1, Times times = sanitized ? Times::once : Times::twice);
 // The same of a state that is to be refused; returns the sentence.
 std::string visitRefused(DemoRun& run);
 // And there is something to see in it.
-std::optional<Picture> visitScene(const std::string& setting);
+std::optional<Picture> visitScene(const std::string& setting, Times times = sanitized ? Times::once : Times::twice);
 // One drawing of it alone, with or without its readouts; nothing, and a test failure, where it throws.
 std::optional<Picture> drawnOnce(int frame, bool readouts);
 
