@@ -17,7 +17,7 @@ struct Tried {
     std::set<std::string> sentences;
 };
 
-// Each is drawn once: `pairs_of_ends` draws each twice.
+// Each is drawn once: `pairs_of_ends` draws each twice, but for those that cost seconds.
 Tried visitEnds(DemoRun& run) {
     Tried tried;
     // By index: a range-for over make()->knobs() would read a dead temporary; here the stage keeps the demo alive.

@@ -12,13 +12,14 @@ namespace mv::test {
 
 class Visits : public testing::TestWithParam<std::string> {};
 
+enum class Times { once, twice };
+
 // The present state of the open demo, drawn:
 // - OpenGL and the driver report no error, and a draw reads nothing undefined (the stage throws, and tests watch);
-// - it is the same picture again, and its readouts, which are measured the second time, change nothing of it;
+// - it is the same picture again, and its readouts, which are measured the second time, change nothing of it (Times::twice);
 // - each readout, each matrix shown and each count is finite;
 // - one that is refused, is so by draw(), too, in a sentence with the flag of a knob and a rule.
-// Returns the picture; nothing where the state is refused, or fails. (Under the sanitizers it is drawn once, with its readouts.)
-enum class Times { once, twice };
+// Returns the picture; nothing where the state is refused, or fails. (Once is with its readouts: so under the sanitizers.)
 std::optional<Picture> visit(int frame = 1, Times times = sanitized ? Times::once : Times::twice);
 // The same of a state that is to be refused; returns the sentence.
 std::string visitRefused(DemoRun& run);

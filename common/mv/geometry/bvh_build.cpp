@@ -38,7 +38,7 @@ struct Bin {
         bounds.add(other.bounds);
         count += other.count;
     }
-    // How many triangles a ray has to be tested with, about: that many, as often as it meets the box.
+    // About how many triangles a ray has to be tested with: all in the box, as often as it meets the box.
     double cost() const { return count == 0 ? 0 : count * halfArea(bounds); }
 };
 
