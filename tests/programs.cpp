@@ -258,8 +258,8 @@ TEST(Program, drivers_that_end_by_a_signal_are_passed_over) {
 TEST(Program, missing_clip_control_is_named) {
     const TemporaryFolder folder;
     const std::string reversed = folder.path() / "reversed.png", flipped = folder.path() / "flipped.png";
-    const std::vector<std::string> road{program("z-buffer"), "--scene", "road", "--format", "d32f",
-                                        "--separation",      "1e-6"};
+    const std::vector<std::string> road{program("mvgl"), "z-buffer", "--scene",      "road",
+                                        "--format",      "d32f",     "--separation", "1e-6"};
     const auto run = [&](std::vector<std::string> more, const ProcessOptions& options) {
         std::vector<std::string> command = road;
         command.insert(command.end(), more.begin(), more.end());
@@ -331,7 +331,8 @@ TEST(Program, several_frames_and_comparisons_are_written) {
     expectRefusal(compared(std::to_string(across + 1) + "x10"), 1, "each must be at most");
     expectRefusal(compared("10x" + std::to_string(down + 1)), 1, "each must be at most");
     // Both at once: a sheet a frame, each what it is alone.
-    const std::vector<std::string> squares{program("shadow"), "--compare", "light-height=1.5,2", "--size", "64x48"};
+    const std::vector<std::string> squares{program("mvgl"),      "shadow", "--compare",
+                                           "light-height=1.5,2", "--size", "64x48"};
     const auto run = [&](std::vector<std::string> more) {
         std::vector<std::string> words = squares;
         words.insert(words.end(), more.begin(), more.end());

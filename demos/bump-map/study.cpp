@@ -128,7 +128,7 @@ std::vector<double> errorNow(Probing& probing) {
     if (shown.empty()) return {};
     const Seen seen(s, {probing.frame().index(), width, height});
     static Cached<std::vector<double>, Seen> kept;
-    return rmsOfShown(shown, kept.of({seen}, [&] { return seen.means(2); }));
+    return rmsOfShown(shown, kept.of({seen}, [](const Seen& one) { return one.means(2); }));
 }
 
 // How far the normals of the normal map are from the true ones, before any filter: the root mean square, in degrees.
@@ -136,8 +136,8 @@ std::vector<double> errorOfMap(Probing& probing) {
     const auto s = settingsOf<Settings>(probing.demo());
     if (!isMeasured(s)) return {};
     static Cached<double, ReliefBody, double, int, Kept> kept;
-    return {kept.of({s.body, s.depth, s.mapSize, s.texels}, [&] {
-        return normalMapError({s.body, s.depth}, s.mapSize, s.texels == Kept::bytes);
+    return {kept.of({s.body, s.depth, s.mapSize, s.texels}, [](ReliefBody body, double depth, int size, Kept texels) {
+        return normalMapError({body, depth}, size, texels == Kept::bytes);
     })};
 }
 

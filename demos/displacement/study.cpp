@@ -118,7 +118,9 @@ std::vector<double> errorOfMap(Probing& probing) {
     const auto s = settingsOf<Settings>(probing.demo());
     if (s.method == Method::prepared) return {};
     static Cached<double, ReliefBody, double, int> kept;
-    return {1000 * kept.of({s.body, s.depth, s.mapSize}, [&] { return heightMapError({s.body, s.depth}, s.mapSize); })};
+    return {1000 * kept.of({s.body, s.depth, s.mapSize}, [](ReliefBody body, double depth, int size) {
+        return heightMapError({body, depth}, size);
+    })};
 }
 
 Study study() {

@@ -13,6 +13,7 @@ struct MirrorRoom {
     double turn = 0;  // of the first mirror about its upright axis, degrees
     bool hasSecond = false;
     vec3 eye{0, 1.7, 2.9}, ball{0, 0.35, 0};  // the eye looks at the first mirror's middle
+    bool operator==(const MirrorRoom&) const = default;
     std::vector<Mirror> mirrors() const;
     // Objects: floor, frame, ball, cube, cone, column and, with a second mirror, its frame. A frame is right behind its
     // mirror. Composed for a plan in the right part of the picture. Refused: an eye above or below that middle.

@@ -85,11 +85,10 @@ std::vector<double> wrongPixels(Probing& probing) {
     const Demo& demo = probing.demo();
     const FrameInfo frame(probing.frame().index(), width, height);
     // Kept while all that the rays meet rests: how it is drawn changes nothing of it.
-    static Cached<Reference, Scene, double, std::string, double, double> kept;
-    const Reference& right = kept.of({demo.scene(frame), demo.number("mirror-turn"), demo.word("mirrors"),
-                                      demo.number("bounces"), demo.number("reflectance")},
-                                     [&] { return traced(demo, frame); });
-    const auto isBehind = behindFirst(demo, frame);
+    static Cached<Reference, TracedScene> kept;
+    const TracedScene scene = tracedScene(demo, frame);
+    const Reference& right = kept.of({scene}, [](const TracedScene& rested) { return traced(rested, width, height); });
+    const auto isBehind = behindFirst(scene);
     double wrong = 0, behind = 0;
     for (std::size_t i = 0; i < shown.size(); ++i) {
         const auto object = static_cast<std::size_t>(std::max(shown[i], 0.0F));
@@ -109,7 +108,7 @@ Study study() {
     study.quantity = "the number of the object that is seen, and 0.9 times its brightness, 0..1";
     study.reference = "a ray a pixel, turned round at each mirror, in double precision";
     study.makeReference = [](const Demo& demo, const ReferenceFrame& frame, const auto&) {
-        return traced(demo, frame);
+        return traced(tracedScene(demo, frame), frame.width(), frame.height());
     };
     study.reads = {"mirrors", "bounces",    "reflectance", "mirror-turn", "eye-x",
                    "eye-z",   "eye-height", "ball-x",      "ball-z"};

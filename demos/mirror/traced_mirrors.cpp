@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "mirror.h"
+#include "mv/demo/lesson.h"
 #include "mv/geometry/bounds.h"
 #include "mv/geometry/check.h"
 #include "mv/geometry/ray_caster.h"
@@ -33,9 +34,9 @@ struct Rectangle {
     }
 };
 
-std::vector<Rectangle> rectangles(const Demo& demo) {
+std::vector<Rectangle> rectangles(const MirrorRoom& room) {
     std::vector<Rectangle> all;
-    for (const Mirror& mirror : MirrorRoom{demo.number("mirror-turn"), demo.word("mirrors") == "two"}.mirrors()) {
+    for (const Mirror& mirror : room.mirrors()) {
         all.push_back(
             {mirror.middle, mirror.halfU, mirror.halfV, glm::normalize(glm::cross(mirror.halfU, mirror.halfV))});
     }
@@ -50,13 +51,13 @@ struct TracedPixel {
 
 class TracedMirrors {
   public:
-    TracedMirrors(const Demo& demo, const FrameInfo& frame)
-        : scene_(demo.scene(frame)),
+    explicit TracedMirrors(const TracedScene& traced)
+        : scene_(traced.scene),
           caster_(scene_),
           worldFromClip_(glm::inverse(scene_.clipFromWorld())),
-          bounces_(static_cast<int>(demo.number("bounces"))),
-          reflectance_(demo.number("reflectance")),
-          mirrors_(rectangles(demo)) {
+          bounces_(traced.bounces),
+          reflectance_(traced.reflectance),
+          mirrors_(rectangles(traced.room)) {
         for (const SceneObject& object : scene_.objects) triangles_.push_back(trianglesOf(object.mesh));
     }
 
@@ -133,7 +134,7 @@ class TracedMirrors {
         return color * (0.3 + 0.7 * std::max(glm::dot(normal, towardsLight), 0.0));
     }
 
-    Scene scene_;
+    const Scene& scene_;
     RayCaster caster_;
     mat4 worldFromClip_;
     int bounces_;
@@ -144,13 +145,17 @@ class TracedMirrors {
 
 }  // namespace
 
-Reference traced(const Demo& demo, const FrameInfo& frame) {
-    const TracedMirrors mirrors(demo, frame);
+TracedScene tracedScene(const Demo& demo, const FrameInfo& frame) {
+    const auto s = settingsOf<Settings>(demo);
+    return {demo.scene(frame), roomOf(s), s.bounces, s.reflectance};
+}
+
+Reference traced(const TracedScene& scene, int width, int height) {
+    const TracedMirrors mirrors(scene);
     Reference reference;
-    for (int row = 0; row < frame.height(); ++row) {
-        for (int column = 0; column < frame.width(); ++column) {
-            const TracedPixel seen =
-                mirrors.at(2 * (column + 0.5) / frame.width() - 1, 1 - 2 * (row + 0.5) / frame.height());
+    for (int row = 0; row < height; ++row) {
+        for (int column = 0; column < width; ++column) {
+            const TracedPixel seen = mirrors.at(2 * (column + 0.5) / width - 1, 1 - 2 * (row + 0.5) / height);
             reference.values.push_back(seen.value);
             reference.regions.push_back(seen.region);
         }
@@ -158,10 +163,10 @@ Reference traced(const Demo& demo, const FrameInfo& frame) {
     return reference;
 }
 
-std::vector<bool> behindFirst(const Demo& demo, const FrameInfo& frame) {
-    const Rectangle mirror = rectangles(demo).front();
+std::vector<bool> behindFirst(const TracedScene& scene) {
+    const Rectangle mirror = rectangles(scene.room).front();
     std::vector<bool> behind{false};
-    for (const SceneObject& object : demo.scene(frame).objects) {
+    for (const SceneObject& object : scene.scene.objects) {
         const auto corners = boundsOf(object.mesh, object.worldFromObject).corners();
         behind.push_back(std::all_of(corners.begin(), corners.end(), [&](const vec3& corner) {
             return glm::dot(corner - mirror.middle, mirror.normal) < 0;

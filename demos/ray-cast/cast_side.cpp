@@ -14,7 +14,7 @@
 namespace mv {
 namespace {
 
-const vec4 faint(0.45, 0.45, 0.5, 1), blue(0.15, 0.35, 0.75, 1);
+const vec4 faint(0.45, 0.45, 0.5, 1), planeColor(0.15, 0.35, 0.75, 1);
 
 mat4 clipFromWorldOf(const Pane& pane, const CastEye& eye, double distance, double scale, bool eyeIsSeen) {
     const vec3 middle = vec3(0, 0.8, 0) + (eyeIsSeen ? (distance - 4) / 2 : 0) * eye.w;
@@ -68,8 +68,8 @@ void CastSide::drawEye(Drawing& drawing, const TextStyle& words) const {
         corners.push_back(at(eye_.at + half * (corner.x * eye_.u + corner.y * eye_.v) - before * eye_.w));
         drawing.line(eye, corners.back(), {faint, 1});
     }
-    drawing.line(corners, {blue, 2});
-    drawing.text(corners[2] + vec2(8, 0.6 * words.height), "image plane", {words.height, blue, vec4(0)});
+    drawing.line(corners, {planeColor, 2});
+    drawing.text(corners[2] + vec2(8, 0.6 * words.height), "image plane", {words.height, planeColor, vec4(0)});
     const std::vector<std::pair<const char*, vec3>> axes{{"u", eye_.u}, {"v", eye_.v}, {"w", eye_.w}};
     for (const auto& [name, axis] : axes) {
         // u points at who looks

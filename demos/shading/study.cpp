@@ -70,7 +70,8 @@ std::optional<Spots> spots(Probing& probing) {
     // A quarter of the study's rays, and kept while the sphere rests: a window asks in each frame.
     static Cached<std::vector<double>, ExactSphere> kept;
     const ExactSphere sphere(s, frame);
-    const std::vector<double>& exact = kept.of({sphere}, [&] { return sphere.picture(width, height, 4); });
+    const std::vector<double>& exact =
+        kept.of({sphere}, [](const ExactSphere& one) { return one.picture(width, height, 4); });
     const Spots both{spotOf({measured.begin(), measured.end()}, exact, width), spotOf(exact, exact, width)};
     if (both.exact.energy == 0) return {};
     return both;

@@ -25,8 +25,9 @@ std::optional<FalseShadows> falseShadows(Probing& probing, const Scene& scene) {
 
     // Kept while the scene rests: how its shadows are drawn changes nothing of it.
     static Cached<Reference, Scene, int, int> rays;
-    const Reference& right = rays.of(
-        {scene, width, height}, [&] { return litReference(scene, FrameInfo(picture.index(), width, height), {}, {}); });
+    const Reference& right = rays.of({scene, width, height}, [](const Scene& rested, int across, int down) {
+        return litReference(rested, FrameInfo(1, across, down), {}, {});
+    });
     FalseShadows result;
     long dark = 0, lit = 0;
     for (std::size_t i = 0; i < drawn.size(); ++i) {

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-struct Box {
+struct Extent {
     vec3 low{infinite}, high{-infinite};
     void include(const SceneTriangle& triangle) {
         low = glm::min(low, glm::min(triangle.a, glm::min(triangle.b, triangle.c)));
@@ -34,7 +34,7 @@ struct Box {
     bool isEmpty() const { return !(low.x <= high.x); }
 };
 
-vec3 roomAround(const Box& box) { return 1e-9 * (glm::abs(box.low) + glm::abs(box.high)) + 1e-300; }
+vec3 roomAround(const Extent& box) { return 1e-9 * (glm::abs(box.low) + glm::abs(box.high)) + 1e-300; }
 
 // The nearest so far, on the way through some triangles.
 class Search {
@@ -88,7 +88,7 @@ class Boxes final : public TriangleFinder {
 
   private:
     struct Object {
-        Box box;
+        Extent box;
         std::size_t begin, end;
     };
     std::vector<SceneTriangle> triangles_;
@@ -156,7 +156,7 @@ class Grid final : public TriangleFinder {
     template <class Call>
     void forAll(const Call& call) const {
         for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
-            Box around;
+            Extent around;
             around.include(triangles_[i]);
             around.grow(roomAround(box_));
             const Place low = placeOf(around.low), high = placeOf(around.high);
@@ -191,7 +191,7 @@ class Grid final : public TriangleFinder {
     }
 
     std::vector<SceneTriangle> triangles_;
-    Box box_;
+    Extent box_;
     Place cells_{1, 1, 1};
     vec3 cell_{1};
     std::vector<std::uint32_t> first_, inCells_;  // of a cell: inCells_[first_[cell]] and on

@@ -12,7 +12,7 @@
 namespace mv {
 namespace {
 
-const vec4 ink(0.1, 0.1, 0.1, 1), grey(0.55, 0.55, 0.55, 1), gold(0.85, 0.6, 0.0, 1), goldInk(0.6, 0.42, 0.0, 1),
+const vec4 ink(0.1, 0.1, 0.1, 1), grey(0.55, 0.55, 0.55, 1), lampColor(0.85, 0.6, 0.0, 1), lampInk(0.6, 0.42, 0.0, 1),
     blue(0.1, 0.3, 0.75, 1);
 
 vec2 way(double degrees) { return {std::sin(radians(degrees)), std::cos(radians(degrees))}; }
@@ -37,10 +37,10 @@ void LampDial::draw(Drawing& drawing, const vec3& towardsLamp, int wordHeight) c
     std::vector<vec2> ring;
     for (int i = 0; i <= 48; ++i) ring.push_back(middle + radius * way(7.5 * i));
     drawing.line(ring, {grey, 1.5});
-    drawing.line(middle, at(towardsLamp), {gold, 1.5});
-    drawing.point(at(towardsLamp), 12, gold);
+    drawing.line(middle, at(towardsLamp), {lampColor, 1.5});
+    drawing.point(at(towardsLamp), 12, lampColor);
     if (wordHeight > 0)
-        drawing.text(middle + vec2(1.2 * radius, 0.6 * wordHeight), "lamp", {wordHeight, goldInk, vec4(0)});
+        drawing.text(middle + vec2(1.2 * radius, 0.6 * wordHeight), "lamp", {wordHeight, lampInk, vec4(0)});
 }
 
 const std::vector<vec3>& levelColors() {

@@ -16,7 +16,7 @@
 namespace mv {
 namespace {
 
-const vec4 nearColor(0.05, 0.35, 0.85, 1), farColor(0.85, 0.25, 0.05, 1), ink(0.25, 0.25, 0.25, 1),
+const vec4 nearColor(0.05, 0.35, 0.85, 1), farColor(0.85, 0.25, 0.05, 1), charcoal(0.25, 0.25, 0.25, 1),
     pale(0.55, 0.55, 0.55, 1);
 constexpr double fovy = 24;  // of the camera that looks from outside
 
@@ -48,7 +48,7 @@ void drawEdges(Drawing& drawing, const mat4& paneFromCube) {
     for (const unsigned bit : {4U, 1U, 2U}) {
         for (unsigned i = 0; i < 8; ++i) {
             if ((i & bit) != 0) continue;
-            const vec4& color = bit == 4 ? ink : (i & 4U) != 0 ? farColor : nearColor;
+            const vec4& color = bit == 4 ? charcoal : (i & 4U) != 0 ? farColor : nearColor;
             drawing.edge(paneFromCube, cubeCorner(i), cubeCorner(i | bit), {color, bit == 4 ? 1.2 : 2.4});
         }
     }
@@ -59,9 +59,9 @@ void drawAxes(Drawing& drawing, const mat4& paneFromSpace, const vec3& origin, d
     for (int axis = 0; axis < 3; ++axis) {
         vec3 along(0);
         along[axis] = length;
-        drawing.edge(paneFromSpace, origin, origin + along, {ink, 2});
+        drawing.edge(paneFromSpace, origin, origin + along, {charcoal, 2});
         drawing.text(paneFromSpace, origin + 1.2 * along, {-3, 0.6 * size}, letters.at(std::size_t(axis)),
-                     {size, ink, vec4(0)});
+                     {size, charcoal, vec4(0)});
     }
 }
 
@@ -104,7 +104,7 @@ void drawViewFigure(Drawing& drawing, const Program& program, const Mesh& cube, 
     glViewport(all.x, all.y, all.width, all.height);
 
     const int size = std::clamp(frame.height() / 42, 7, 18);
-    const TextStyle words{size, ink, vec4(0)};
+    const TextStyle words{size, charcoal, vec4(0)};
     drawing.begin(frame);
     drawing.in(volume);
     const mat4 outsideFromClip = outside * glm::inverse(figure.clipFromView);
@@ -118,7 +118,7 @@ void drawViewFigure(Drawing& drawing, const Program& program, const Mesh& cube, 
     // A perspective has an eye, in the origin; a box is seen from infinitely far away, and its axes are shown at a corner
     vec3 origin(0);
     if (figure.isPerspective) {
-        drawing.point(outside, origin, 8, ink);
+        drawing.point(outside, origin, 8, charcoal);
         drawing.text(outside, origin, {-2.2 * size, -0.6 * size}, "eye", words);
     } else {
         origin = viewVolumeCorners(figure.clipFromView)[0];
@@ -145,7 +145,7 @@ void drawViewFigure(Drawing& drawing, const Program& program, const Mesh& cube, 
         for (int i = 0; i < 4; ++i)
             drawing.text({6 + column * i, picture.height - (2.4 + 1.7 * row) * size},
                          formatted("%.3g", figure.clipFromView[i][row] + 0.0),
-                         {size, row == 2 ? farColor : ink, vec4(0)});
+                         {size, row == 2 ? farColor : charcoal, vec4(0)});
     }
     drawing.text({6, picture.height - 9.6 * size}, "near and far are in the third row", {size, farColor, vec4(0)});
     drawing.draw(frame);

@@ -44,7 +44,7 @@ std::vector<double> errorNow(Probing& probing) {
     const FloorMean floor(settingsOf<Settings>(probing.demo()), {probing.frame().index(), width, height});
     // Kept while the floor rests: how its texture is looked up changes nothing of it.
     static Cached<std::vector<double>, FloorMean> kept;
-    return rmsOfShown(shown, kept.of({floor}, [&] { return floor.picture(16, {}); }));
+    return rmsOfShown(shown, kept.of({floor}, [](const FloorMean& one) { return one.picture(16, {}); }));
 }
 
 Study study() {

@@ -246,6 +246,16 @@ TEST(Cached, makes_a_value_anew_only_for_other_settings) {
     EXPECT_EQ(ask(1, 2), "1high 4") << "one value is kept, not all";
 }
 
+TEST(Cached, what_takes_the_settings_has_nothing_else) {
+    Cached<int, int, int> cached;
+    EXPECT_EQ(cached.of({6, 7}, [](int a, int b) { return a * b; }), 42);
+    EXPECT_EQ(cached.of({6, 8}, [](int a, int b) { return a * b; }), 48);
+    const auto ofThemAlone = [](int a, int b) { return a + b; };
+    const auto ofMore = [more = 1](int a, int b) { return a + b + more; };
+    static_assert(decltype(cached)::mayMake<decltype(ofThemAlone)>);
+    static_assert(!decltype(cached)::mayMake<decltype(ofMore)>);
+}
+
 // A value that could not be made, of a picture that is too large say, is not taken for made.
 TEST(Cached, makes_again_what_could_not_be_made) {
     Cached<int, int> cached;

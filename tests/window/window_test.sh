@@ -197,9 +197,9 @@ isThere() { says && [ -n "${values["at $1"]-}" ]; }
 
 drop() { # a picture of one's own, and what is none
     local drops own assets
-    own=$(dirname "$cubeCull")/texture-map drops=$(dirname "$launcher")/drop
+    own=("$(dirname "$cubeCull")/mvgl" texture-map) drops=$(dirname "$launcher")/drop
     assets=$(cd "$(dirname "${BASH_SOURCE[0]}")/../../assets" && pwd)
-    start 'mvgl: texture-map' "$own" --method correct
+    start 'mvgl: texture-map' "${own[@]}" --method correct
     screenshot "$state/before.ppm"
     cp "$assets/postcard.png" "my postcard, 1.png"
     "$drops" "$window" "my postcard, 1.png" || fail "the window takes no drop"
@@ -209,7 +209,7 @@ drop() { # a picture of one's own, and what is none
     [ "$(compare -metric AE "$state/before.ppm" "$state/dropped.ppm" null: 2>&1)" -gt 20000 ] ||
         fail "the dropped picture is not to be seen"
     case $(reported command) in
-        "$own --method correct --picture '$folder/my postcard, 1.png'"*) ;;
+        "${own[*]} --method correct --picture '$folder/my postcard, 1.png'"*) ;;
         *) fail "the copied command has no picture: $(reported command)" ;;
     esac
     # What is no picture is told, and the last good picture stays. (The left 600 pixels: beside them is the panel.)

@@ -2,6 +2,7 @@
 #pragma once
 #include <optional>
 #include <tuple>
+#include <type_traits>
 
 namespace mv {
 
@@ -10,13 +11,23 @@ namespace mv {
 template <class T, class... What>
 class Cached {
   public:
+    // What makes a value has no arguments, or it takes the settings and captures nothing: so none that it reads can be forgotten.
+    template <class Make>
+    static constexpr bool mayMake =
+        std::disjunction_v<std::is_invocable<Make>,
+                           std::conjunction<std::is_empty<Make>, std::is_invocable<Make, const What&...>>>;
     // The value for these settings. `make` returns it where the value that is there was made for others, or where there is
     // none. An error of `make` passes through, and the next call makes the value anew.
     template <class Make>
     T& of(const std::tuple<What...>& settings, Make make) {
+        static_assert(mayMake<Make>, "make: must capture nothing where it takes the settings");
         if (madeFor_ == settings) return value_;
         madeFor_.reset();
-        value_ = make();
+        if constexpr (std::is_invocable_v<Make>) {
+            value_ = make();
+        } else {
+            value_ = std::apply(make, settings);
+        }
         madeFor_ = settings;
         return value_;
     }
