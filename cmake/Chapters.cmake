@@ -1,5 +1,5 @@
 # Which demos stand in a chapter, by the line `.chapter = "..."` of one of their files. For browsers a module is a chapter; there and for
-# the sanitizers its demos are compiled as one, in half of the time.
+# the sanitizers its demos are compiled as one, in two thirds of the time or less.
 
 # mvgl_chapter_of(<variable> <file>...): of a demo's files; "Viewing and projection" as viewing-and-projection.
 function(mvgl_chapter_of variable)

@@ -30,7 +30,8 @@ TEST_P(Visits, twice_as_large) {
     if (sanitized || GetParam() == "texture-filter" || GetParam() == "texture-map") return;
     DemoRun run(GetParam());
     const DemoInfo& info = stage().info();
-    // What the processor computes in passes takes seconds: of its first preset, which has no words, a picture of half the sides.
+    // What the processor computes in passes takes seconds: of half the sides, in which words of ray-trace's other presets would have their
+    // least height.
     const int by = hasPasses(info) && !isLong() ? 2 : 1;
     const auto meansIn = [&](int times) {
         stage().resize(info.width / by * times, info.height / by * times);
