@@ -17,7 +17,7 @@ using namespace claims;
 
 void readOut(Gpu& gpu, const Settings& s, const Frame&, Numbers& numbers) {
     const vec3 light = direction(-s.angle), view = direction(s.viewAngle);
-    numbers.set("triangles", gpu.body->count() / 3);
+    numbers.set("triangles", gpu.body->count() / 3.0);
     numbers.set("matching", matchingAt(gpu, s));
     numbers.set("forth", reflectance(s.lobe, direction(0), light, view, s.exponent));
     numbers.set("back", reflectance(s.lobe, direction(0), view, light, s.exponent));

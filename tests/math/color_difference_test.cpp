@@ -108,8 +108,8 @@ TEST(ColorDifference, keeps_its_digits_between_neighbours) {
     for (int exponent = 21; exponent <= 40; ++exponent) {
         const vec3 other = color + std::ldexp(1.0, -exponent) * way;
         // The rounding of the coordinates of `other`, 2^-48, is a part of the step; so is what the weights change by
-        const double rounding = std::ldexp(1.0, exponent - 47) + 1e-6;
-        EXPECT_NEAR(colorDifference(color, other) * std::ldexp(1.0, exponent), whole, rounding * whole) << exponent;
+        const double allowed = std::ldexp(1.0, exponent - 47) + 1e-6;
+        EXPECT_NEAR(colorDifference(color, other) * std::ldexp(1.0, exponent), whole, allowed * whole) << exponent;
     }
 }
 
