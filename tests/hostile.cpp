@@ -185,7 +185,7 @@ TEST(Hostile, streams_and_programs) {
     const std::string whole = "head\n" + fileText(folder.file("alone.png")) + "tail\n";
     for (const char* name : {"/dev/fd/1", "/dev/stdout", "/proc/self/fd/1", "f", "-", "./f"}) {
         for (const char* into : {"> f", ">> f"}) {
-            std::ofstream(folder.file("f")) << "";
+            std::ofstream(folder.file("f")) << "";  // for what appends to it, too, it begins empty
             const ProcessResult run =
                 runShell("(echo head; " + cube + " --shot " + name + " && echo tail) " + into, folder.path().string());
             EXPECT_EQ(run.status, 0) << run.err;

@@ -5,7 +5,7 @@ import path from 'node:path';
 import { all, browserOf, loadedBy, made, mostLoaded, mostOf, scratch, served } from './support.mjs';
 
 const [source, program, build] = process.argv.slice(2).map((one) => path.resolve(one));
-const started = 1500; // milliseconds after which a browser has made what it shows around pages, which takes as long as a page itself
+const started = 1500; // milliseconds; for the first half second a browser makes its own window, and keeps two processors busy
 const rounds = 9, comparedRounds = 27, demos = ['cube-cull', 'shadow-map', 'springs', 'soft-shadows', 'ray-trace'];
 const site = made(source, program, 'site', path.join(build, 'web'));
 const address = await served(source, site);
@@ -90,7 +90,7 @@ library, its font and all scripts.
 |---|---:|---:|
 ${files.map(({ file, bytes, brotli }) => `| ${file} | ${bytes} | ${brotli} |`).join('\n')}
 
-Milliseconds in a browser that has loaded nothing yet, after the address was given: until the first picture stands, as a file that comes
+Milliseconds in a browser that was started ${started / 1000} s before and has loaded nothing yet, after the address was given: until the first picture stands, as a file that comes
 with the page (a test compares it with what the demo draws, byte for byte, but for what moves and for stages that a browser lacks),
 or in the canvas where that is sooner; and until the demo has drawn it, so that a pixel can be read. Median of ${rounds}, with the median deviation. The
 processor draws (llvmpipe): ${processor}. Beside them cube-cull's picture by a page as a course has it (\`tests/site/course\`): four
