@@ -1,6 +1,5 @@
 #include "targets.h"
 
-#include "mv/error.h"
 #include "mv/gl/gl.h"
 
 namespace mv {
@@ -52,8 +51,7 @@ void Targets::begin(int width, int height, const std::vector<GLenum>& formats, b
         depth_ = texture(GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, width, height, label + " depth");
         glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_.id(), 0);
     }
-    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-        throw Error("targets " + label, "must be complete; the driver refuses these formats together");
+    requireComplete("targets " + label);
     labelObject(GL_FRAMEBUFFER, framebuffer_.id(), label);
     glViewport(0, 0, width, height);
     width_ = width;

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <string>
 
-#include "mv/error.h"
 #include "mv/gl/object.h"
 #include "mv/gl/program.h"
 #include "mv/gl/state.h"
+#include "mv/gl/target.h"
 
 namespace mv {
 namespace {
@@ -56,11 +56,7 @@ void attach(const DepthBuffer& buffer) {
     if (buffer.renderbuffer != 0)
         glFramebufferRenderbuffer(GL_FRAMEBUFFER, where, GL_RENDERBUFFER, buffer.renderbuffer);
     if (buffer.texture != 0) glFramebufferTexture2D(GL_FRAMEBUFFER, where, GL_TEXTURE_2D, buffer.texture, 0);
-    const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
-    if (status != GL_FRAMEBUFFER_COMPLETE) {
-        throw Error("framebuffer that reads a buffer", "must be complete; the driver refuses this one",
-                    std::to_string(status));
-    }
+    requireComplete("framebuffer that reads a buffer");
 }
 
 // As glTexImage2D wants it, though no data are given.

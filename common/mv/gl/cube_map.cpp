@@ -8,6 +8,7 @@
 
 #include "mv/error.h"
 #include "mv/gl/state.h"
+#include "mv/gl/target.h"
 
 namespace mv {
 namespace {
@@ -16,13 +17,6 @@ GLenum target(int face) { return GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GL
 
 void store(int face, int size, const void* texels) {
     glTexImage2D(target(face), 0, GL_RGBA8, size, size, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);
-}
-
-void requireComplete(const std::string& label) {
-    const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
-    if (status != GL_FRAMEBUFFER_COMPLETE)
-        throw Error(label, "must be complete; the driver refuses these buffers, or has no memory for them",
-                    std::to_string(status));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "mv/error.h"
 #include "mv/gl/state.h"
+#include "mv/gl/target.h"
 
 namespace mv {
 
@@ -31,12 +32,9 @@ DepthMap::DepthMap(int size, const std::string& label, const void* depths) : siz
     const GLenum none = GL_NONE;
     glDrawBuffers(1, &none);
     glReadBuffer(GL_NONE);
-    const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
+    requireComplete(label);
     labelObject(GL_FRAMEBUFFER, framebuffer_.id(), label);
     glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(before));
-    if (status != GL_FRAMEBUFFER_COMPLETE) {
-        throw Error(label, "must be complete; the driver refuses a depth texture alone", std::to_string(status));
-    }
 }
 
 void DepthMap::bindForDrawing() const {

@@ -51,16 +51,14 @@ TextureObject depthTexture(GLenum format, int width, int height, const std::stri
     return texelPerPixel(format, GL_DEPTH_COMPONENT, type, width, height, label + " depth");
 }
 
-void requireComplete(const std::string& label) {
-    const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
-    if (status != GL_FRAMEBUFFER_COMPLETE) {
-        throw Error("framebuffer " + label,
-                    "must be complete; the driver refuses these buffers, or has no memory for them",
-                    std::to_string(status));
-    }
-}
-
 }  // namespace
+
+void requireComplete(const std::string& subject) {
+    const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
+    if (status == GL_FRAMEBUFFER_COMPLETE) return;
+    throw Error(subject, "must be complete; the driver refuses these buffers, or has no memory for them",
+                std::to_string(status));
+}
 
 bool floatBlending() { return !isEs() || hasExtension("GL_EXT_float_blend"); }
 
@@ -119,14 +117,14 @@ Target::Target(int width, int height, Buffers buffers, const std::string& label)
         glFramebufferRenderbuffer(GL_FRAMEBUFFER, buffers.stencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT,
                                   GL_RENDERBUFFER, depthStencil_.id());
     }
-    requireComplete(label);
+    requireComplete("framebuffer " + label);
     labelObject(GL_FRAMEBUFFER, framebuffer_.id(), label);
     if (buffers.samples > 0) {
         single_ = makeFramebuffer();
         singleColor_ = storage(buffers.color, 0, width, height);
         glBindFramebuffer(GL_FRAMEBUFFER, single_.id());
         glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, singleColor_.id());
-        requireComplete(label + " resolved");
+        requireComplete("framebuffer " + label + " resolved");
         labelObject(GL_FRAMEBUFFER, single_.id(), label + " resolved");
         glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
     }

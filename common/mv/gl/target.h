@@ -17,6 +17,8 @@ bool floatBlending();
 // a window.
 // The longest side of a target that this driver makes, in pixels.
 int largestTargetSide();
+// Error: the framebuffer that is bound (GL_FRAMEBUFFER) lacks something for drawing into it; `subject` begins its sentence.
+void requireComplete(const std::string& subject);
 
 class Target {
   public:
