@@ -8,20 +8,20 @@ analyse_one() {
   echo "$status $((SECONDS - start)) $file"
 }
 
-# what_differs SINCE ALL: sets `since` to the commit to compare with, the given one, else the last tag, else the commit before the last;
-# empty where there is none, and with ALL where there is no tag: then all files are analysed.
+# what_differs SINCE: sets `since` to the commit to compare with, the given one, else the last tag, else the commit before the last;
+# empty where there is none: then all files are analysed.
 what_differs() {
   since=$1
   $has_git || return 0
   [ -n "$since" ] || since=$(git -C "$root" describe --tags --abbrev=0 2>/dev/null || true)
-  [ -n "$since" ] || $2 || since=$(git -C "$root" rev-parse -q --verify HEAD~1 || true)
+  [ -n "$since" ] || since=$(git -C "$root" rev-parse -q --verify HEAD~1 || true)
   [ -z "$since" ] || git -C "$root" rev-parse -q --verify "$since^{commit}" >/dev/null || fail "--since: must be a commit of this clone, $since"
 }
 
-# static_analysis SINCE ALL: of each file that differs from what_differs, committed or not.
+# static_analysis SINCE: of each file that differs from what_differs, committed or not.
 static_analysis() {
   local since folder=$build/tidy file files=()
-  what_differs "$1" "$2"
+  what_differs "$1"
   # Each file alone, and without precompiled headers, which are another compiler's own.
   configure "$folder" -DCMAKE_UNITY_BUILD=OFF -DMVGL_TESTS=ON -DMVGL_BENCH=ON -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON
   mkdir -p "$folder/words"

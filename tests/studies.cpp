@@ -230,12 +230,12 @@ TEST_P(Studies, claims_can_fail) {
 TEST_P(Studies, references_depend_on_what_they_read) {
     const Study& study = *findDemo(GetParam()).study;
     if (study.reads.empty()) return;  // it is made anew for each row
-    DemoRun run(GetParam(), 48, 36);
+    DemoRun run(GetParam(), 24, 18);
     Demo& demo = run.demo();
     const auto reference = [&]() -> std::optional<Reference> {
         try {
             if (!study.ofValues) demo.check();
-            return study.makeReference(demo, {FrameInfo(study.frame, 48, 36)}, [](double) {});
+            return study.makeReference(demo, {FrameInfo(study.frame, 24, 18)}, [](double) {});
         } catch (const Error&) {
             return {};  // no picture, or none that has a reference
         }

@@ -194,19 +194,25 @@ studies() {
 }
 
 # What differs from the given commit, the last tag, or the commit before.
+# What ./test --full does in that stage
+analyse() {
+    bash -euc '. scripts/setup.sh; . scripts/tree.sh; . scripts/analysis.sh; find_git; static_analysis "$@"' analyse "${1:-}" >out 2>err ||
+        fail "analysing what differs from '${1:-}': $(cat out err)"
+}
+
 analysis() {
     commit
-    everything --full
+    analyse
     says out '^6 files to analyse$'
     equal "of one commit all is analysed" \
         "common/mvgl.cpp common/verdict.h common/window.cpp demos/one.cpp demos/two.cpp tests/claims.cpp " "$(looked)"
     git tag first
     echo '// more' >>common/verdict.h && commit && echo '// new' >demos/three.cpp && echo '// more' >>demos/one.cpp
-    everything --full
+    analyse
     says out '^2 files to analyse: what differs from first$'
     says out '^\[2 of 2\] '
     equal "what differs from the last tag" "common/verdict.h demos/one.cpp " "$(looked)"
-    everything --full --since HEAD
+    analyse HEAD
     equal "what differs from a commit" "demos/one.cpp " "$(looked)"
     git tag -d first >out && commit && echo '// FAULT' >>common/verdict.h
     ./test --full >out 2>err && fail "a fault in a header must be found"
@@ -218,12 +224,9 @@ analysis() {
     git checkout -q .
     everything
     equal "./test analyses nothing" "" "$(looked)"
-    everything --long
-    equal "--long without a tag analyses all" \
-        "common/mvgl.cpp common/verdict.h common/window.cpp demos/one.cpp demos/two.cpp tests/claims.cpp " "$(looked)"
     rm -rf .git
-    everything --full
-    equal "and so does --full without git" \
+    analyse
+    equal "without git all is analysed" \
         "common/mvgl.cpp common/verdict.h common/window.cpp demos/one.cpp demos/two.cpp tests/claims.cpp " "$(looked)"
 }
 
