@@ -57,6 +57,17 @@ class Gl : public testing::Test {
 
 }  // namespace
 
+TEST_F(Gl, a_framebuffer_without_buffers_is_refused_by_its_name) {
+    {
+        const Framebuffer empty = makeFramebuffer();
+        glBindFramebuffer(GL_FRAMEBUFFER, empty.id());
+        const std::string error = errorOf([] { requireComplete("framebuffer 'empty'"); });
+        EXPECT_TRUE(error.starts_with("framebuffer 'empty': must be complete")) << error;
+    }
+    const Target target(4, 4, {});
+    EXPECT_NO_THROW(requireComplete("target"));
+}
+
 TEST_F(Gl, shader_mistakes_name_file_and_line) {
     const std::string error = errorOf([] {
         Program::fromText("wrong", plainVertex, "out vec4 fragColor;\nvoid main() {\n    fragColor = colour;\n}\n");

@@ -13,13 +13,13 @@ bool floatTargets();
 // Whether it also blends into those of 32 bits: ES 3.0 where it has EXT_float_blend.
 bool floatBlending();
 
-// Every host draws into one of these and never into its window: only then are the bytes the same on OSMesa, EGL and in
-// a window.
 // The longest side of a target that this driver makes, in pixels.
 int largestTargetSide();
 // Error: the framebuffer that is bound (GL_FRAMEBUFFER) lacks something for drawing into it; `subject` begins its sentence.
 void requireComplete(const std::string& subject);
 
+// Every host draws into one of these and never into its window: only then are the bytes the same on OSMesa, EGL and in
+// a window.
 class Target {
   public:
     struct Buffers {
