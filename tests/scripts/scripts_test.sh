@@ -193,13 +193,13 @@ studies() {
     says docs/errors-and-times/two.processor.csv '^# renderer: llvmpipe$'
 }
 
-# What differs from the given commit, the last tag, or the commit before.
-# What ./test --full does in that stage
+# What ./test --full does in its stage of static analysis: with the given commit, or none
 analyse() {
     bash -euc '. scripts/setup.sh; . scripts/tree.sh; . scripts/analysis.sh; find_git; static_analysis "$@"' analyse "${1:-}" >out 2>err ||
         fail "analysing what differs from '${1:-}': $(cat out err)"
 }
 
+# What differs from the given commit, the last tag, or the commit before.
 analysis() {
     commit
     analyse
