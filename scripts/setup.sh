@@ -9,7 +9,7 @@ run_packages=(g++ cmake ninja-build libglfw3-dev libimgui-dev libglm-dev libeige
   libosmesa6)
 site_packages=(nodejs cmark-gfm highlight esbuild)
 web_packages=(emscripten binaryen libharfbuzz-bin)
-test_packages=(git libgtest-dev libboost-dev libx11-dev xvfb x11-utils xdotool imagemagick clang-format)
+test_packages=(git libgtest-dev libboost-dev libmpfr-dev libx11-dev xvfb x11-utils xdotool imagemagick clang-format)
 full_packages=("${site_packages[@]}" "${web_packages[@]}" chromium libgles2 mesa-vulkan-drivers clang-tidy clang libclang-rt-dev libembree-dev)
 # Node's own packages bring npm; Debian's has it apart.
 command -v npm >/dev/null || full_packages+=(npm)

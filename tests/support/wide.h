@@ -2,7 +2,7 @@
 // practical end, so nothing overflows either. Each operation is the textbook's, since at this width that is enough.
 #pragma once
 #include <array>
-#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/multiprecision/mpfr.hpp>
 #include <cstddef>
 
 #include "mv/math/types.h"
@@ -10,7 +10,9 @@
 namespace mv::test {
 
 // Without expression templates, so that `auto` holds a number.
-using Wide = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
+using Wide =
+    boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<50, boost::multiprecision::allocate_stack>,
+                                  boost::multiprecision::et_off>;
 
 template <std::size_t N>
 struct WideVector {

@@ -1,7 +1,7 @@
 // The truth: nothing here is shared with what is measured.
 #include <algorithm>
 #include <array>
-#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/multiprecision/mpfr.hpp>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -14,7 +14,7 @@ namespace {
 
 // 34 digits: with the 19 of long double the roundings of a stiff spring's ends come through.
 using Wide =
-    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<113, boost::multiprecision::digit_base_2>,
+    boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<34, boost::multiprecision::allocate_stack>,
                                   boost::multiprecision::et_off>;
 using Values = std::vector<Wide>;
 
