@@ -19,6 +19,7 @@
 
 #include "cube-ortho/cube-ortho.h"
 #include "mv/math/projection.h"
+#include "support/color_cube.h"
 #include "support/demo_run.h"
 #include "support/stretch.h"
 
@@ -27,7 +28,6 @@ using namespace mv::test;
 
 namespace {
 
-constexpr Pixel red{255, 0, 0}, blue{0, 0, 255}, white{255, 255, 255};
 constexpr std::array<Pixel, 6> faceColors{
     {{255, 0, 0}, {255, 255, 0}, {0, 255, 0}, {0, 255, 255}, {0, 0, 255}, {255, 0, 255}}};
 
@@ -39,7 +39,6 @@ mat4 diagonal(double x, double y, double z) {
     return m;
 }
 
-DemoRun& straight(DemoRun& run) { return run.set("spin-x", 0).set("spin-y", 0); }
 DemoRun& turned(DemoRun& run) { return run.set("spin-x", 30).set("spin-y", 40); }
 
 TEST(CubeOrtho, stretch_is_said) { expectStretchIsSaid("cube-ortho", "width", 2, 3); }

@@ -21,6 +21,7 @@
 #include "cube-persp/cube-persp.h"
 #include "mv/gl/gl.h"
 #include "mv/math/projection.h"
+#include "support/color_cube.h"
 #include "support/demo_run.h"
 #include "support/stretch.h"
 
@@ -32,10 +33,6 @@ using mv::vec3;
 using mv::vec4;
 
 namespace {
-
-constexpr Pixel red{255, 0, 0}, blue{0, 0, 255}, magenta{255, 0, 255}, yellow{255, 255, 0};
-
-DemoRun& straight(DemoRun& run) { return run.set("spin-x", 0).set("spin-y", 0); }
 
 // How many pixels of the middle row have this colour.
 int widthOf(const Picture& picture, Pixel color) {

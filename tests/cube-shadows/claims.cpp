@@ -144,11 +144,6 @@ Compared againstRays(DemoRun& run) {
     return result;
 }
 
-std::string onlyMessage(DemoRun& run) {
-    const auto messages = run.messages();
-    return messages.size() == 1 ? messages[0] : std::to_string(messages.size()) + " messages";
-}
-
 std::string textOf(double value) { return numberText(value); }
 
 }  // namespace
@@ -276,7 +271,7 @@ TEST(CubeShadowsFull, between_plane_and_light) {
         run.set("lift", c.lift);
         const Compared result = againstRays(run);
         EXPECT_EQ(result.wrong, 0);
-        EXPECT_EQ(onlyMessage(run), c.sentence);
+        EXPECT_EQ(run.onlyMessage(), c.sentence);
         EXPECT_EQ(run.measured("place-error"), false);
         // On a wall too; there it is the distance from the wall that counts.
         EXPECT_EQ(againstRays(run.set("scene", "room")).wrong, 0);
@@ -329,17 +324,17 @@ TEST(CubeShadows, light_in_the_plane) {
         DemoRun run =
             inRoom({{"scene", "plane"}, {"light-phi", textOf(phi)}, {"cut", "none"}, {"light-distance", "8.5"}});
         EXPECT_EQ(darkened(run).count(), 0) << phi;
-        EXPECT_EQ(onlyMessage(run), sentence);
+        EXPECT_EQ(run.onlyMessage(), sentence);
         EXPECT_FALSE(run.measured("place-error"));
     }
     // At infinity the light is in the plane when it is level; there nothing cancels, and 1e-11 rad is enough.
     DemoRun run = inRoom({{"scene", "plane"}, {"light-phi", "90"}, {"at-infinity", "on"}});
     EXPECT_EQ(darkened(run).count(), 0);
-    EXPECT_EQ(onlyMessage(run), "The light lies in the floor: there is no shadow.");
+    EXPECT_EQ(run.onlyMessage(), "The light lies in the floor: there is no shadow.");
     // Behind the wall, which then has its shadow side.
     DemoRun behind = inRoom({{"light-theta", "180"}, {"light-phi", "80"}});
     EXPECT_EQ(againstRays(behind).wrong, 0);
-    EXPECT_EQ(onlyMessage(behind), "The light is behind the wall: no shadow falls on its front.");
+    EXPECT_EQ(behind.onlyMessage(), "The light is behind the wall: no shadow falls on its front.");
 }
 
 TEST(CubeShadows, grazing_light) {

@@ -28,7 +28,7 @@ using namespace mv::test;
 namespace {
 
 constexpr int width = 479, height = 359;  // of a pane: 960 x 720 less the lines between, halved
-constexpr Pixel axisColors[3]{{204, 26, 26}, {13, 128, 26}, {26, 64, 230}}, white{255, 255, 255};
+constexpr Pixel axisColors[3]{{204, 26, 26}, {13, 128, 26}, {26, 64, 230}}, paper{255, 255, 255};
 enum Corner { upperLeft, upperRight, lowerLeft, lowerRight };
 
 const vec3 middle(1.5, 3, 0);
@@ -45,7 +45,7 @@ Picture paneOf(const Picture& picture, Corner corner) {
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
             const bool words = (x < 320 && (y < 32 || y >= height - 30)) || (x < 200 && y < 50);
-            const Pixel p = words ? white : picture.at(left + x, top + y);
+            const Pixel p = words ? paper : picture.at(left + x, top + y);
             const std::size_t i = 4 * pixelIndex(x, y, width);
             pane.rgba[i] = p.red;
             pane.rgba[i + 1] = p.green;
@@ -92,7 +92,7 @@ Extent extentOfDrawing(const Picture& pane) {
 vec3 wallCorner(int i) { return {(i & 1) != 0 ? 4 : -4, (i & 2) != 0 ? 3 : 0, (i & 4) != 0 ? 3 : -3}; }
 
 // Numbers of some hundred pixels, made of a dozen roundings.
-constexpr double rounding = 1e-11;
+constexpr double pixelRounding = 1e-11;
 
 }  // namespace
 
@@ -103,10 +103,10 @@ TEST(Projections, views_line_up) {
                side = run.matrix("sideFromWorld");
     for (const fvec3& position : meshOf(house()).positions) {
         const vec3 p(position);
-        EXPECT_NEAR(pixelOf(top, p).x, pixelOf(front, p).x, rounding);
-        EXPECT_NEAR(pixelOf(side, p).y, pixelOf(front, p).y, rounding);
+        EXPECT_NEAR(pixelOf(top, p).x, pixelOf(front, p).x, pixelRounding);
+        EXPECT_NEAR(pixelOf(side, p).y, pixelOf(front, p).y, pixelRounding);
         // A point towards the front is down in the top view and left in the side view, by as much
-        EXPECT_NEAR(pixelOf(top, p).y - height / 2.0, pixelOf(side, p).x - width / 2.0, rounding);
+        EXPECT_NEAR(pixelOf(top, p).y - height / 2.0, pixelOf(side, p).x - width / 2.0, pixelRounding);
     }
     // In the pixels, too: the house begins and ends at the same columns, and at the same rows.
     const Extent fromAbove = extentOfDrawing(paneOf(picture, upperLeft)),
@@ -320,7 +320,7 @@ TEST(Projections, eye_on_the_horizon) {
                     const int x = std::clamp(int(pixel.x), 0, width - 1), y = height - 1 - int(std::floor(pixel.y));
                     ASSERT_TRUE(y > 0 && y < height - 1);
                     bool found = false;
-                    for (int up = -1; up <= 1; ++up) found |= !sameColor(pane.at(x, y + up), white);
+                    for (int up = -1; up <= 1; ++up) found |= !sameColor(pane.at(x, y + up), paper);
                     EXPECT_TRUE(found) << turn << ", " << tilt << ": " << x << ", " << y;
                 }
             }

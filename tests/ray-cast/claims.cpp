@@ -36,8 +36,8 @@ using namespace mv::test;
 
 namespace {
 
-constexpr int side = 480;  // of the left pane of the demo's own size, which is at the picture's lower left corner
-constexpr int top = 540 - side;
+constexpr int paneSide = 480;  // of the left pane of the demo's own size, which is at the picture's lower left corner
+constexpr int top = 540 - paneSide;
 
 int apart(const Pixel& a, const Pixel& b) {
     return std::max({std::abs(a.red - b.red), std::abs(a.green - b.green), std::abs(a.blue - b.blue)});
@@ -47,7 +47,7 @@ int apart(const Pixel& a, const Pixel& b) {
 
 TEST(RayCastFull, like_the_raster) {
     DemoRun run("ray-cast");
-    run.set("rows", side).set("threads", 4).set("pixel-x", 0).set("pixel-y", 0);
+    run.set("rows", paneSide).set("threads", 4).set("pixel-x", 0).set("pixel-y", 0);
     for (const char* objects : {"all", "plane", "sphere", "box", "triangle", "polygon", "transformed", "surface",
                                 "cylinder", "cone", "disk", "torus"}) {
         static const std::set<std::string_view> inAll{"plane", "sphere", "box", "triangle", "polygon"};
@@ -60,7 +60,7 @@ TEST(RayCastFull, like_the_raster) {
         // Colours: at an edge neighbours differ by more than shading does, 24 of 255 from pixel to pixel
         long wrong = 0, edge = 0;
         for (int y = top + 1; y < 539; ++y) {
-            for (int x = 1; x < side - 1; ++x) {
+            for (int x = 1; x < paneSide - 1; ++x) {
                 if (x < 40 && y > 500) continue;  // the mark of the chosen pixel
                 bool isEdge = false;
                 for (int v = -1; v <= 1; ++v) {
@@ -74,7 +74,7 @@ TEST(RayCastFull, like_the_raster) {
             }
         }
         EXPECT_EQ(wrong, 0) << objects;
-        EXPECT_LE(edge, side * side / 20) << objects;
+        EXPECT_LE(edge, paneSide * paneSide / 20) << objects;
     }
 }
 
@@ -104,7 +104,7 @@ TEST(RayCast, through_the_middle) {
 
 TEST(RayCastFull, nearest_first) {
     DemoRun run("ray-cast");
-    constexpr int rows = 16, cell = side / rows;
+    constexpr int rows = 16, cell = paneSide / rows;
     run.set("rows", rows);
     Random random(22);
     for (int k = 0; k < 20; ++k) {
@@ -114,7 +114,7 @@ TEST(RayCastFull, nearest_first) {
         const int column = static_cast<int>(x * rows) * cell + cell / 2,
                   row = top + static_cast<int>((1 - y) * rows) * cell + cell / 2;
         const Pixel together = run.picture().at(column, row);
-        Pixel first = run.picture().at(side / 2 + cell / 2, top + cell / 2);  // the sky
+        Pixel first = run.picture().at(paneSide / 2 + cell / 2, top + cell / 2);  // the sky
         double least = HUGE_VAL;
         int met = 0;
         const double candidates = run.readout("candidates");

@@ -49,11 +49,6 @@ RayComparison againstRays(DemoRun& run, int frame, const vec3& light, bool crop 
     return compareWithRays(picture, scene, colors, windowPoint(run, picture, light));
 }
 
-std::string onlyMessage(DemoRun& run) {
-    const auto messages = run.messages();
-    return messages.size() == 1 ? messages[0] : std::to_string(messages.size()) + " messages";
-}
-
 }  // namespace
 
 TEST(ShadowFloorFull, cast_by_rays) {
@@ -222,7 +217,7 @@ TEST(ShadowFloor, no_false_shadow) {
             const Picture picture = run.picture(frame);
             EXPECT_EQ(countPixels(picture, dark), 0) << height << ", frame " << frame;
             EXPECT_GT(countPixels(picture, gray), 1000);
-            EXPECT_EQ(onlyMessage(run), sentence);
+            EXPECT_EQ(run.onlyMessage(), sentence);
             EXPECT_FALSE(run.measured("shadow-area"));
         }
     }

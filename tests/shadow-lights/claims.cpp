@@ -15,6 +15,7 @@
 #include "mv/demo/demo.h"
 #include "mv/study/study.h"
 #include "support/demo_run.h"
+#include "support/study_counts.h"
 
 using namespace mv;
 using namespace mv::test;
@@ -33,14 +34,6 @@ StudyRow compareWithRays(int frame = 1) {
     EXPECT_EQ(row.status, "ok");
     EXPECT_GT(row.awayFromEdges.n, 10000);
     return row;
-}
-
-double countOf(const StudyRow& row, const std::string& name) {
-    for (const auto& [counted, amount] : row.counts) {
-        if (counted == name) return amount;
-    }
-    ADD_FAILURE() << "nothing counts " << name;
-    return 0;
 }
 
 }  // namespace

@@ -19,6 +19,7 @@
 #include "mv/study/study.h"
 #include "support/demo_run.h"
 #include "support/softpipe.h"
+#include "support/study_counts.h"
 
 using namespace mv;
 using namespace mv::test;
@@ -34,14 +35,6 @@ StudyRun measured(const std::string& scene, const std::string& begin = "") {
     StudyRun run = runStudy(stage(), study, {.timed = false});
     for (const StudyRow& row : run.rows) EXPECT_TRUE(row.ok()) << row.method << row.parameter << ": " << row.status;
     return run;
-}
-
-double countOf(const StudyRow& row, const std::string& name) {
-    for (const auto& [counted, amount] : row.counts) {
-        if (counted == name) return amount;
-    }
-    ADD_FAILURE() << row.method << " did not count " << name;
-    return NAN;
 }
 
 const StudyRow& rowOf(const StudyRun& run, const std::string& method) {

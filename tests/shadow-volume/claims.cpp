@@ -35,6 +35,7 @@
 #include "shadow-volume/neighbours.h"
 #include "support/demo_run.h"
 #include "support/softpipe.h"
+#include "support/study_counts.h"
 
 using namespace mv;
 using namespace mv::test;
@@ -52,14 +53,6 @@ StudyRow compareWithRays() {
     EXPECT_EQ(row.status, "ok");
     EXPECT_GT(row.awayFromEdges.n, 10000);  // so that 0 wrong is not 0 of nothing
     return row;
-}
-
-double countOf(const StudyRow& row, const std::string& name) {
-    for (const auto& [counted, amount] : row.counts) {
-        if (counted == name) return amount;
-    }
-    ADD_FAILURE() << "nothing counts " << name;
-    return 0;
 }
 
 // The stencil buffer of the last picture, the upper row first.

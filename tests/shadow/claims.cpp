@@ -23,10 +23,10 @@ using namespace mv::test;
 
 namespace {
 
-constexpr SeenColors colors{Pixel{255, 255, 255}, Pixel{255, 0, 0}, Pixel{255, 255, 255}, Pixel{0, 0, 0}};
-const Pixel black{0, 0, 0}, red{255, 0, 0};
+constexpr Pixel paper{255, 255, 255}, squareColor{255, 0, 0}, black{0, 0, 0};
+constexpr SeenColors seenColors{paper, squareColor, paper, black};
 
-vec3 lightAt(int frame, double height) { return {std::sin(0.1 * frame), height, std::cos(0.1 * frame)}; }
+vec3 lightOfFrame(int frame, double height) { return {std::sin(0.1 * frame), height, std::cos(0.1 * frame)}; }
 
 vec3 divided(const vec4& p) { return vec3(p) / p.w; }
 
@@ -42,19 +42,14 @@ RayComparison againstRays(DemoRun& run, int frame, double height) {
     const Picture picture = run.picture(frame);
     const ShadowScene scene{.clipFromWorld = run.matrix("clipFromView") * run.matrix("viewFromWorld"),
                             .worldFromSquare = run.matrix("worldFromModel"),
-                            .light = lightAt(frame, height)};
-    return compareWithRays(picture, scene, colors);
+                            .light = lightOfFrame(frame, height)};
+    return compareWithRays(picture, scene, seenColors);
 }
 
 // The middle of the square's shadow without any check, in the picture.
 vec3 uncheckedShadow(DemoRun& run, const vec3& light) {
     const vec4 middle = run.matrix("worldFromModel") * vec4(0, 0, 0, 1);
     return vec3(run.matrix("clipFromView") * run.matrix("viewFromWorld") * vec4(divided(textbook(light) * middle), 1));
-}
-
-std::string onlyMessage(DemoRun& run) {
-    const auto messages = run.messages();
-    return messages.size() == 1 ? messages[0] : std::to_string(messages.size()) + " messages";
 }
 
 }  // namespace
@@ -80,7 +75,7 @@ TEST(Shadow, textbook_matrix) {
     run.set("rays", "off");
     for (const int frame : {1, 16, 47}) {
         run.set("light-height", 2).picture(frame);
-        const vec3 light = lightAt(frame, 2);
+        const vec3 light = lightOfFrame(frame, 2);
         const mat4 ours = run.matrix("shadowFromWorld"), course = textbook(light);
         // A homogeneous matrix means the same times any factor; ours is y_l times the course's.
         const mat4 difference = ours - light.y * course;
@@ -100,7 +95,7 @@ TEST(Shadow, on_the_ray) {
     run.set("rays", "off");
     for (const double tilt : {0, 25, -75}) {
         run.set("tilt", tilt).picture(9);
-        const vec3 light = lightAt(9, 2);
+        const vec3 light = lightOfFrame(9, 2);
         for (const vec3 corner : {vec3(-0.5, 0, 0.5), vec3(0.5, 0, 0.5), vec3(0.5, 0, -0.5), vec3(-0.5, 0, -0.5)}) {
             const vec3 caster(run.matrix("worldFromModel") * vec4(corner, 1));
             const vec3 shadow = divided(run.matrix("shadowFromWorld") * vec4(caster, 1));
@@ -121,12 +116,12 @@ TEST(Shadow, above_the_light) {
     run.set("rays", "off");
     const Picture picture = run.set("light-height", 0.3).picture(40);
     EXPECT_EQ(countPixels(picture, black), 0);
-    EXPECT_GT(countPixels(picture, red), 1000);
-    EXPECT_EQ(onlyMessage(run), "The light is below the square: it casts no shadow on the floor.");
+    EXPECT_GT(countPixels(picture, squareColor), 1000);
+    EXPECT_EQ(run.onlyMessage(), "The light is below the square: it casts no shadow on the floor.");
     EXPECT_NEAR(run.readout("least-w"), -0.2, 1e-15);
     EXPECT_FALSE(run.measured("shadow-area"));
     // The twin: divided without a look at w, the anti-shadow lies in the picture.
-    const vec3 anti = uncheckedShadow(run, lightAt(40, 0.3));
+    const vec3 anti = uncheckedShadow(run, lightOfFrame(40, 0.3));
     EXPECT_LT(std::abs(anti.x), 1);
     EXPECT_LT(std::abs(anti.y), 1);
 
@@ -135,7 +130,7 @@ TEST(Shadow, above_the_light) {
         const RayComparison part = againstRays(run.set("light-height", 0.6).set("tilt", 50), frame, 0.6);
         EXPECT_EQ(part.wrong, 0);
         EXPECT_GT(part.shadow, 1000);
-        EXPECT_EQ(onlyMessage(run), "Only the part of the square below the light casts a shadow.");
+        EXPECT_EQ(run.onlyMessage(), "Only the part of the square below the light casts a shadow.");
         EXPECT_FALSE(run.measured("shadow-area"));  // it reaches to infinity
     }
 }
@@ -145,10 +140,10 @@ TEST(Shadow, at_the_lights_height) {
     run.set("rays", "off");
     const Picture picture = run.set("light-height", 0.5).picture(7);
     EXPECT_EQ(countPixels(picture, black), 0);
-    EXPECT_EQ(onlyMessage(run), "The square is as high as the light: its shadow would lie at infinity.");
+    EXPECT_EQ(run.onlyMessage(), "The square is as high as the light: its shadow would lie at infinity.");
     EXPECT_EQ(run.readout("least-w"), 0);
     // The twin: 0 in every w, so the division gives no number.
-    const vec4 corner = textbook(lightAt(7, 0.5)) * vec4(0.5, 0.5, 0.5, 1);
+    const vec4 corner = textbook(lightOfFrame(7, 0.5)) * vec4(0.5, 0.5, 0.5, 1);
     EXPECT_EQ(corner.w, 0);
     EXPECT_FALSE(std::isfinite(divided(corner).x));
     // As near as a setting can be: a shadow some 1e9 wide, and still what the rays show.
@@ -161,9 +156,9 @@ TEST(Shadow, below_the_floor) {
     run.set("rays", "off");
     const Picture picture = run.set("square-height", -0.4).picture(40);
     EXPECT_EQ(countPixels(picture, black), 0);
-    EXPECT_EQ(onlyMessage(run), "The square is not above the floor: no shadow of it falls there.");
+    EXPECT_EQ(run.onlyMessage(), "The square is not above the floor: no shadow of it falls there.");
     // The twin: its w is positive, so nothing but the height tells.
-    const vec3 light = lightAt(40, 2);
+    const vec3 light = lightOfFrame(40, 2);
     EXPECT_GT((textbook(light) * vec4(0, -0.4, 0, 1)).w, 0);
     const vec3 shadow = uncheckedShadow(run, light);
     EXPECT_LT(std::abs(shadow.x), 1);
@@ -173,7 +168,7 @@ TEST(Shadow, below_the_floor) {
     const RayComparison part = againstRays(run.set("square-height", 0.2).set("tilt", 60), 40, 2);
     EXPECT_EQ(part.wrong, 0);
     EXPECT_GT(part.shadow, 5000);
-    EXPECT_EQ(onlyMessage(run), "Only the part of the square above the floor casts a shadow.");
+    EXPECT_EQ(run.onlyMessage(), "Only the part of the square above the floor casts a shadow.");
     EXPECT_LT(run.readout("shadow-area"), 1.1);
     // In the plane there is nothing to fight over: the square, and no shadow.
     EXPECT_EQ(countPixels(run.set("square-height", 0).set("tilt", 0).picture(), black), 0);
@@ -185,14 +180,14 @@ TEST(Shadow, light_not_above) {
     for (const double height : {0.0, 1e-7, -1e-7, -1.0}) {
         const Picture picture = run.set("light-height", height).picture(40);
         EXPECT_EQ(countPixels(picture, black), 0) << height;
-        EXPECT_GT(countPixels(picture, red), 1000);
-        EXPECT_EQ(onlyMessage(run), height == -1 ? "The light is below the floor: no shadow falls on its upper side."
-                                                 : "The light lies in the floor: there is no shadow.");
+        EXPECT_GT(countPixels(picture, squareColor), 1000);
+        EXPECT_EQ(run.onlyMessage(), height == -1 ? "The light is below the floor: no shadow falls on its upper side."
+                                                  : "The light lies in the floor: there is no shadow.");
         EXPECT_FALSE(run.measured("shadow-area"));
     }
     // The twins: in the plane the entry -1/y is no number; below it a shadow appears in the picture, with w > 0.
-    EXPECT_FALSE(std::isfinite(textbook(lightAt(40, 0))[1][3]));
-    const vec3 light = lightAt(40, -1);
+    EXPECT_FALSE(std::isfinite(textbook(lightOfFrame(40, 0))[1][3]));
+    const vec3 light = lightOfFrame(40, -1);
     EXPECT_GT((textbook(light) * vec4(0, 0.5, 0, 1)).w, 0);
     EXPECT_LT(std::abs(uncheckedShadow(run, light).x), 1);
     EXPECT_LT(std::abs(uncheckedShadow(run, light).y), 1);

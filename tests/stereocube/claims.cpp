@@ -107,7 +107,7 @@ int paperOf(const std::string& background) { return background == "white" ? 255 
 vec3 placeOf(const mat4& eyeFromWorld) { return vec3(glm::inverse(eyeFromWorld) * vec4(0, 0, 0, 1)); }
 
 // A few dozen roundings of numbers up to 600, each 1e-13 at most.
-constexpr double rounding = 1e-11;
+constexpr double pixelRounding = 1e-11;
 
 }  // namespace
 
@@ -202,7 +202,7 @@ TEST(Stereocube, toe_in_is_crooked) {
         largest = std::max(
             largest, std::abs(height("clipFromLeft", "leftFromWorld") - height("clipFromRight", "rightFromWorld")));
     }
-    EXPECT_NEAR(run.readout("vertical-parallax"), largest, rounding);
+    EXPECT_NEAR(run.readout("vertical-parallax"), largest, pixelRounding);
     // And in the picture: the upper corners of the left eye's cube, left and right, are at different heights.
     const Ink ink = anyInk(run.set("eye-sep", 0.5).set("eyes", "left").picture(), 255);
     const auto topOfColumn = [&](std::size_t x) {
@@ -226,7 +226,7 @@ TEST(StereocubeFull, off_axis_is_level) {
     for (const double convergence : {0.25, 0.5, 1.0, 3.0, 10.0}) {
         for (const double spin : {0, 33}) {
             run.set("convergence", convergence).set("spin-x", spin).set("spin-y", 2 * spin).picture();
-            EXPECT_LT(run.readout("vertical-parallax"), rounding) << convergence;
+            EXPECT_LT(run.readout("vertical-parallax"), pixelRounding) << convergence;
         }
     }
     run.set("convergence", 2).set("spin-x", 20).set("spin-y", 30).set("eye-sep", 0.5);
@@ -246,9 +246,10 @@ TEST(Stereocube, zero_at_convergence) {
     run.preset("original");
     run.set("stereo", "off-axis").set("colors", "masks").set("z-dist", -2.5);
     const Picture picture = run.picture();
-    EXPECT_NEAR(run.readout("parallax-min"), 0, rounding);  // the near face, 2 ahead
+    EXPECT_NEAR(run.readout("parallax-min"), 0, pixelRounding);  // the near face, 2 ahead
     const double focal = 300 / std::tan(radians(25.0));
-    EXPECT_NEAR(run.readout("parallax-max"), focal * 0.2 * (1 / 2.0 - 1 / 3.0), rounding);  // the far face, 3 ahead
+    EXPECT_NEAR(run.readout("parallax-max"), focal * 0.2 * (1 / 2.0 - 1 / 3.0),
+                pixelRounding);  // the far face, 3 ahead
     // Both eyes ink the near face's four edges at the same pixels: black, nothing left of either channel.
     const double side = focal * 1 / 2.0;
     EXPECT_GT(static_cast<double>(countPixels(picture, {0, 0, 0})), 3.9 * side);
@@ -279,7 +280,7 @@ TEST(Stereocube, eyes_turn_outwards) {
     const double pixels = run.readout("parallax-max");
     for (const double width : {160.0, 345.0, 6000.0}) {
         run.set("screen-width", width).picture();
-        EXPECT_NEAR(run.readout("parallax-mm"), pixels * width / 600, rounding * width);
+        EXPECT_NEAR(run.readout("parallax-mm"), pixels * width / 600, pixelRounding * width);
         // Similar triangles: at infinity it is the eyes' distance, at the scale of the screen's window
         EXPECT_NEAR(run.readout("infinity-mm"), 0.2 * width / (4 * std::tan(radians(25.0))), 1e-12 * width);
         EXPECT_LT(run.readout("parallax-mm"), run.readout("infinity-mm"));

@@ -111,6 +111,11 @@ mat4 DemoRun::matrix(const std::string& name) {
 
 std::vector<std::string> DemoRun::messages() { return stage().notes().messages; }
 
+std::string DemoRun::onlyMessage() {
+    const auto said = messages();
+    return said.size() == 1 ? said[0] : std::to_string(said.size()) + " messages";
+}
+
 std::string DemoRun::refusal() {
     try {
         demo().check();

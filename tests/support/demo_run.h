@@ -52,6 +52,8 @@ class DemoRun {
     // A matrix of the last picture, by its shown name; a test failure where there is none.
     mat4 matrix(const std::string& name);
     std::vector<std::string> messages();
+    // The message of the last picture where it has one, else how many it has.
+    std::string onlyMessage();
     // The words of check() on the present settings; "" where it lets them pass.
     std::string refusal();
     Demo& demo() { return stage().demo(); }

@@ -29,14 +29,14 @@ using namespace mv::test;
 
 namespace {
 
-constexpr int paneWidth = 600, height = 540;  // of the floor, in the demo's own size
+constexpr int paneWidth = 600, paneHeight = 540;  // of the floor, in the demo's own size
 
 // Row 0 is the lowest, as on the floor.
-Pixel atFloor(const Picture& picture, int x, int row) { return picture.at(x, height - 1 - row); }
+Pixel atFloor(const Picture& picture, int x, int row) { return picture.at(x, paneHeight - 1 - row); }
 
 // The row of the horizon, which is nowhere whole.
 double horizon() {
-    const mat3 repeats = repeatsFromPixel(paneWidth, height, 0);
+    const mat3 repeats = repeatsFromPixel(paneWidth, paneHeight, 0);
     return -repeats[2].z / repeats[1].z;
 }
 
@@ -87,7 +87,7 @@ TEST(TextureFilter, texel_squares) {
     run.set("filter", "nearest").set("pattern", "bricks").set("texture-size", size).set("turn", 25);
     const Picture picture = run.picture();
     const FloatPicture texels = floorPattern(FloorPattern::bricks, size);
-    const mat3 repeats = repeatsFromPixel(paneWidth, height, 25);
+    const mat3 repeats = repeatsFromPixel(paneWidth, paneHeight, 25);
     long wrong = 0, asked = 0, atBorders = 0;
     // Up to a distance of 10, where a texel is 3 pixels wide; from row 20 on, above the marked pixel
     for (int row = 20; row < static_cast<int>(horizon() - 47); ++row) {
@@ -156,7 +156,7 @@ TEST(TextureFilter, level_as_computed) {
     std::array<int, 7> asked{};
     // One picture shows all levels; the marked pixel, which is only asked for its number, is elsewhere in it.
     const Picture picture = run.set("pixel-x", 0).set("pixel-y", 0).picture();
-    const mat3 repeats = repeatsFromPixel(paneWidth, height, 0);
+    const mat3 repeats = repeatsFromPixel(paneWidth, paneHeight, 0);
     for (int below = 20; below < 380; below += 4) {
         for (const double across : {0.2, 0.51, 0.9}) {
             const int x = static_cast<int>(across * paneWidth), row = static_cast<int>(horizon()) - below;
