@@ -1,6 +1,7 @@
 // The programs as a user or a CI job starts them: exit statuses, messages, files, hosts.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <fstream>
@@ -37,7 +38,8 @@ std::string withoutProgress(const std::string& said) {
 
 // What the processor computes in passes takes seconds, and is drawn smaller.
 std::string smallSize(const DemoInfo& info) {
-    return std::to_string(info.width / coarser(info)) + "x" + std::to_string(info.height / coarser(info));
+    const int by = std::max(3, coarser(info));
+    return std::to_string(info.width / by) + "x" + std::to_string(info.height / by);
 }
 
 class Programs : public testing::TestWithParam<std::string> {};

@@ -225,8 +225,9 @@ TEST_P(Studies, claims_can_fail) {
     std::printf("%s: %d claims, %d predicates\n", demo.name.c_str(), claims, predicates);
 }
 
-// A reference is kept while the settings that it says it reads are as they were, so it depends on no other: in each scene of the study and each preset
-// each end and word of each other knob makes the same one. (In a small picture: what is read is the same.)
+// A reference is kept while the settings that it says it reads are as they were, so it depends on no other: in a scene of the study both
+// ends of each other knob make the same one; in ./test --long in each scene, and in each preset, which --study measures in, too.
+// (In a small picture: what is read is the same.)
 TEST_P(Studies, references_depend_on_what_they_read) {
     const Study& study = *findDemo(GetParam()).study;
     if (study.reads.empty()) return;  // it is made anew for each row
@@ -243,13 +244,12 @@ TEST_P(Studies, references_depend_on_what_they_read) {
     const auto sameNumbers = [](const std::vector<double>& a, const std::vector<double>& b) {
         return std::ranges::equal(a, b, [](double x, double y) { return x == y || (x != x && y != y); });
     };
-    // --study measures in any settings, in those of the presets, say, which the long run has; and there each scene of a study of values,
-    // whose references are as large as they are and take seconds.
     std::vector<StudyScene> scenes = study.scenes;
-    for (const Preset& preset : findDemo(GetParam()).presets) {
-        if (isLong()) scenes.push_back({preset.name, preset.settings});
+    if (isLong()) {
+        for (const Preset& preset : findDemo(GetParam()).presets) scenes.push_back({preset.name, preset.settings});
+    } else {
+        scenes.resize(1);
     }
-    if (study.ofValues && !isLong()) scenes.resize(1);
     int compared = 0;
     for (const StudyScene& scene : scenes) {
         for (Knob* knob : demo.knobs()) knob->reset();

@@ -29,7 +29,7 @@ std::optional<Picture> visitScene(const std::string& setting, Times times = sani
 std::optional<Picture> drawnOnce(int frame, bool readouts);
 
 // A ninth of the points of the initial size, and of what the processor computes in passes a hundredth: there are many settings
-// to draw, and each still shows something. (Under the sanitizers, where that is not looked at, a sixteenth and a four hundredth.)
+// to draw, and each still shows something.
 void drawSmall();
 
 // The value that is tried many times in the place of an end that costs seconds a picture: tests/visits/affordable.txt.

@@ -1436,7 +1436,7 @@ study() {
     equal "row of settings that were not measured" "" "$(reported here)"
     quit
     # A point sets what its row leaves as it opens, too: none of the others names --by.
-    start 'mvgl: shadow-volume' "$(dirname "$cubeCull")/shadow-volume" --size 640x900 --method z-pass-started --by geometry-shader
+    start 'mvgl: shadow-volume' "$(dirname "$cubeCull")/shadow-volume" --size 320x700 --method z-pass-started --by geometry-shader
     clickOn "point z-fail, every triangle"
     awaitReport by processor here "z-fail, every triangle"
     quit
