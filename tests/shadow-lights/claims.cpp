@@ -15,7 +15,6 @@
 #include "mv/demo/demo.h"
 #include "mv/study/study.h"
 #include "support/demo_run.h"
-#include "support/study_counts.h"
 
 using namespace mv;
 using namespace mv::test;

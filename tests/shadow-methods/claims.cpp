@@ -19,7 +19,6 @@
 #include "mv/study/study.h"
 #include "support/demo_run.h"
 #include "support/softpipe.h"
-#include "support/study_counts.h"
 
 using namespace mv;
 using namespace mv::test;

@@ -35,7 +35,6 @@
 #include "shadow-volume/neighbours.h"
 #include "support/demo_run.h"
 #include "support/softpipe.h"
-#include "support/study_counts.h"
 
 using namespace mv;
 using namespace mv::test;

@@ -15,6 +15,7 @@
 #include "mv/gl/undefined.h"
 #include "mv/image/compare.h"
 #include "mv/image/png.h"
+#include "mv/study/data.h"
 
 namespace mv::test {
 namespace {
@@ -123,6 +124,14 @@ std::string DemoRun::refusal() {
     } catch (const Error& error) {
         return error.what();
     }
+}
+
+double countOf(const StudyRow& row, const std::string& name) {
+    for (const auto& [counted, amount] : row.counts) {
+        if (counted == name) return amount;
+    }
+    ADD_FAILURE() << row.method << " does not count " << name;
+    return std::numeric_limits<double>::quiet_NaN();
 }
 
 std::vector<std::string> demoNames() {

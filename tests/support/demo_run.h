@@ -10,6 +10,10 @@
 #include "mv/show/stage.h"
 #include "support/sanitized.h"
 
+namespace mv {
+struct StudyRow;
+}
+
 namespace mv::test {
 
 // The stage of this test program, on the host named by MVGL_TEST_HOST (osmesa, egl, egl-device; the program's own choice
@@ -58,6 +62,9 @@ class DemoRun {
     std::string refusal();
     Demo& demo() { return stage().demo(); }
 };
+
+// What a row of a study has counted, by its name; a test failure and NaN where it has not.
+double countOf(const StudyRow& row, const std::string& name);
 
 // The names of all demos of this test program, and a parameter as a word that a test's name may have.
 std::vector<std::string> demoNames();
