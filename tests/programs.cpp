@@ -1,7 +1,6 @@
 // The programs as a user or a CI job starts them: exit statuses, messages, files, hosts.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <fstream>
@@ -36,9 +35,8 @@ std::string withoutProgress(const std::string& said) {
     return std::regex_replace(said, std::regex("(pass|step) [0-9]+ of [0-9]+\n"), "");
 }
 
-// What the processor computes in passes takes seconds, and is drawn smaller.
 std::string smallSize(const DemoInfo& info) {
-    const int by = std::max(3, coarser(info));
+    const int by = coarserOften(info);
     return std::to_string(info.width / by) + "x" + std::to_string(info.height / by);
 }
 

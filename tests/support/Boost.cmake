@@ -1,5 +1,4 @@
-# mvgl-boost: Boost's headers, and GNU MPFR, by which Boost.Multiprecision computes with 34 and 50 digits in half of the time that its
-# own form of them takes.
+# mvgl-boost: Boost's headers, and GNU MPFR, by which Boost.Multiprecision computes with 34 and 50 digits sooner than by its own form.
 if(NOT TARGET mvgl-boost)
   find_path(BOOST_INCLUDE_DIR boost/multiprecision/mpfr.hpp REQUIRED DOC "Reference values (package libboost-dev)")
   find_path(MPFR_INCLUDE_DIR mpfr.h REQUIRED DOC "Reference values (package libmpfr-dev)")

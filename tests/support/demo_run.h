@@ -2,6 +2,7 @@
 #pragma once
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -34,7 +35,9 @@ inline bool hasPasses(const DemoInfo& info) { return info.make()->passes(FrameIn
 
 // The number by which such a picture's sides are divided where it is tried often; 1 for other demos.
 inline int coarser(const DemoInfo& info) { return hasPasses(info) ? 10 : 1; }
-// The same where once is enough but under the sanitizers, which see the same code in a small one.
+// The number for any demo where many pictures are drawn, each of which still shows something: a third of the sides, a ninth of the points.
+inline int coarserOften(const DemoInfo& info) { return std::max(3, coarser(info)); }
+// coarser() where once is enough but under the sanitizers, which see the same code in a small one.
 inline int coarserIfSanitized(const DemoInfo& info) { return sanitized ? coarser(info) : 1; }
 
 // A demo on that stage, at its own size unless another is given.

@@ -264,15 +264,14 @@ void visitBothWays(Settings& settings, const std::vector<CoveringRow>& rows) {
     }
 }
 
-// Pairs of ends of two knobs, in rows that have as many pairs as can be: the eight rows with most of them, and in ./test --long all rows,
-// in which each pair is drawn, or refused by itself; and there each by itself, too, while all other knobs are as they open.
+// Pairs of ends of two knobs, in rows, each with as many as can be of the pairs that no row before it has: the first eight rows; in
+// ./test --long all, in which each pair is drawn, or refused by itself; and there each by itself, too, while all other knobs are as they open.
 TEST_P(Visits, pairs_of_ends) {
     if (sanitized) return;
     DemoRun run(GetParam(), 64, 48);
     Settings settings(run.demo());
     const CoveringArray array = coveringArray(settings.levels(), settings.usual(),
                                               [&](const CoveringRow& row) { return settings.allowed(row); });
-    // Each row was chosen for the pairs that none before it has.
     std::vector<CoveringRow> rows = array.rows;
     if (!isLong() && rows.size() > 8) rows.resize(8);
     visitBothWays(settings, rows);

@@ -108,7 +108,7 @@ INSTANTIATE_TEST_SUITE_P(Demos, AnyRenderer, testing::ValuesIn(demoNames()), par
 // Each is a picture, and no two are alike; it is written as the knobs write their values, and the readouts that its sentence tells
 // are as it tells them.
 // (What the processor computes in passes is drawn as small as the ends of the knobs: golden pictures show it large. So is all under the
-// sanitizers, where what it shows is not looked at.)
+// sanitizers, where presets are not compared.)
 TEST_P(Visits, presets) {
     DemoRun run(GetParam());
     if (sanitized || hasPasses(stage().info())) drawSmall();

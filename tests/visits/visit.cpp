@@ -71,7 +71,7 @@ std::optional<Picture> visitScene(const std::string& setting, Times times) {
 }
 
 void drawSmall() {
-    const int by = std::max(3, coarser(stage().info()));
+    const int by = coarserOften(stage().info());
     stage().resize(stage().front().width() / by, stage().front().height() / by);
 }
 

@@ -28,8 +28,7 @@ std::optional<Picture> visitScene(const std::string& setting, Times times = sani
 // One drawing of it alone, with or without its readouts; nothing, and a test failure, where it throws.
 std::optional<Picture> drawnOnce(int frame, bool readouts);
 
-// A ninth of the points of the initial size, and of what the processor computes in passes a hundredth: there are many settings
-// to draw, and each still shows something.
+// There are many settings to draw: of the sides, the part that coarserOften() says.
 void drawSmall();
 
 // The value that is tried many times in the place of an end that costs seconds a picture: tests/visits/affordable.txt.
