@@ -160,7 +160,8 @@ void put(Arguments& a, std::size_t i, const mat4& m) {
 
 double anyNumber(Random& random, Domain domain, double size) {
     const double exponent = domain == Domain::whole ? size : 3;
-    return random.sign() * std::pow(10.0, random.number(-exponent, exponent));
+    const double sign = random.sign();
+    return sign * std::pow(10.0, random.number(-exponent, exponent));
 }
 
 double anyScale(Random& random, Domain domain, double size) {

@@ -38,8 +38,10 @@ const std::string ordinarySizes = "numbers 0, or from 1e-4 to 1e4 in size";
 
 // A ray from up to 10 away towards somewhere near the origin, with a direction of any length.
 void putRay(Random& random, Domain domain, Arguments& a) {
-    const vec3 origin = 10 * random.number(0, 1) * random.direction();
-    const vec3 towards = (domain == Domain::whole ? random.logarithmic(1e-3, 2) : 1.0) * random.point(1);
+    const double away = 10 * random.number(0, 1);
+    const vec3 origin = away * random.direction();
+    const double aside = domain == Domain::whole ? random.logarithmic(1e-3, 2) : 1.0;
+    const vec3 towards = aside * random.point(1);
     put(a, originAt, origin);
     put(a, directionAt, random.logarithmic(0.1, 10) * (towards - origin));
 }
@@ -277,7 +279,7 @@ std::vector<Function> intersectionFunctions() {
                                     [](Random& random, Domain domain) {
                                         Arguments a{};
                                         putRay(random, domain, a);
-                                        put(a, solidAt, vec4(random.direction(), random.number(-1, 1)));
+                                        put(a, solidAt, vec4{random.direction(), random.number(-1, 1)});
                                         return a;
                                     },
                                 .truth = planeTruth},

@@ -58,9 +58,10 @@ vec4 anyQuaternion(Random& random, Domain domain) {
     const vec3 axis = random.direction();
     const double w = random.number(-1, 1), rest = std::sqrt(1 - w * w);
     if (domain == Domain::ordinary) return {w, rest * axis};
-    const vec4 factors(random.logarithmic(1e-9, 1), random.logarithmic(1e-9, 1), random.logarithmic(1e-9, 1),
-                       random.logarithmic(1e-9, 1));
-    return anyScale(random, domain, 290) * (random.sign() < 0 ? factors : vec4(1)) * vec4(w, rest * axis);
+    const vec4 factors{random.logarithmic(1e-9, 1), random.logarithmic(1e-9, 1), random.logarithmic(1e-9, 1),
+                       random.logarithmic(1e-9, 1)};
+    const double scale = anyScale(random, domain, 290);
+    return scale * (random.sign() < 0 ? factors : vec4(1)) * vec4(w, rest * axis);
 }
 double largestPart(const vec4& v) { return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2]), std::abs(v[3])}); }
 bool isQuaternion(const Arguments& a, std::size_t i) { return pointAt(a, i) != vec4(0); }
@@ -76,8 +77,9 @@ Arguments pairs(Random& random, Domain domain) {
     put(a, 0, anyQuaternion(random, domain));
     if (domain == Domain::whole && random.sign() < 0) {
         const vec4 first = pointAt(a, 0) / largestPart(pointAt(a, 0));
-        const vec4 aside(random.number(-1, 1), random.point(1));
-        put(a, 4, anyScale(random, domain, 290) * random.sign() * (first + random.logarithmic(1e-16, 1) * aside));
+        const vec4 aside{random.number(-1, 1), random.point(1)};
+        const double scale = anyScale(random, domain, 290), sign = random.sign();
+        put(a, 4, scale * sign * (first + random.logarithmic(1e-16, 1) * aside));
     } else {
         put(a, 4, anyQuaternion(random, domain));
     }
@@ -207,8 +209,10 @@ Arguments velocitiesAndUps(Random& random, Domain domain) {
     Arguments a{};
     const vec3 forward = random.direction(), aside = glm::normalize(glm::cross(forward, random.direction()));
     const double off = domain == Domain::whole ? random.logarithmic(2e-12, 10) : random.number(0.2, 2);
-    put(a, 0, anyScale(random, domain, 290) * random.number(1, 2) * forward);
-    put(a, 3, anyScale(random, domain, 290) * (random.sign() * forward + off * aside));
+    const double scale = anyScale(random, domain, 290);
+    put(a, 0, scale * random.number(1, 2) * forward);
+    const double otherScale = anyScale(random, domain, 290);
+    put(a, 3, otherScale * (random.sign() * forward + off * aside));
     return a;
 }
 struct WideAxes {
@@ -235,7 +239,8 @@ std::vector<Function> orientationFunctions() {
              [](Random& random, Domain domain) {
                  Arguments a{};
                  a[0] = domain == Domain::ordinary ? random.number(-360, 360) : anyNumber(random, domain, 300);
-                 put(a, 1, anyScale(random, domain, 150) * random.number(0.1, 10) * random.direction());
+                 const double scale = anyScale(random, domain, 150), length = random.number(0.1, 10);
+                 put(a, 1, scale * length * random.direction());
                  return a;
              },
          .truth =

@@ -23,10 +23,11 @@ using test::WideMatrix;
 Arguments cuts(Random& random, Domain domain) {
     for (;;) {
         const double scale = anyScale(random, domain, 70);
-        const vec4 bound = anyScale(random, domain, 70) * vec4(random.direction(), random.number(-1, 1));
-        const vec4 a = scale * vec4(random.point(1), random.number(-1, 1));
+        const double boundScale = anyScale(random, domain, 70);
+        const vec4 bound = boundScale * vec4{random.direction(), random.number(-1, 1)};
+        const vec4 a = scale * vec4{random.point(1), random.number(-1, 1)};
         const double apart = domain == Domain::whole ? random.logarithmic(1e-9, 1e3) : 1.0;
-        const vec4 b = a + scale * apart * vec4(random.point(1), random.number(-1, 1));
+        const vec4 b = a + scale * apart * vec4{random.point(1), random.number(-1, 1)};
         if ((glm::dot(bound, a) >= 0) == (glm::dot(bound, b) >= 0)) continue;
         Arguments arguments{};
         put(arguments, 0, a);
@@ -99,7 +100,8 @@ Arguments polygons(Random& random, Domain domain) {
     Arguments a{};
     put(a, 0, scale * base);
     put(a, 3, scale * (base + random.number(0.5, 1) * along));
-    put(a, 6, scale * (base + random.number(0.5, 1) * along + thin * random.number(0.5, 1) * across));
+    const vec3 beyond = base + random.number(0.5, 1) * along;
+    put(a, 6, scale * (beyond + thin * random.number(0.5, 1) * across));
     put(a, 9, scale * (base + thin * random.number(0.5, 1) * across));
     return a;
 }
@@ -119,7 +121,7 @@ Arguments eyes(Random& random, Domain domain) {
         put(a, side < 0 ? 0 : 16, frustum(shifted) * translate(-side * apart, 0, 0) * mv::scale(1 / scale));
     }
     const double away = isWhole ? random.logarithmic(0.1, 1e5) : random.number(0.2, 50);
-    put(a, 32, scale * away * vec3(random.number(-1, 1), random.number(-1, 1), -1));
+    put(a, 32, scale * away * vec3{random.number(-1, 1), random.number(-1, 1), -1});
     a[35] = std::floor(random.logarithmic(1, 16385));
     a[36] = std::floor(random.logarithmic(1, 16385));
     return a;
@@ -156,16 +158,21 @@ bool isUsualProduct(double a, double b) {
 Arguments nearlyEqualProducts(Random& random, Domain domain) {
     Arguments a{};
     for (std::size_t i = 0; i < 3; ++i) a[i] = anyNumber(random, domain, 60);
-    a[3] = a[0] * a[1] / a[2] * (1 + random.sign() * random.logarithmic(domain == Domain::whole ? 1e-17 : 0.1, 1));
+    const double sign = random.sign();
+    a[3] = a[0] * a[1] / a[2] * (1 + sign * random.logarithmic(domain == Domain::whole ? 1e-17 : 0.1, 1));
     return a;
 }
 
 Arguments nearlyParallel(Random& random, Domain domain) {
     const double least = domain == Domain::whole ? 1e-16 : 0.1;
-    const vec3 first = random.direction(), second = first + random.logarithmic(least, 10) * random.direction();
+    const vec3 first = random.direction();
+    const double apart = random.logarithmic(least, 10);
+    const vec3 second = first + apart * random.direction();
     Arguments a{};
-    put(a, 0, anyScale(random, domain, 60) * random.number(1, 2) * first);
-    put(a, 3, anyScale(random, domain, 60) * random.number(1, 2) * second);
+    const double scale = anyScale(random, domain, 60);
+    put(a, 0, scale * random.number(1, 2) * first);
+    const double otherScale = anyScale(random, domain, 60);
+    put(a, 3, otherScale * random.number(1, 2) * second);
     return a;
 }
 
@@ -173,8 +180,12 @@ Arguments vectors(Random& random, Domain domain) {
     Arguments a{};
     const double scale = anyScale(random, domain, 290);
     for (std::size_t i = 0; i < 3; ++i) {
-        a[i] =
-            domain == Domain::ordinary ? random.number(-10, 10) : scale * random.sign() * random.logarithmic(1e-9, 1);
+        if (domain == Domain::ordinary) {
+            a[i] = random.number(-10, 10);
+        } else {
+            const double sign = random.sign();
+            a[i] = scale * sign * random.logarithmic(1e-9, 1);
+        }
     }
     return a;
 }

@@ -65,7 +65,8 @@ Arguments boxes(Random& random, Domain domain) {
     const double scale = anyScale(random, domain, 140);
     for (std::size_t i = 0; i < 6; i += 2) {
         a[i] = scale * random.number(-1, 1);
-        a[i + 1] = a[i] + scale * random.sign() * (domain == Domain::whole ? random.logarithmic(1e-12, 10) : 2);
+        const double sign = random.sign();
+        a[i + 1] = a[i] + scale * sign * (domain == Domain::whole ? random.logarithmic(1e-12, 10) : 2);
     }
     a[6] = random.number(0, 3);
     return a;
@@ -295,7 +296,8 @@ Arguments quaternions(Random& random, Domain domain) {
     const double sine = domain == Domain::whole ? random.logarithmic(1e-100, 1) : random.number(0, 1);
     const vec4 q(random.sign() * std::sqrt(1 - sine * sine), sine * axis);
     put(a, 0, anyScale(random, domain, 140) * q);
-    put(a, 4, anyScale(random, domain, 100) * random.point(1));
+    const double scale = anyScale(random, domain, 100);
+    put(a, 4, scale * random.point(1));
     return a;
 }
 Arguments directions(Random& random, Domain domain) {

@@ -25,7 +25,8 @@ void putBounds(Random& random, Domain domain, double scale, Arguments& a, std::s
         a[i + 1] = random.number(10, 80);
     } else {
         a[i] = scale * random.number(-1, 1);
-        a[i + 1] = a[i] + scale * random.sign() * random.logarithmic(1e-12, 10);
+        const double sign = random.sign();
+        a[i + 1] = a[i] + scale * sign * random.logarithmic(1e-12, 10);
     }
 }
 
@@ -80,10 +81,10 @@ Truth frustumTruth(const Arguments& a) {
 Arguments cameraMatrices(Random& random, Domain domain, double mostRatio) {
     const double ratio = random.logarithmic(10, domain == Domain::whole ? mostRatio : 1e3);
     const double near = domain == Domain::whole ? random.logarithmic(1e-3, 1e3) : random.logarithmic(0.1, 1);
-    const mat4 clipFromWorld = perspective(random.number(10, 120), random.number(0.5, 2), near, near * ratio) *
-                               lookAtAnyRoll(near * random.point(10), near * random.point(10));
+    const double fovy = random.number(10, 120), aspect = random.number(0.5, 2);
+    const vec3 eye = near * random.point(10), at = near * random.point(10);
     Arguments a{};
-    put(a, 0, clipFromWorld);
+    put(a, 0, perspective(fovy, aspect, near, near * ratio) * lookAtAnyRoll(eye, at));
     return a;
 }
 
@@ -414,9 +415,9 @@ std::vector<Function> projectionFunctions() {
                                   [](Random& random, Domain domain) {
                                       Arguments a{};
                                       for (std::size_t i = 0; i < 2; ++i) {
-                                          a[i] = domain == Domain::ordinary
-                                                     ? random.number(-1, 1)
-                                                     : random.sign() * random.logarithmic(1e-12, 1e3);
+                                          const double sign = domain == Domain::ordinary ? 1 : random.sign();
+                                          a[i] = domain == Domain::ordinary ? random.number(-1, 1)
+                                                                            : sign * random.logarithmic(1e-12, 1e3);
                                           if (domain == Domain::whole && random.sign() < 0) a[i] -= 1;
                                           a[i + 2] = std::floor(random.logarithmic(1, 16385));
                                       }

@@ -25,9 +25,10 @@ Arguments scenes(Random& random, Domain domain) {
     const vec3 up = random.direction();
     const double away = isWhole ? random.logarithmic(1e-3, 1e3) : random.number(0, 10);
     const vec3 onPlane = unit * away * up;
-    const vec3 aside = unit * random.number(0, 3) * (isWhole ? random.logarithmic(1e-3, 1e2) : 1.0) *
-                       glm::normalize(glm::cross(up, random.direction()));
-    const double height = random.sign() * (isWhole ? random.logarithmic(1e-2, 1e3) : random.number(1, 10));
+    const double part = random.number(0, 3), times = isWhole ? random.logarithmic(1e-3, 1e2) : 1.0;
+    const vec3 aside = unit * part * times * glm::normalize(glm::cross(up, random.direction()));
+    const double sign = random.sign();
+    const double height = sign * (isWhole ? random.logarithmic(1e-2, 1e3) : random.number(1, 10));
     const vec3 position = onPlane + aside + unit * height * up;
     const double w = random.sign() < 0 ? 1 : isWhole ? random.logarithmic(1e-3, 1e3) : random.number(0.5, 2);
     Arguments a{};

@@ -17,9 +17,12 @@ WideMatrix identity() { return wide(mat4(1)); }
 
 // A direction whose entries differ in size as well.
 vec3 anyVector(Random& random, Domain domain, double size) {
-    if (domain == Domain::ordinary) return random.number(0.1, 10) * random.direction();
+    if (domain == Domain::ordinary) {
+        const double length = random.number(0.1, 10);
+        return length * random.direction();
+    }
     const double scale = anyScale(random, domain, size);
-    const vec3 factors(random.logarithmic(1e-9, 1), random.logarithmic(1e-9, 1), random.logarithmic(1e-9, 1));
+    const vec3 factors{random.logarithmic(1e-9, 1), random.logarithmic(1e-9, 1), random.logarithmic(1e-9, 1)};
     return scale * factors * random.direction();
 }
 
@@ -88,13 +91,16 @@ Arguments cameras(Random& random, Domain domain) {
         }
     }
     const double scale = anyScale(random, domain, 290);
-    const vec3 eye = scale * random.logarithmic(1e-6, 1) * random.point(1);
-    const vec3 at = eye + scale * random.logarithmic(1e-6, 1) * random.direction();
+    const double away = random.logarithmic(1e-6, 1);
+    const vec3 eye = scale * away * random.point(1);
+    const double far = random.logarithmic(1e-6, 1);
+    const vec3 at = eye + scale * far * random.direction();
     const vec3 view = glm::normalize((at - eye) / scale);
     const vec3 aside = glm::normalize(glm::cross(view, random.direction()));
     put(a, 0, eye);
     put(a, 3, at);
-    put(a, 6, anyScale(random, domain, 150) * (random.sign() * view + random.logarithmic(2e-12, 10) * aside));
+    const double upScale = anyScale(random, domain, 150), sign = random.sign();
+    put(a, 6, upScale * (sign * view + random.logarithmic(2e-12, 10) * aside));
     return a;
 }
 
@@ -114,7 +120,8 @@ Arguments models(Random& random, Domain domain) {
             }
             m[column] = vec4(random.logarithmic(0.1, 10) * v, 0);
         } else {
-            const vec3 v = first + random.logarithmic(1e-8, 10) * random.direction();
+            const double apart = random.logarithmic(1e-8, 10);
+            const vec3 v = first + apart * random.direction();
             m[column] = vec4(random.logarithmic(1e-3, 1e3) * v, 0);
         }
     }

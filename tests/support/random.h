@@ -8,7 +8,8 @@
 
 namespace mv::test {
 
-// A seeded stream of numbers that is the same on every machine (std's distributions are not).
+// A seeded stream of numbers that is the same on every machine (std's distributions are not). Two of them in one expression, but for
+// braces, come in the order that the compiler likes: take each by itself.
 class Random {
   public:
     explicit Random(std::uint64_t seed) : state_(seed * 2 + 1) {}
