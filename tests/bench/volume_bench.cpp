@@ -50,7 +50,7 @@ class Planar {
             mesh.draw();
         }
         if (!shadow) return;
-        const auto& [cube, cubeMesh] = meshes_.of(scene_)[cubeOnThePlane.index];
+        const auto [cube, cubeMesh] = meshes_.of(scene_)[cubeOnThePlane.index];
         flatProgram_.use();
         // A millimetre above the floor, in the colour that the floor has without the light
         const mat4 shadowFromWorld = translate(0, 1e-3, 0) * shadowProjection(light, floorPlane);
