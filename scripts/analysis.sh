@@ -1,4 +1,4 @@
-# Sourced by ./test: static analysis by clang-tidy.
+# Sourced by ./test: static analysis by clang-tidy, and g++'s warnings.
 
 # One file: its line for the progress, after clang-tidy's words, which stand in a file of their own. (clang-tidy takes a header's
 # flags from the file whose name is nearest.)
@@ -18,23 +18,33 @@ what_differs() {
   [ -z "$since" ] || git -C "$root" rev-parse -q --verify "$since^{commit}" >/dev/null || fail "--since: must be a commit of this clone, $since"
 }
 
+# differing_from COMMIT: the files that do, committed or not.
+differing_from() {
+  { git -C "$root" diff --name-only --no-renames "$1" && git -C "$root" ls-files --others --exclude-standard; } | sort -u
+}
+
 # static_analysis SINCE: of each file that differs from what_differs, committed or not.
 static_analysis() {
   local since folder=$build/tidy file files=()
   what_differs "$1"
   # Each file alone, and without precompiled headers, which are another compiler's own.
-  configure "$folder" -DCMAKE_UNITY_BUILD=OFF -DMVGL_TESTS=ON -DMVGL_BENCH=ON -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON
+  configure "$folder" "-DCMAKE_CXX_COMPILER=$(command -v g++ || command -v "${CXX:-clang++}")" -DCMAKE_UNITY_BUILD=OFF -DMVGL_TESTS=ON -DMVGL_BENCH=ON -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON
   mkdir -p "$folder/words"
   # Headers, and of the sources what the build compiles: a trap that must not compile is none of clang-tidy's business.
   { tree_files | tr '\0' '\n' | grep -E '^(common|demos|tests)/.*\.h$'
     sed -n "s|^ *\"file\": \"$root/\(.*\)\".*|\1|p" "$folder/compile_commands.json" | grep -v '^build'; } | sort -u >"$folder/code.txt"
   if [ -n "$since" ]; then
-    { git -C "$root" diff --name-only --no-renames "$since" && git -C "$root" ls-files --others --exclude-standard; } | sort -u >"$folder/differs.txt"
+    differing_from "$since" >"$folder/differs.txt"
     grep -q clang-tidy "$folder/differs.txt" || { comm -12 "$folder/code.txt" "$folder/differs.txt" >"$folder/chosen.txt" && mv "$folder/chosen.txt" "$folder/code.txt"; }
   fi
   mapfile -t files <"$folder/code.txt"
   echo "${#files[@]} files to analyse${since:+: what differs from $since}"
   [ ${#files[@]} -gt 0 ] || return 0
+
+  # g++ warns of other things than clang++, by which all is built: it compiles them, too.
+  local sources=()
+  for file in "${files[@]}"; do [[ $file != *.cpp ]] || sources+=("$root/$file^"); done
+  [ ${#sources[@]} = 0 ] || build_targets "$folder" -k 0 "${sources[@]}"
 
   local status seconds done=0 found=0
   export root && export -f analyse_one

@@ -4,13 +4,13 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=$root/build
 
 # Each with its reason in the README's table of dependencies.
-run_packages=(g++ cmake ninja-build libglfw3-dev libimgui-dev libglm-dev libeigen3-dev libstb-dev libpng-dev
+run_packages=(clang cmake ninja-build libglfw3-dev libimgui-dev libglm-dev libeigen3-dev libstb-dev libpng-dev
   libjpeg-dev libcli11-dev nlohmann-json3-dev libgl-dev libegl-dev libegl1 libgl1-mesa-dri fonts-dejavu-core
   libosmesa6)
 site_packages=(nodejs cmark-gfm highlight esbuild)
 web_packages=(emscripten binaryen libharfbuzz-bin)
 test_packages=(git libgtest-dev libboost-dev libmpfr-dev libx11-dev xvfb x11-utils xdotool imagemagick clang-format)
-full_packages=("${site_packages[@]}" "${web_packages[@]}" chromium libgles2 mesa-vulkan-drivers clang-tidy clang libclang-rt-dev libembree-dev)
+full_packages=("${site_packages[@]}" "${web_packages[@]}" chromium libgles2 mesa-vulkan-drivers clang-tidy g++ libclang-rt-dev libembree-dev)
 # Node's own packages bring npm; Debian's has it apart.
 command -v npm >/dev/null || full_packages+=(npm)
 # What serves in the place of a package that not every distribution has.
@@ -81,8 +81,10 @@ check_versions() {
   local found
   found=$(cmake --version | sed -n '1s/.* //p')
   at_least "$found" 3.25 || fail "cmake: must be 3.25 or newer (Debian 12, Ubuntu 24.04), $found"
-  found=$("${CXX:-g++}" -dumpfullversion -dumpversion)
-  at_least "$found" 12 || fail "${CXX:-g++}: must be 12 or newer (Debian 12, Ubuntu 24.04), $found"
+  local compiler=${CXX:-clang++} least=12
+  ! "$compiler" --version | grep -q clang || least=14
+  found=$("$compiler" -dumpfullversion -dumpversion)
+  at_least "$found" "$least" || fail "$compiler: must be $least or newer (Debian 12, Ubuntu 24.04), $found"
 }
 
 # wait_for_others DESCRIPTOR FILE WHO: holds FILE of the build folder alone, until that file descriptor is closed by all that
@@ -141,7 +143,8 @@ run_cmake() {
   case ${1:-} in
     --preset) (cd "$root" && cmake "$@") ;;  # which has its folder from the preset
     --web) emcmake cmake -S "$root/web" -B "$folder" -G Ninja ;;
-    *) cmake -S "$root" -B "$folder" -G Ninja "$@" ;;
+    # A new folder takes the compiler; one that was configured keeps its own.
+    *) CXX=${CXX:-clang++} cmake -S "$root" -B "$folder" -G Ninja "$@" ;;
   esac
 }
 

@@ -34,7 +34,7 @@ struct Egl {
     }
 };
 
-std::string errorText(const Egl& egl) {
+std::string eglError(const Egl& egl) {
     const EGLint code = egl.GetError();
     if (code == EGL_BAD_ALLOC) return "EGL_BAD_ALLOC, out of memory";
     char text[16];
@@ -101,10 +101,10 @@ class EglContext final : public Context {
     }
 
     void open(const Candidate& candidate, ContextRequest request) {
-        if (candidate.display == EGL_NO_DISPLAY) throw Error(candidate.name, "has no display here", errorText(egl_));
+        if (candidate.display == EGL_NO_DISPLAY) throw Error(candidate.name, "has no display here", eglError(egl_));
         if (!egl_.Initialize(candidate.display, nullptr, nullptr)) {
             throw Error(candidate.name, "must initialize; its driver is missing, broken or short of memory",
-                        errorText(egl_));
+                        eglError(egl_));
         }
         display_ = candidate.display;
         name_ = candidate.name;
@@ -118,14 +118,14 @@ class EglContext final : public Context {
 
     void makeContext(ContextRequest request) {
         if (!egl_.BindAPI(request.es ? EGL_OPENGL_ES_API : EGL_OPENGL_API)) {
-            throw Error(name_, "must know this kind of OpenGL", errorText(egl_));
+            throw Error(name_, "must know this kind of OpenGL", eglError(egl_));
         }
         const std::array configAttributes{EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE,
                                           request.es ? EGL_OPENGL_ES3_BIT : EGL_OPENGL_BIT, EGL_NONE};
         EGLConfig config = nullptr;
         EGLint count = 0;
         if (!egl_.ChooseConfig(display_, configAttributes.data(), &config, 1, &count) || count < 1) {
-            throw Error(name_, "must have a configuration to draw with", errorText(egl_));
+            throw Error(name_, "must have a configuration to draw with", eglError(egl_));
         }
         for (const int version : request.es ? std::vector{30} : versionsToAskFor(request.version)) {
             std::vector<EGLint> attributes{EGL_CONTEXT_MAJOR_VERSION, version / 10, EGL_CONTEXT_MINOR_VERSION,
@@ -141,10 +141,10 @@ class EglContext final : public Context {
         if (context_ == EGL_NO_CONTEXT) {
             const std::string wanted =
                 request.es ? "OpenGL ES 3.0" : "OpenGL " + versionText(request.version) + " core, or newer";
-            throw Error(name_, "must make a context of " + wanted, errorText(egl_));
+            throw Error(name_, "must make a context of " + wanted, eglError(egl_));
         }
         if (!egl_.MakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) {
-            throw Error(name_, "must make a context current without a surface", errorText(egl_));
+            throw Error(name_, "must make a context current without a surface", eglError(egl_));
         }
     }
 
