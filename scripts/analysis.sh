@@ -1,10 +1,14 @@
 # Sourced by ./test: static analysis by clang-tidy, and g++'s warnings.
 
-# One file: its line for the progress, after clang-tidy's words, which stand in a file of their own. (clang-tidy takes a header's
-# flags from the file whose name is nearest.)
+# One file: its line for the progress, after clang-tidy's words and g++'s, which stand in a file of their own. (clang-tidy takes a
+# header's flags from the file whose name is nearest.) g++ warns of other things than clang++, by which all is built.
 analyse_one() {
-  local folder=$1 file=$2 start=$SECONDS words=$1/words/${2//\//-} status=0
+  local folder=$1 file=$2 start=$SECONDS words=$1/words/${2//\//-} status=0 compile
   clang-tidy --quiet -p "$folder" "$root/$file" >"$words" 2>"$words.err" || status=1
+  if [[ $file == *.cpp ]]; then
+    compile=$(ninja -C "$folder" -t commands -s "$root/$file^" | sed -n 's| -MD .* -o [^ ]* -c | -o /dev/null -c |p')
+    [ -n "$compile" ] && (cd "$folder" && eval "$compile") 2>>"$words" || status=1
+  fi
   echo "$status $((SECONDS - start)) $file"
 }
 
@@ -41,11 +45,6 @@ static_analysis() {
   echo "${#files[@]} files to analyse${since:+: what differs from $since}"
   [ ${#files[@]} -gt 0 ] || return 0
 
-  # g++ warns of other things than clang++, by which all is built: it compiles them, too.
-  local sources=()
-  for file in "${files[@]}"; do [[ $file != *.cpp ]] || sources+=("$root/$file^"); done
-  [ ${#sources[@]} = 0 ] || build_targets "$folder" -k 0 "${sources[@]}"
-
   local status seconds done=0 found=0
   export root && export -f analyse_one
   while read -r status seconds file; do
@@ -54,5 +53,5 @@ static_analysis() {
     [ "$status" = 0 ] || { found=$((found + 1)) && cat "$folder/words/${file//\//-}"{,.err}; }
   done < <(printf '%s\n' "${files[@]}" | xargs -P "$(nproc)" -I{} bash -c 'analyse_one "$1" "$2"' analyse "$folder" {})
   [ "$done" = ${#files[@]} ] || fail "clang-tidy: must look at every file, at $done of ${#files[@]}"
-  [ "$found" = 0 ] || fail "clang-tidy: must find nothing; see above; in $found files"
+  [ "$found" = 0 ] || fail "clang-tidy, g++: must find nothing; see above; in $found files"
 }

@@ -216,9 +216,12 @@ analysis() {
     equal "what differs from a commit" "demos/one.cpp " "$(looked)"
     git tag -d first >out && commit && echo '// FAULT' >>common/verdict.h
     ./test --full >out 2>err && fail "a fault in a header must be found"
-    says err 'clang-tidy: must find nothing; see above; in 1 files'
+    says err 'clang-tidy, g++: must find nothing; see above; in 1 files'
     says out '^== failed: static analysis$'
     equal "without a tag, what differs from the commit before" "common/verdict.h demos/one.cpp " "$(looked)"
+    git checkout -q . && printf '#ifndef __clang__\n#error g++ reads it\n#endif\n' >>demos/one.cpp
+    ./test --full >out 2>err && fail "what g++ refuses must be found"
+    says out '^.*demos/one.cpp.*g++ reads it$'
     ./test --full --since nowhere >out 2>err && fail "a commit that there is not"
     says err '^error: --since: must be a commit'
     git checkout -q .

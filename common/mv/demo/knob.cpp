@@ -149,8 +149,8 @@ std::string Knob::range() const {
             return "on | off";
         case Kind::points: {
             const PointLimits& limits = row_.limits;
-            const auto axis = [](const char* axis, double low, double high) {
-                return std::string(axis) + " in " + numberText(low) + " .. " + numberText(high);
+            const auto axis = [](const char* name, double low, double high) {
+                return std::string(name) + " in " + numberText(low) + " .. " + numberText(high);
             };
             std::string count = std::to_string(limits.least);
             if (!isFixedNumber()) count += " .. " + std::to_string(limits.most);

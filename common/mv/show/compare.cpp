@@ -70,9 +70,9 @@ Picture compareSettings(Stage& stage, int index, const std::string& knob, const 
 
 Picture stripOf(Stage& stage, int index, const std::vector<KnobValues>& strip) {
     const std::size_t across = strip[0].values.size(), down = strip.size() > 1 ? strip[1].values.size() : 1;
-    const int largest = largestTargetSide(), label = labelStyle(stage, index).height + labelSpace;
+    const int largest = largestTargetSide(), labelHeight = labelStyle(stage, index).height + labelSpace;
     const auto least = [&](std::size_t count, int side) { return static_cast<long>(count) * (side + gap); };
-    if (least(across, stage.front().width()) > largest || least(down, stage.front().height() + label) > largest) {
+    if (least(across, stage.front().width()) > largest || least(down, stage.front().height() + labelHeight) > largest) {
         throw Error("--strip", "must fit into " + std::to_string(largest) + " pixels a side; --size makes each smaller",
                     std::to_string(across) + " x " + std::to_string(down) + " pictures");
     }
