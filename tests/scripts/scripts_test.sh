@@ -222,6 +222,7 @@ analysis() {
     git checkout -q . && printf '#ifndef __clang__\n#error g++ reads it\n#endif\n' >>demos/one.cpp
     ./test --full >out 2>err && fail "what g++ refuses must be found"
     says out '^.*demos/one.cpp.*g++ reads it$'
+    equal "g++ compiles what is analysed" "demos/one.cpp " "$(looked)"
     ./test --full --since nowhere >out 2>err && fail "a commit that there is not"
     says err '^error: --since: must be a commit'
     git checkout -q .
