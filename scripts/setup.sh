@@ -82,9 +82,13 @@ check_versions() {
   found=$(cmake --version | sed -n '1s/.* //p')
   at_least "$found" 3.25 || fail "cmake: must be 3.25 or newer (Debian 12, Ubuntu 24.04), $found"
   local compiler=${CXX:-clang++} least=12
+  command -v "$compiler" >/dev/null || fail "CXX: must be a compiler that is installed, $compiler"
   ! "$compiler" --version | grep -q clang || least=14
   found=$("$compiler" -dumpfullversion -dumpversion)
   at_least "$found" "$least" || fail "$compiler: must be $least or newer (Debian 12, Ubuntu 24.04), $found"
+  # clang++ takes the library of the newest g++ that there is any part of.
+  [ -f "$build/build.ninja" ] || echo '#include <vector>' | "$compiler" -x c++ -fsyntax-only - 2>/dev/null ||
+    fail "$compiler: must find a C++ library; install libstdc++-VERSION-dev of the newest folder in /usr/lib/gcc/*/, or take CXX=g++"
 }
 
 # wait_for_others DESCRIPTOR FILE WHO: holds FILE of the build folder alone, until that file descriptor is closed by all that
