@@ -25,7 +25,7 @@ constexpr std::array<std::array<int, 2>, 6> turns{{{0, 0}, {0, 40}, {35, 30}, {-
 
 }  // namespace
 
-TEST(CubeCull, convex_needs_no_depth) {
+TEST(CubeCullFull, convex_needs_no_depth) {
     DemoRun run("cube-cull");
     run.preset("original");
     for (const auto& [spinX, spinY] : turns) {

@@ -43,7 +43,7 @@ TEST(DeferredFull, three_ways_one_light) {
     }
 }
 
-TEST(Deferred, several_targets) {
+TEST(DeferredFull, several_targets) {
     DemoRun run("deferred");
     const Picture four = run.preset("targets").picture();
     // The floor in front, in each quarter
@@ -80,7 +80,7 @@ TEST(DeferredFull, beyond_one) {
     EXPECT_LE(brightest, int(std::lround(255 * srgbFromLinear(1 / (1 + 0.0722)))));
 }
 
-TEST(Deferred, no_upper_end) {
+TEST(DeferredFull, no_upper_end) {
     DemoRun run("deferred", 200, 120);
     // Both pictures are rounded by half a level, where the curve from levels to light rises by at most 2.4/1.055
     const double rounding = 2.4 / 1.055 / 255;
@@ -101,7 +101,7 @@ TEST(Deferred, no_upper_end) {
     }
 }
 
-TEST(Deferred, half_a_step_is_nothing) {
+TEST(DeferredFull, half_a_step_is_nothing) {
     DemoRun run("deferred", 200, 120);
     run.preset("too-dim-to-add").set("power", 0.001).set("lamps", 0);
     const Picture none = run.picture();

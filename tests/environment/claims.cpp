@@ -120,7 +120,7 @@ TEST(EnvironmentFull, rays_are_right) {
     }
 }
 
-TEST(Environment, off_by_distance) {
+TEST(EnvironmentFull, off_by_distance) {
     DemoRun run("environment", side, side);
     double before = difference(drawn(run.set("room", 12)), byRays(run, "mirror")).rms;
     for (const double room : {24.0, 48.0, 96.0}) {
@@ -248,7 +248,7 @@ TEST(Environment, total_reflection) {
     EXPECT_GT(differ, before / 2);
 }
 
-TEST(Environment, no_surface) {
+TEST(EnvironmentFull, no_surface) {
     // The picture with the glass is the one with the sphere's place empty: what a ray from the eye sees of the room.
     DemoRun run("environment", side, side);
     run.set("lookup", "rays").set("material", "glass").set("index", 1).set("room", 8);

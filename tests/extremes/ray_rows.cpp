@@ -118,9 +118,9 @@ Row meshFromWithin(const std::string& id, Aim aim) {
             .input = "100 000 rays in float from within a closed mesh of 256 triangles, towards its " + id.substr(4),
             .measured = "rays that meet no triangle",
             .naive = "Möller and Trumbore's, without epsilon",
-            .naiveError = static_cast<double>(missedRays<float>(aim, textbook)),
+            .naiveError = static_cast<double>(missedRays<float>(aim, 100000, textbook)),
             .ours = "intersectTriangle",
-            .ourError = static_cast<double>(missedRays<float>(aim, intersectTriangle<float>)),
+            .ourError = static_cast<double>(missedRays<float>(aim, 100000, intersectTriangle<float>)),
             .tolerance = 0,
             .reason = "there is no way out of a closed mesh"};
 }

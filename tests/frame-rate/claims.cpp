@@ -165,7 +165,7 @@ TEST(FrameRate, spiral) {
     EXPECT_EQ(run.readout("lost"), 0);
 }
 
-TEST(FrameRate, same_frame) {
+TEST(FrameRateFull, same_frame) {
     DemoRun run("frame-rate", 240, 140);
     run.set("hours", 0).set("jitter", 9).set("hiccup", 200);
     const Picture late = run.picture(500), early = run.picture(40);

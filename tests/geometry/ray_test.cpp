@@ -179,17 +179,20 @@ TEST(IntersectBox, TakesExtremes) {
 
 // ---- triangle
 
+// (Ten times as many rays are in rows of docs/stability.md.)
 TEST(IntersectTriangle, IsWatertightWhereTheTextbookLeaks) {
+    const int rays = 10000;
     for (const Aim aim : {Aim::anywhere, Aim::corner, Aim::edge}) {
-        EXPECT_EQ(missedRays<float>(aim, intersectTriangle<float>), 0);
-        EXPECT_EQ(missedRays<double>(aim, intersectTriangle<double>), 0);
+        EXPECT_EQ(missedRays<float>(aim, rays, intersectTriangle<float>), 0);
+        EXPECT_EQ(missedRays<double>(aim, rays, intersectTriangle<double>), 0);
     }
     const auto textbook = [](const auto& ray, const fvec3& a, const fvec3& b, const fvec3& c) {
         return textbookTriangle(ray, a, b, c, 0.0F);
     };
-    EXPECT_LT(missedRays<float>(Aim::anywhere, textbook), 10);
-    EXPECT_GT(missedRays<float>(Aim::corner, textbook), 1000);
-    EXPECT_GT(missedRays<float>(Aim::edge, textbook), 1000);
+    // Of rays at an edge it loses more than one in a hundred, elsewhere hardly any
+    EXPECT_LT(missedRays<float>(Aim::anywhere, rays, textbook), rays / 1000);
+    EXPECT_GT(missedRays<float>(Aim::corner, rays, textbook), rays / 100);
+    EXPECT_GT(missedRays<float>(Aim::edge, rays, textbook), rays / 100);
 }
 
 // Beside a common edge, by less than the products of the coordinates can tell: twice these differ by 1 in 2^54.

@@ -180,7 +180,7 @@ TEST(Keyframes, who_feels_a_key) {
     EXPECT_GT(felt("natural")[1], 6);
 }
 
-TEST(Keyframes, swings) {
+TEST(KeyframesFull, swings) {
     DemoRun run("keyframes", 240, 140);
     run.set("scene", "runge").set("curve", "natural");
     double last = 0;

@@ -128,7 +128,7 @@ TEST(Path, on_its_side) {
     }
 }
 
-TEST(Path, flips_at_inflections) {
+TEST(PathFull, flips_at_inflections) {
     DemoRun run("path", 240, 140);
     run.set("track", "eight");
     for (const int steps : {120, 361, 3000}) {  // the inflections are samples, or between two

@@ -263,7 +263,7 @@ TEST(RasterizerFull, as_opengl) {
     EXPECT_LE(run.readout("differs"), onLlvmpipe() ? 1 : HUGE_VAL);
 }
 
-TEST(Rasterizer, share_of_a_pixel) {
+TEST(RasterizerFull, share_of_a_pixel) {
     DemoRun run("rasterizer", 480, 220);
     if (hasOneSample()) return;
     run.set("subject", "triangle").set("step", 999);

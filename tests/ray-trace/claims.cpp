@@ -442,7 +442,7 @@ TEST(RayTrace, both_ways) {
     EXPECT_EQ(sees({0, 3, 3}), 7);
 }
 
-TEST(RayTrace, schlick_from_within) {
+TEST(RayTraceFull, schlick_from_within) {
     // By the angle within, as when the cosine is taken for the ray's own side: near total reflection it knows of nothing.
     const double headOn = 0.04, eta = 1 / 1.5;
     double within = 0, outside = 0;

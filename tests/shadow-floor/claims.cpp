@@ -148,7 +148,7 @@ TEST(ShadowFloor, floor_hides_from_below) {
     EXPECT_GT(countPixels(run.set("spin-x", -40).picture(30), dark), 1000);  // from above it is there
 }
 
-TEST(ShadowFloor, ends_with_the_floor) {
+TEST(ShadowFloorFull, ends_with_the_floor) {
     DemoRun run("shadow-floor");
     run.set("rays", "off");
     run.set("light-x", -1).set("light-height", 1).set("spin-y", 60);
@@ -202,7 +202,7 @@ TEST(ShadowFloor, moved_by_keys) {
     EXPECT_EQ(run.matrix("shadowFromWorld")[1][2], 0.5);
 }
 
-TEST(ShadowFloor, no_false_shadow) {
+TEST(ShadowFloorFull, no_false_shadow) {
     DemoRun run("shadow-floor");
     run.set("rays", "off");
     run.set("crop", "off").set("spin-x", -20);

@@ -119,7 +119,7 @@ TEST(ShadowMethodsFull, texels_are_the_error) {
     }
 }
 
-TEST(ShadowMethods, map_is_kept) {
+TEST(ShadowMethodsFull, map_is_kept) {
     DemoRun run("shadow-methods");
     run.preset("matrix");
     run.set("method", "pcf3");

@@ -229,7 +229,7 @@ TEST(Springs, phase) {
     EXPECT_NEAR(run.readout("true-turn") - turn, 1e-3 / 12, 1e-3 / 12 * 0.1);
 }
 
-TEST(Springs, rest_lengths) {
+TEST(SpringsFull, rest_lengths) {
     DemoRun run("springs", 64, 64);
     run.preset("rest-lengths");
     EXPECT_EQ(after(run, 600, "outside"), 0) << "by its eigenvalues nothing is to be feared";
@@ -320,7 +320,7 @@ TEST(SpringsFull, rests) {
     stage().close();
 }
 
-TEST(Springs, classics) {
+TEST(SpringsFull, classics) {
     DemoRun run("springs", 240, 140);
     run.set("method", "rodas");
     for (const char* problem :

@@ -106,10 +106,10 @@ double groundError(double radius, Intersect intersect) {
 
 enum class Aim { anywhere, corner, edge };
 
-// How many of 100 000 rays from within a sphere with bumps, closed, and seen whole from everywhere within half its radius,
+// How many of so many rays from within a sphere with bumps, closed, and seen whole from everywhere within half its radius,
 // meet none of its triangles.
 template <typename T, typename Intersect>
-int missedRays(Aim aim, Intersect intersect) {
+int missedRays(Aim aim, int rays, Intersect intersect) {
     const MeshData smooth = sphere(1, 16, 9);
     std::vector<fvec3> positions = smooth.positions;
     const auto triangles = trianglesOf(smooth);
@@ -117,7 +117,7 @@ int missedRays(Aim aim, Intersect intersect) {
     for (fvec3& p : positions) p *= 1 + 0.2F * std::sin(37 * p.x + 91 * p.y + 53 * p.z);
     Random random(20);
     int count = 0;
-    for (int i = 0; i < 100000; ++i) {
+    for (int i = 0; i < rays; ++i) {
         const auto chosen = static_cast<std::size_t>(random.number(0, static_cast<double>(triangles.size())));
         const auto& triangle = triangles[chosen];
         const vec3 a(positions[triangle[0]]), b(positions[triangle[1]]);

@@ -114,7 +114,7 @@ TEST(ZBufferFull, first_of_equals) {
     EXPECT_EQ(wrong(run.set("format", "d24")), 0);
 }
 
-TEST(ZBuffer, blending_needs_order) {
+TEST(ZBufferFull, blending_needs_order) {
     DemoRun run("z-buffer", 300, 300);
     run.set("scene", "panes").set("separation", 0.01).set("opacity", 0.6);
     std::map<std::string, double> with, without;
