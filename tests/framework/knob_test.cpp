@@ -76,17 +76,19 @@ TEST(Knobs, print_and_parse_are_inverse) {
 TEST(Knobs, refuse_with_their_range) {
     Settings settings;
     EXPECT_EQ(errorOf(settings.real, "+-1"), "--real: must be -2 .. 3 m, '+-1'");
-    EXPECT_EQ(errorOf(settings.whole, "+-3"), "--whole: must be 1 .. 40, '+-3'");
+    EXPECT_EQ(errorOf(settings.whole, "+-3"), "--whole: must be a whole number in 1 .. 40, '+-3'");
     EXPECT_EQ(errorOf(settings.real, "3.5"), "--real: must be -2 .. 3 m, '3.5'");
-    EXPECT_EQ(errorOf(settings.whole, "0"), "--whole: must be 1 .. 40, '0'");
+    EXPECT_EQ(errorOf(settings.whole, "0"), "--whole: must be a whole number in 1 .. 40, '0'");
     EXPECT_EQ(errorOf(settings.toggle, "yes"), "--toggle: must be on | off, 'yes'");
     EXPECT_EQ(errorOf(settings.fruit, "aple"), "--fruit: must be apple | pear | plum, 'aple'");
     for (const char* text : {"", "nan", "inf", "-inf", "0x1", "1e400", "1,5", " 1", "1 ", "--1", "1.", "1e"}) {
         if (std::string(text) == "1.") continue;  // a number to from_chars, as to every reader of numbers
         EXPECT_NE(errorOf(settings.real, text), "accepted") << "'" << text << "'";
     }
-    for (const char* text : {"1.5", "", "7x", "99999999999"})
+    for (const char* text : {"1.5", "", "7x", "99999999999", "1e-1", "nan"})
         EXPECT_NE(errorOf(settings.whole, text), "accepted") << text;
+    settings.whole.parse("2e1");
+    EXPECT_EQ(settings.whole.text(), "20");
 }
 
 TEST(Knobs, an_initial_value_outside_the_range_is_a_mistake_of_the_demo) {

@@ -52,7 +52,7 @@ Knob::Knob(const AnyRow& row, void* settings, const void* initial) : row_(row), 
 }
 
 Error Knob::refused(std::string_view text) const {
-    std::string rule = "must be " + range();
+    std::string rule = (kind() == Kind::whole ? "must be a whole number in " : "must be ") + range();
     if (!unit().empty()) rule += " " + unit();
     return Error("--" + name(), rule, "'" + std::string(text) + "'");
 }
@@ -92,12 +92,11 @@ void Knob::parse(std::string_view text) {
             if (!readNumber(text, number) || !allows(number)) throw refused(text);
             value<double>() = number == 0 ? 0 : number;  // -0 would print as "-0"
             break;
-        case Kind::whole: {
-            int count = 0;
-            if (!readNumber(text, count) || !allows(count)) throw refused(text);
-            value<int>() = count;
+        case Kind::whole:
+            // However it is written: 1e3 is one
+            if (!readNumber(text, number) || number != std::floor(number) || !allows(number)) throw refused(text);
+            value<int>() = static_cast<int>(number);
             break;
-        }
         case Kind::oneOf: {
             const bool isRead = readNumber(text, number);
             const auto found =
