@@ -179,7 +179,7 @@ TEST(IntersectBox, TakesExtremes) {
 
 // ---- triangle
 
-// (Ten times as many rays are in rows of docs/stability.md.)
+// (Rows of docs/stability.md have ten times as many, in float.)
 TEST(IntersectTriangle, IsWatertightWhereTheTextbookLeaks) {
     const int rays = 10000;
     for (const Aim aim : {Aim::anywhere, Aim::corner, Aim::edge}) {
