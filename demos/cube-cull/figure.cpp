@@ -47,9 +47,10 @@ static MeshData facesApart() {
 // For each face how many of its triangles are culled, outside, and go on.
 static std::vector<TriangleCount> fatesOf(const Settings& s, const FrameInfo& frame) {
     const std::vector<fvec4> corners = clipCorners(colorCube(), s, frame.aspect());
+    const FaceCulling culling{s.cull != Cull::none, glFaces(s.cull), glWinding(s.winding)};
     std::vector<TriangleCount> fates;
     for (auto first = corners.begin(); first != corners.end(); first += cornersOfFace)
-        fates.push_back(sortTriangles({first, first + cornersOfFace}));
+        fates.push_back(sortTriangles({first, first + cornersOfFace}, culling));
     return fates;
 }
 

@@ -30,27 +30,30 @@ double signedArea(const std::array<fvec4, 3>& c) {
            m[2][0] * (m[0][1] * m[1][2] - m[0][2] * m[1][1]);
 }
 
-bool culledByState(double area, bool culling, GLint face, GLint front) {
-    if (!culling) return false;
-    if (face == GL_FRONT_AND_BACK) return true;
-    const bool facesFront = (front == GL_CCW) ? area > 0 : area < 0;
-    return (face == GL_FRONT) == facesFront;
+bool culledBy(const FaceCulling& culling, double area) {
+    if (!culling.isOn) return false;
+    if (culling.face == GL_FRONT_AND_BACK) return true;
+    const bool facesFront = (culling.front == GL_CCW) ? area > 0 : area < 0;
+    return (culling.face == GL_FRONT) == facesFront;
 }
 
 }  // namespace
 
-TriangleCount sortTriangles(const std::vector<fvec4>& corners) {
-    const bool culling = glIsEnabled(GL_CULL_FACE) == GL_TRUE;
+FaceCulling currentCulling() {
     GLint face = 0, front = 0;
     glGetIntegerv(GL_CULL_FACE_MODE, &face);
     glGetIntegerv(GL_FRONT_FACE, &front);
+    return {glIsEnabled(GL_CULL_FACE) == GL_TRUE, GLenum(face), GLenum(front)};
+}
+
+TriangleCount sortTriangles(const std::vector<fvec4>& corners, const FaceCulling& culling) {
     TriangleCount count;
     for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
         const std::array<fvec4, 3> triangle{corners[i], corners[i + 1], corners[i + 2]};
         ++count.submitted;
         if (beyondOnePlane(triangle)) {
             ++count.outside;
-        } else if (culledByState(signedArea(triangle), culling, face, front)) {
+        } else if (culledBy(culling, signedArea(triangle))) {
             ++count.culled;
         } else {
             ++count.surviving;

@@ -13,8 +13,15 @@ struct TriangleCount {
     long surviving = 0;  // go on to the rasterizer
 };
 
-// The fate of these clip-space triangles, three corners each, by the current GL_CULL_FACE, glCullFace and glFrontFace.
-TriangleCount sortTriangles(const std::vector<fvec4>& corners);
+// GL_CULL_FACE, glCullFace and glFrontFace; and as they are now, which waits for what was drawn before.
+struct FaceCulling {
+    bool isOn;
+    GLenum face, front;
+};
+FaceCulling currentCulling();
+
+// The fate of these clip-space triangles, three corners each.
+TriangleCount sortTriangles(const std::vector<fvec4>& corners, const FaceCulling& culling = currentCulling());
 
 // Draws the mesh once more with the current program and uniforms, with the rasterizer switched off, reads back where
 // gl_Position went (transform feedback) and counts on the CPU, by the current GL_CULL_FACE, glCullFace and glFrontFace.
