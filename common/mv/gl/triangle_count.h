@@ -13,14 +13,15 @@ struct TriangleCount {
     long surviving = 0;  // go on to the rasterizer
 };
 
-// GL_CULL_FACE, glCullFace and glFrontFace; and as they are now, which waits for what was drawn before.
+// Which faces are discarded: GL_CULL_FACE, glCullFace and glFrontFace.
 struct FaceCulling {
     bool isOn;
     GLenum face, front;
 };
+// As OpenGL has them now; a browser answers when all is drawn that was asked for before.
 FaceCulling currentCulling();
 
-// The fate of these clip-space triangles, three corners each.
+// The fate of these clip-space triangles, three corners each, by that culling.
 TriangleCount sortTriangles(const std::vector<fvec4>& corners, const FaceCulling& culling = currentCulling());
 
 // Draws the mesh once more with the current program and uniforms, with the rasterizer switched off, reads back where
