@@ -31,21 +31,17 @@ std::vector<std::string> studiedDemos() {
     return names;
 }
 
-// The ordinary run measures again: of the first scene the fastest row of each method, and all rows that are faster than this.
-// The other scenes, whose references take longer than their rows, are left to the long run.
-constexpr double shortMs = 40;
-
 class Studies : public testing::TestWithParam<std::string> {};
 
-std::set<std::string> rowsOfShortRun(const StudyRun& run) {
+// What ./test --full measures again: of the first scene the fastest row of each method. --long measures all.
+std::set<std::string> rowsOfFullRun(const StudyRun& run) {
     std::map<std::string, const StudyRow*> fastest;
-    std::set<std::string> names;
     for (const StudyRow& row : run.rows) {
         if (row.scene != run.rows.front().scene) continue;
         const StudyRow*& known = fastest[row.method];
         if (!known || (row.ok() && (!known->ok() || row.msMedian < known->msMedian))) known = &row;
-        if (row.msMedian < shortMs) names.insert(nameOf(row));
     }
+    std::set<std::string> names;
     for (const auto& [line, row] : fastest) names.insert(nameOf(*row));
     return names;
 }
@@ -225,9 +221,9 @@ TEST_P(Studies, claims_can_fail) {
     std::printf("%s: %d claims, %d predicates\n", demo.name.c_str(), claims, predicates);
 }
 
-// A reference is kept while the settings that it says it reads are as they were, so it depends on no other: in a scene of the study both
-// ends of each other knob make the same one; in ./test --long in each scene, and in each preset, which --study measures in, too.
-// (In a small picture: what is read is the same.)
+// A reference is kept while the settings that it says it reads are as they were, so it depends on no other: in each scene of the study, and
+// in each preset, which --study measures in, too, both ends of each other knob make the same one. (In a small picture: what is read is the
+// same.)
 TEST_P(Studies, references_depend_on_what_they_read) {
     const Study& study = *findDemo(GetParam()).study;
     if (study.reads.empty()) return;  // it is made anew for each row
@@ -245,11 +241,7 @@ TEST_P(Studies, references_depend_on_what_they_read) {
         return std::ranges::equal(a, b, [](double x, double y) { return x == y || (x != x && y != y); });
     };
     std::vector<StudyScene> scenes = study.scenes;
-    if (isLong()) {
-        for (const Preset& preset : findDemo(GetParam()).presets) scenes.push_back({preset.name, preset.settings});
-    } else {
-        scenes.resize(1);
-    }
+    for (const Preset& preset : findDemo(GetParam()).presets) scenes.push_back({preset.name, preset.settings});
     int compared = 0;
     for (const StudyScene& scene : scenes) {
         for (Knob* knob : demo.knobs()) knob->reset();
@@ -280,8 +272,8 @@ TEST_P(Studies, errors_and_counts_hold) {
     const StudyRun before = studiesInTree(MVGL_SOURCE_DIR, demo.name).at(0);
     stage().open(demo, demo.study->width, demo.study->height);
     StudyOptions options{.timed = false};
-    const std::set<std::string> shortRun = rowsOfShortRun(before);
-    options.wanted = [&](const StudyRow& row) { return isLong() || shortRun.contains(nameOf(row)); };
+    const std::set<std::string> few = rowsOfFullRun(before);
+    options.wanted = [&](const StudyRow& row) { return isLong() || few.contains(nameOf(row)); };
     const StudyRun now = runStudy(stage(), *demo.study, options);
     stage().close();
     ASSERT_EQ(now.rows.size(), before.rows.size());
@@ -328,9 +320,6 @@ TEST_P(Studies, a_varied_knob_is_judged_as_one_that_is_set) {
     const auto declared = demo.make();
     for (const Knob* knob : declared->knobs()) {
         SCOPED_TRACE(knob->name());
-        // (The runner asks for a reference by what it reads, whichever knob it is: until two have been tried and one mattered; in
-        // ./test --long it is each of them.)
-        if (!isLong() && compared >= 6 && moved > 0) break;
         const std::vector<std::string> sweep = knob->sweep(), values{knob->initialText(), sweep.front(), sweep.back()};
         if (knob->initialText().find(',') != std::string::npos) continue;  // points, which a list cannot have
         std::string vary = knob->name() + "=";

@@ -1,4 +1,4 @@
-// The errors of mv/math, measured again and compared with the committed ones; the page made of those; and whether every
+// The errors of mv/math, measured again (in ./test --long) and compared with the committed ones; the page made of those; and whether every
 // function is among them. With MVGL_UPDATE_DOCS=1 the page's words are written anew around the committed numbers; with
 // MVGL_LONG=1 a million samples of each function are measured, too.
 #include <gtest/gtest.h>

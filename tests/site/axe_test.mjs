@@ -2,12 +2,12 @@
 // a screen reader, a keyboard or weak eyes: each lesson with all of it unfolded, light and dark, two in another language, and the start page.
 import fs from 'node:fs';
 import path from 'node:path';
-import { browserOf, counted, demosOf, expect, made, opened, served, skipUnlessBuilt } from './support.mjs';
+import { browserOf, counted, demosOf, expect, liveSite, opened, served, skipUnlessBuilt } from './support.mjs';
 
 const [source, program, build, ...named] = process.argv.slice(2);
 skipUnlessBuilt(build);
 const axe = fs.readFileSync(path.join(build, 'npm/node_modules/axe-core/axe.min.js'), 'utf8');
-const address = await served(source, made(source, program, 'site', path.join(build, 'web')));
+const address = await served(source, liveSite(build));
 const browser = await browserOf(build);
 
 async function ask(page, where) {

@@ -6,7 +6,7 @@
 import { execFileSync } from 'node:child_process';
 import fs from 'node:fs';
 import path from 'node:path';
-import { browserOf, counted, demosOf, equal, expect, made, opened, scratch, served, skipUnlessBuilt, throughMesa } from './support.mjs';
+import { browserOf, counted, demosOf, equal, expect, liveSite, opened, scratch, served, skipUnlessBuilt, throughMesa } from './support.mjs';
 
 const [source, program, native, build, ...rest] = process.argv.slice(2);
 const software = rest.includes('--software'), allEnds = rest.includes('--all-ends') || Boolean(process.env.MVGL_LONG);
@@ -58,7 +58,7 @@ function isAlike(found, expected, unit = '') {
 
 // ---- each picture as the native program shows it
 
-const address = await served(source, made(source, program, 'site', path.join(build, 'web')));
+const address = await served(source, liveSite(build));
 const started = () => browserOf(build, software ? ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'] : throughMesa);
 let browser = await started();
 const demos = demosOf(program).filter((name, i) => (!named.length || named.includes(name)) && (!half || i % 2 === half - 1));

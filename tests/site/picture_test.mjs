@@ -2,11 +2,11 @@
 // line: what is shown, what is told of files that are none, and that the last good picture stays.
 import fs from 'node:fs';
 import path from 'node:path';
-import { browserOf, counted, equal, expect, made, opened as openedIn, scratch, served, skipUnlessBuilt } from './support.mjs';
+import { browserOf, counted, equal, expect, liveSite, opened as openedIn, scratch, served, skipUnlessBuilt } from './support.mjs';
 
 const [source, program, build] = process.argv.slice(2);
 skipUnlessBuilt(build);
-const address = await served(source, made(source, program, 'site', path.join(build, 'web')));
+const address = await served(source, liveSite(build));
 const browser = await browserOf(build);
 const opened = (where) => openedIn(browser, address, where);
 

@@ -24,9 +24,10 @@ process.on('exit', () => {
   fs.rmSync(scratch, { recursive: true, force: true });
 });
 
-// The site in that folder, with the module of `module` where one is given; and where it is served.
+// The site in that folder (below scratch, unless it is an absolute one), with the module of `module` where one is given; and where it is served.
 export function made(source, program, folder, module) {
-  const site = path.join(scratch, folder);
+  const site = path.resolve(scratch, folder);
+  fs.rmSync(site, { recursive: true, force: true });
   execFileSync('node', [path.join(source, 'web/make.mjs'), program, site, ...(module ? [module] : [])], { stdio: ['ignore', 'ignore', 'pipe'] });
   return site;
 }
@@ -35,6 +36,8 @@ export async function served(source, site) {
   servers.push(server);
   return (await new Promise((resolve) => server.stdout.once('data', resolve))).toString().split(' ')[0];
 }
+// The one with its demos alive, which made.mjs has made.
+export const liveSite = (build) => path.join(build, 'tests/site');
 export const demosOf = (program) => all(execFileSync(program, ['--list'], { encoding: 'utf8' }), /^ {2}(\S+)/gm);
 
 // The modules of a site, one for each chapter.

@@ -5,11 +5,11 @@ import fs from 'node:fs';
 import { createServer } from 'node:http';
 import path from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { browserOf, counted, demosOf, equal, expect, largestAllowed, largestFunction, loadedBy, made, modulesOf, mostLoaded, mostOf, opened as openedIn, served, skipUnlessBuilt } from './support.mjs';
+import { browserOf, counted, demosOf, equal, expect, largestAllowed, largestFunction, liveSite, loadedBy, modulesOf, mostLoaded, mostOf, opened as openedIn, served, skipUnlessBuilt } from './support.mjs';
 
 const [source, program, build] = process.argv.slice(2);
 skipUnlessBuilt(build);
-const site = made(source, program, 'site', path.join(build, 'web'));
+const site = liveSite(build);
 const address = await served(source, site);
 const browser = await browserOf(build);
 const opened = (where, view) => openedIn(browser, address, where, view);

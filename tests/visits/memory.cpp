@@ -50,7 +50,7 @@ class Rounds {
 // more memory after one than before it, but for a vector's reserve, which doubles where a frame has the longest line yet: so in the median
 // round, at most 8 bytes a frame, where the smallest thing that is forgotten in each is of 24.
 TEST_P(Visits, memory_stays) {
-    const int frames = isLong() ? 5000 : 100;
+    const int frames = 5000;
     // A picture that the processor computes is small here: how much is kept does not grow from frame to frame with its size.
     const int by = hasPasses(findDemo(GetParam())) ? 4 : 1;
     DemoRun run(GetParam(), 64 / by, 48 / by);

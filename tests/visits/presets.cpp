@@ -168,7 +168,8 @@ TEST_P(Visits, work_of_presets) {
     for (const std::string& excuse : idle) ADD_FAILURE() << "declared, and in no preset: " << excuse;
 }
 
-// Every draw, or 12 of them, in the demo's own settings; the ends in the other presets. (What stops a frame is the same in all.)
+// Every draw, or 12 of them, in the demo's own settings; in ./test --long the ends in the other presets. (What stops a frame is the same in
+// all.)
 TEST_P(Visits, steps_of_presets) {
     const int by = coarser(findDemo(GetParam()));
     DemoRun run(GetParam(), 160 / by, 120 / by);
@@ -176,7 +177,7 @@ TEST_P(Visits, steps_of_presets) {
     for (const Preset& preset : presets) {
         SCOPED_TRACE(preset.name);
         const bool initial = &preset == presets.data();
-        if (sanitized && !initial) break;
+        if (!isLong() && !initial) break;
         run.preset(preset.name);
         expectStops(run, initial && !sanitized ? 12 : 1);
     }

@@ -123,7 +123,8 @@ TEST(WorkPrecision, RowsAreMeasuredAgain) {
     const std::vector<Problem> all = problems();
     for (const StudyRow& row : committed().rows) {
         if (row.method.starts_with("CVODE")) continue;
-        const bool isSlow = row.ok() ? row.msMedian > 5 : row.status.find("200000") != std::string::npos;
+        // A row without a right answer has no time: a slope takes a microsecond or less.
+        const bool isSlow = row.ok() ? row.msMedian > 5 : row.counts.front().second > 100'000;
         if (isSlow && !isLong()) continue;
         const Problem* problem = nullptr;
         for (const Problem& candidate : all) {
