@@ -73,7 +73,7 @@ class WebGl final : public mv::Context {
     WebGl() {
         EmscriptenWebGLContextAttributes wanted;
         emscripten_webgl_init_context_attributes(&wanted);
-        wanted.majorVersion = 2;  // all else the page has said already, when it asked first (live.js)
+        wanted.majorVersion = 2;  // all else the page has said already, when it asked first (begin.js)
         nameCanvas();
         context_ = emscripten_webgl_create_context(mv::canvasName, &wanted);
         if (context_ <= 0) throw mv::Error("WebGL 2", "must be there; this browser, or its driver, gives none");

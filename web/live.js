@@ -36,13 +36,18 @@ function translated(what) {
 
 // The module's functions, by their names in web/page.cpp. Texts come as texts, JSON as what it says.
 async function open(canvas) {
-  // The browser makes its context while the module is being compiled, which then asks for the same one.
-  canvas.getContext('webgl2', { alpha: false, depth: false, stencil: false, antialias: false });
-  const compiled = await begun.compiled;
-  const module = await (compiled ? new Promise((resolve, reject) => openModule({ canvas, instantiateWasm(imports, made) {
-    WebAssembly.instantiate(compiled, imports).then(made, reject);
+  begun.makeContext(canvas);
+  const compiled = await begun.compiled, locateFile = () => begun.moduleAt;
+  const module = await (compiled ? new Promise((resolve, reject) => openModule({ canvas, locateFile, instantiateWasm(imports, made) {
+    let instance;
+    try {
+      instance = new WebAssembly.Instance(compiled, imports); // at once, before the browser goes on with the page
+    } catch { // a Chrome before 114 makes no large one at once; what else is wrong with it, is told by the second try
+      WebAssembly.instantiate(compiled, imports).then(made, reject);
+    }
+    if (instance) made(instance);
     return {};
-  } }).then(resolve, reject)) : openModule({ canvas, locateFile: () => begun.moduleAt }));
+  } }).then(resolve, reject)) : openModule({ canvas, locateFile }));
   const kinds = { string: 'string', number: 'number', boolean: 'boolean' };
   const call = (answer) => (name, ...given) => {
     const passed = given.map((one) => (typeof one === 'object' ? lines(one) : one));
@@ -69,7 +74,7 @@ async function open(canvas) {
 async function live(box) {
   const panel = box.querySelector('.panel'), isWide = box.classList.contains('is-wide');
   const name = box.dataset.demo, view = box.querySelector('.view'), shown = view.querySelector('.shown');
-  const canvas = tag('canvas', { id: 'canvas', tabindex: 0, hidden: true });
+  const canvas = Object.assign(begun.canvas, { id: 'canvas', tabIndex: 0, hidden: true });
   view.append(canvas);
   const demo = await open(canvas);
   const calm = matchMedia('(prefers-reduced-motion: reduce)').matches;
@@ -83,7 +88,7 @@ async function live(box) {
 
   view.style.setProperty('--wide', what.width);
   view.style.setProperty('--high', what.height);
-  measure();
+  sized(Math.min(what.width, screen.width)); // what room it has, the browser would lay out the page to say
   const opening = demo.says('Open', name, {}, 1, calm, size.width, size.height);
   if (opening) {
     canvas.remove();
@@ -106,6 +111,7 @@ async function live(box) {
     provide(demo, what, given.settings);
     const words = setAll(given);
     if (given.frame !== undefined) goTo(given.frame);
+    if (given.unknown?.length) await begun.isRead; // whose words say so
     setBy = words || unknown(given.unknown);
   }
   demo.does('Density', size.density);
@@ -116,6 +122,8 @@ async function live(box) {
   await begun.isRead;
   // Once it is on the screen, what it reads out is measured, and the rest of the page is made.
   await new Promise((painted) => requestAnimationFrame(() => setTimeout(painted)));
+  measure();
+  demo.does('Density', size.density);
   if (!given) describe();
   demo.does('Touch');
   demo.does('Draw', size.width, size.height, true);
@@ -135,9 +143,12 @@ async function live(box) {
   }
   // The canvas has the screen's pixels, of as many of the page's as there is room for.
   function measure() {
-    const full = document.fullscreenElement === box, room = view.getBoundingClientRect().width || what.width;
+    const room = view.getBoundingClientRect().width || what.width;
+    sized(room, document.fullscreenElement === box ? innerHeight : undefined);
+  }
+  function sized(width, height = (width * what.height) / what.width) {
     const density = isCoarse ? 1 : Math.min(densest, Math.max(1, devicePixelRatio)), pixels = (length) => Math.max(1, Math.round(length * density));
-    size = { width: pixels(room), height: pixels(full ? innerHeight : (room * what.height) / what.width), density };
+    size = { width: pixels(width), height: pixels(height), density };
   }
   function unknown(names = []) {
     return names.length ? word('unknownNames', { names: names.join(', ') }) : '';
@@ -490,14 +501,9 @@ async function live(box) {
   return { demo, settle, what, compare, withPictures, state: () => state, size: () => size };
 }
 
-// The page may not be read so far, up to the command below the demo, nor the style that says how wide the picture is.
-const box = await new Promise((found) => {
-  const look = () => document.querySelector('.stage .command') && document.querySelector('link[rel=stylesheet]').sheet && here();
-  const watch = new MutationObserver(look);
-  const here = () => (watch.disconnect(), found(document.querySelector('.live')));
-  watch.observe(document, { childList: true, subtree: true });
-  document.addEventListener('load', look, { capture: true });
-  begun.isRead.then(here);
-  look();
-});
-live(box).then((made) => (box.live = made), async (error) => (await begun.isRead, box.dispatchEvent(new CustomEvent('mvgl-still', { detail: error.message }))));
+// The page is read down to here: there are the picture's place and what the demo says. (The rest waits, so that it is drawn before.)
+if (!begun.isFile) {
+  const box = document.querySelector('.live');
+  begun.live = live(box).then((made) => (box.live = made));
+  begun.live.catch(() => undefined); // begin.js tells it, once the page is read
+}

@@ -109,9 +109,10 @@ function studiesOf(name) {
 // The folder of a chapter's module.
 const moduleOf = (chapter) => anchorOf(chapter);
 
-// A script without what only people read; what it imports is in it, from web/ or `module`.
-function shorter(script, format) {
-  const flags = ['--bundle', `--format=${format}`, '--minify', '--charset=utf8', '--log-level=warning'];
+// A script without what only people read; what it imports is in it, from web/ or `module`. (mvgl.js may ask where it lies itself. It need
+// not: live.js says where the module is.)
+function shorter(script) {
+  const flags = ['--bundle', '--format=iife', '--log-override:empty-import-meta=silent', '--minify', '--charset=utf8', '--log-level=warning'];
   if (module) flags.push(`--alias:mvgl=${path.resolve(module, moduleOf(list[0].chapter), 'mvgl.js')}`);
   return execFileSync('esbuild', flags, { cwd: path.join(root, 'web'), input: script, encoding: 'utf8', stdio: ['pipe', 'pipe', 'inherit'] });
 }
@@ -261,7 +262,7 @@ speak('en');
 write('site.css', text('web/site.css'));
 write('icon.svg', text('web/icon.svg'));
 // What the start page's search looks into is loaded when it is used.
-const script = (file, ...parts) => write(file, shorter(parts.map((part) => `(() => {\n${part}\n})();\n`).join(''), 'iife'));
+const script = (file, ...parts) => write(file, shorter(parts.map((part) => `(() => {\n${part}\n})();\n`).join('')));
 script('search.js', `globalThis.lessons = ${JSON.stringify(found)};\nglobalThis.folded = ${folded};`);
 for (const which of languages) {
   speak(which);
@@ -269,7 +270,7 @@ for (const which of languages) {
 }
 if (module) {
   script('begin.js', text('web/begin.js'));
-  write('live.js', shorter(text('web/live.js'), 'esm'));
+  write('live.js', shorter(text('web/live.js')));
   // What knobs that take a file may name, in lessons' commands, say
   for (const file of fs.readdirSync(path.join(root, 'assets'))) if (/\.(png|obj)$/.test(file)) copy(`assets/${file}`);
   const driving = list.map(({ chapter }) => fs.readFileSync(path.join(module, moduleOf(chapter), 'mvgl.js'), 'utf8'));

@@ -31,7 +31,7 @@ export function page({ title, depth, main, name, heading = title, nav = '', head
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <meta name="color-scheme" content="light dark">
 <title>${plain(title)}${own}</title>
-${module && `<script src="${up}begin.js" data-module="${module}"></script>\n`}<link rel="stylesheet" href="${up}site.css">
+${module && `<link rel="preload" href="${up}${module}" as="fetch" crossorigin>\n<script src="${up}begin.js" data-module="${up}${module}"></script>\n`}<link rel="stylesheet" href="${up}site.css">
 <link rel="icon" href="${up}icon.svg" type="image/svg+xml">
 ${others.map((one) => `<link rel="alternate" hreflang="${one}" href="${inLanguage(name, one)}">\n`).join('')}<script src="${up}${scriptIn()}" defer></script>
 ${head}</head>
@@ -80,7 +80,7 @@ ${says}`
   return `<section class="stage" aria-label="${word('pictures')}">
 ${view}
 <pre class="command"><code>${escaped(first.command)}</code></pre>
-<ul class="thumbs">
+${alive ? '<script src="../live.js"></script>\n' : ''}<ul class="thumbs">
 ${small.join('\n')}
 </ul>
 </section>

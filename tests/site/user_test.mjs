@@ -1,8 +1,6 @@
 // node user_test.mjs SOURCE MVGL BUILD: what a user does in a live page does what it says: controls, links, refusals, drags, keys, shaders,
 // time, a comparison, a lost context, narrow and wide; what a page loads is small; and without WebGL, or from a disk, pictures stand.
-import { once } from 'node:events';
 import fs from 'node:fs';
-import { createServer } from 'node:http';
 import path from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { browserOf, counted, demosOf, equal, expect, largestAllowed, largestFunction, liveSite, loadedBy, modulesOf, mostLoaded, mostOf, opened as openedIn, served, skipUnlessBuilt } from './support.mjs';
@@ -428,6 +426,9 @@ equal(await text(page, '.refused'), 'The address names what this lesson does not
 await page.evaluate(() => [...document.querySelectorAll('.panel button')].find((button) => button.textContent === 'Stop').click());
 equal(await drawnMeanwhile(page), 0, 'pictures after the way was left');
 await page.close();
+page = await opened('cube-cull.html#tilt=3');
+equal(await text(page, '.refused'), 'The address names what this lesson does not have: tilt=3', 'an unknown name in the address that the page is opened by');
+await page.close();
 page = await opened('cube-cull.html');
 const initial = await sumOf(page);
 await page.select('#knob-cull', 'front');
@@ -707,39 +708,21 @@ expect((await text(still, '.refused')).includes('WebGL 2: must be there'), `a se
 expect(await still.$eval('.shown', (picture) => picture.clientWidth > 0), 'and the picture');
 await still.$$eval('.thumbs a', (links) => links[1].click());
 expect((await text(still, '.command code')).includes('--'), `a small picture is shown: ${await text(still, '.command code')}`);
-// Scripts that do not come are told, after ten seconds; and so is a page whose host forbids what a module needs
+// A module that does not come is told, after ten seconds; a script that cannot be loaded at once; and so is a page whose host forbids what a
+// module needs
 const slow = await browser.newPage();
 await slow.setRequestInterception(true);
-slow.on('request', (request) => (request.url().endsWith('/live.js') ? undefined : request.continue()));
+slow.on('request', (request) => (request.url().endsWith('.wasm') ? undefined : request.continue()));
 await slow.goto(`${address}demos/cube-cull.html`, { waitUntil: 'domcontentloaded' });
 await slow.waitForFunction(() => document.querySelector('.loading')?.textContent.includes('has not come for ten seconds'));
 await slow.close();
-// One whose text and style come after the demo's script: it is drawn as wide, and speaks the same language.
-const late = createServer(async (request, response) => {
-  const answer = await fetch(new URL(request.url, address)), bytes = Buffer.from(await answer.arrayBuffer());
-  response.writeHead(answer.status, { 'content-type': answer.headers.get('content-type') });
-  const at = /\.html$/.test(request.url) ? bytes.indexOf('<script type="application/json" class="says">') : 0;
-  if (at > 0) response.write(bytes.subarray(0, at));
-  if (at > 0 || /\.css$/.test(request.url)) await new Promise((later) => setTimeout(later, 2000));
-  response.end(bytes.subarray(Math.max(at, 0)));
-}).listen(0, '127.0.0.1');
-await once(late, 'listening');
-const firstSeen = async (where) => {
-  const page = await browser.newPage();
-  await page.evaluateOnNewDocument(() => {
-    const mark = performance.mark.bind(performance);
-    performance.mark = (name) => ((globalThis.firstWide = document.querySelector('#canvas').width), mark(name));
-  });
-  await page.goto(where);
-  await page.waitForSelector('.live.is-live');
-  const found = { wide: await page.evaluate(() => firstWide), help: await text(page, '.help') };
-  await page.close();
-  return found;
-};
-const usual = await firstSeen(`${address}demos/cube-cull.is.html`), slowly = await firstSeen(`http://127.0.0.1:${late.address().port}/demos/cube-cull.is.html`);
-equal(slowly.wide, usual.wide, 'the first picture of a page whose style comes late');
-equal(slowly.help, usual.help, 'the words of a page whose text comes late');
-late.close();
+const lost = await browser.newPage();
+await lost.setRequestInterception(true);
+lost.on('request', (request) => (request.url().endsWith('/live.js') ? request.abort() : request.continue()));
+await lost.goto(`${address}demos/cube-cull.html`);
+equal(await text(lost, '.refused'), 'The demo cannot be drawn here, so its pictures stand: its script (live.js) could not be loaded', 'a script that does not come');
+expect(await lost.$eval('.sources', (last) => last.clientHeight > 0), 'and the lesson');
+await lost.close();
 const strict = await browser.newPage();
 await strict.setRequestInterception(true);
 strict.on('request', async (request) => {
