@@ -266,6 +266,11 @@ tiers() {
     everything --long
     equal "--long" "one one pairs pairs sweep sweep two two " "$(ran)"
     silent out '^left to'
+    sed -i 's/LABELS claims/LABELS "claims;quick"/' CMakeLists.txt
+    everything --full
+    equal "--full, where the claims are quick" "sweep sweep " "$(ran)"
+    everything
+    equal "./test, where they are" "one two " "$(ran)"
     echo '"no"' >shaders/two.frag
     ./test >out 2>err && fail "a failure must fail"
     says out '^== failed: claims$'
