@@ -14,6 +14,7 @@ const quiet = 250; // milliseconds after which the address is written
 const mostShader = 100_000; // letters of a shader: what the module is handed at once has room in its memory
 const near = 2000; // so many frames are computed at once
 const densest = 3; // pixels of the canvas for each of the page's: more of them nobody sees
+const patience = 200; // milliseconds: a page that has taken longer to come so far is shown before its demo is begun
 const slowest = 1000 / 30, slowFrames = 30; // milliseconds of a frame; after so many that took longer there are fewer pixels
 
 // Settings as the module takes them, a line for each. (A line's end within a value is refused as part of it.)
@@ -76,6 +77,8 @@ async function live(box) {
   const name = box.dataset.demo, view = box.querySelector('.view'), shown = view.querySelector('.shown');
   const canvas = Object.assign(begun.canvas, { id: 'canvas', tabIndex: 0, hidden: true });
   view.append(canvas);
+  const painted = () => new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
+  if (performance.now() > patience) await painted();
   const demo = await open(canvas);
   const calm = matchMedia('(prefers-reduced-motion: reduce)').matches;
   let what = { width: Number(shown.getAttribute('width')), height: Number(shown.getAttribute('height')) }; // until the demo is asked
@@ -121,7 +124,7 @@ async function live(box) {
   canvas.hidden = false;
   await begun.isRead;
   // Once it is on the screen, what it reads out is measured, and the rest of the page is made.
-  await new Promise((painted) => requestAnimationFrame(() => setTimeout(painted)));
+  await painted();
   measure();
   demo.does('Density', size.density);
   if (!given) describe();
