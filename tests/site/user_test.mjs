@@ -132,6 +132,14 @@ const came = await page.evaluate(() => {
 });
 expect(came.asked < came.picture && came.picture < 0.7 * came.module, `a slow network: the module is asked for before the picture is there, and comes after it: ${JSON.stringify(came)}`);
 await page.close();
+// A slow processor: the page is there before its demo is drawn, which takes long
+page = await browser.newPage();
+await (await page.createCDPSession()).send('Emulation.setCPUThrottlingRate', { rate: 6 });
+await page.goto(`${address}demos/springs.html`);
+await page.waitForSelector('.live.is-live');
+const shownAt = await page.evaluate(() => ['first-contentful-paint', 'first-picture'].map((name) => performance.getEntriesByName(name)[0].startTime));
+expect(shownAt[0] < shownAt[1], `a slow processor: the page is painted before its demo is drawn: ${shownAt}`);
+await page.close();
 // What measures that (measure.mjs) finds a picture that a person sees: the demo's first one is on the canvas as it is marked
 page = await browser.newPage();
 await page.evaluateOnNewDocument(() => {
