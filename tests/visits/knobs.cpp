@@ -132,8 +132,8 @@ const std::set<std::string> unseen{
 };
 
 // In the first setting that a knob calls idle, for each of its reasons, another value of it changes no byte of the picture (in ./test --long
-// in each setting, each value); and a knob that changes none in any of the settings below says so there, or is one of the above. The settings: each preset, and beside the first
-// one each choice and switch.
+// in each setting, each value); and a knob that changes none in any of the settings below says so there, or is one of the above. The
+// settings: each preset, and beside the first one each choice and switch.
 TEST_P(Visits, idle_knobs) {
     if (sanitized) return;
     const bool small = hasPasses(findDemo(GetParam()));
