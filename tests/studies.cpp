@@ -223,8 +223,9 @@ TEST_P(Studies, claims_can_fail) {
 
 // A reference is kept while the settings that it says it reads are as they were, so it depends on no other: in each scene of the study, and
 // in each preset, which --study measures in, too, both ends of each other knob make the same one. (In a small picture: what is read is the
-// same.)
+// same.) In ./test --long.
 TEST_P(Studies, references_depend_on_what_they_read) {
+    if (!isLong()) return;
     const Study& study = *findDemo(GetParam()).study;
     if (study.reads.empty()) return;  // it is made anew for each row
     DemoRun run(GetParam(), 24, 18);
@@ -313,8 +314,9 @@ TEST_P(Studies, errors_and_counts_hold) {
 }
 
 // --vary KNOB=a,b is two runs with --KNOB a and --KNOB b: each value is judged by what is right for it. The ends of
-// each knob's range, after its initial value, whose reference must not serve them.
+// each knob's range, after its initial value, whose reference must not serve them. In ./test --long.
 TEST_P(Studies, a_varied_knob_is_judged_as_one_that_is_set) {
+    if (!isLong()) return;
     const DemoInfo& demo = findDemo(GetParam());
     int compared = 0, moved = 0;
     const auto declared = demo.make();

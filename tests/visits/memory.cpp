@@ -48,8 +48,9 @@ class Rounds {
 
 // Two rounds fill whatever is kept. After them none ends with more GL objects (there are fewer where a frame has fewer words). Nor is there
 // more memory after one than before it, but for a vector's reserve, which doubles where a frame has the longest line yet: so in the median
-// round, at most 8 bytes a frame, where the smallest thing that is forgotten in each is of 24.
+// round, at most 8 bytes a frame, where the smallest thing that is forgotten in each is of 24. In ./test --long.
 TEST_P(Visits, memory_stays) {
+    if (!isLong()) return;
     const int frames = 5000;
     // A picture that the processor computes is small here: how much is kept does not grow from frame to frame with its size.
     const int by = hasPasses(findDemo(GetParam())) ? 4 : 1;

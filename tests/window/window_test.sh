@@ -1568,6 +1568,10 @@ case $case in
     storm) stormOfProbe ;;
     keys.*) keysOf "${case#keys.}" ;;
     storm.*) stormOf "${case#storm.}" ;;
+    demo.*)
+        keysOf "${case#demo.}"
+        stormOf "${case#demo.}"
+        ;;
     motion.*) motion "${case#motion.}" ;;
     opens | people | tips | widened | folds | keys | keyboard | undo | sweep | whole | one_by_one | held | slider | preset | typed | choice | wheel | drag | hand | replay | save | clipboard | matrices | desktop | error | torn | twice | density | paused | memory | reload | idle | steps | study | bound | measure | drop | vanish)
         "$case"
