@@ -262,7 +262,7 @@ tiers() {
     equal "./test again" "one two " "$(ran)"
     everything --full
     equal "--full, and the same under the sanitizers" "one one sweep sweep two two " "$(ran)"
-    says out '^left to --long, tests: 1$'
+    says out '^left to --long, as is what others ask longest, tests: 1$'
     everything --long
     equal "--long" "one one pairs pairs sweep sweep two two " "$(ran)"
     silent out '^left to'
