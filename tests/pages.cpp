@@ -378,6 +378,62 @@ TEST(GeneratedPages, strip_is_fresh) {
     EXPECT_LE(difference.fraction, 0.001);
 }
 
+// Every demo that declares a study has a committed run of it, with all its rows, and every committed run has its page.
+TEST(GeneratedPages, studies_are_there_and_fresh) {
+    const fs::path folder = source / "docs/errors-and-times";
+    int studied = 0;
+    for (const DemoInfo& demo : catalogue()) {
+        if (!demo.study) continue;
+        ++studied;
+        const std::string& name = demo.name;
+        SCOPED_TRACE(name);
+        const std::vector<StudyRun> runs = studiesInTree(MVGL_SOURCE_DIR, name);
+        ASSERT_FALSE(runs.empty()) << "./test --update-studies measures it";
+        EXPECT_EQ(drawerOf(runs[0].renderer), Drawer::processor);
+        EXPECT_EQ(fileText(folder / (name + ".md")), studyPage(runs, demo)) << "./run --docs . makes it anew";
+        const std::vector<StudyRun> builtIn = committedStudies(name);
+        ASSERT_EQ(builtIn.size(), runs.size()) << "for the window";
+        for (std::size_t i = 0; i < runs.size(); ++i) {
+            const std::string stem = name + "." + nameOf(drawerOf(runs[i].renderer));
+            EXPECT_EQ(fileText(folder / (stem + ".svg")), studySvg(runs[i])) << "./run --docs . draws it anew";
+            EXPECT_EQ(fileText(folder / (stem + ".csv")), studyCsv(runs[i])) << "as a program writes it";
+            EXPECT_EQ(studyCsv(builtIn[i]), studyCsv(runs[i]));
+        }
+        std::set<std::string> ids;
+        for (const Saying& saying : demo.study->says) {
+            EXPECT_TRUE(saying.sentence.ends_with(".")) << saying.sentence;
+            if (!saying.isClaim()) continue;
+            EXPECT_TRUE(ids.insert(saying.id).second) << saying.id << " is there twice";
+            EXPECT_EQ(saying.id.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-"), std::string::npos)
+                << saying.id;
+            EXPECT_FALSE(saying.predicates.empty()) << saying.id << ": a claim has a predicate, or is a note";
+        }
+        EXPECT_FALSE(ids.empty()) << "what it says, a claim at least";
+        std::set<std::array<std::string, 3>> declared;
+        for (const StudyLine& line : demo.study->lines) {
+            for (const StudyScene& scene : demo.study->scenes) {
+                if (!line.scenes.empty() && std::ranges::find(line.scenes, scene.name) == line.scenes.end()) continue;
+                for (const std::string& value : line.knob.empty() ? std::vector<std::string>{""} : line.values)
+                    declared.insert({scene.name, line.method, value});
+            }
+        }
+        for (const StudyRun& run : runs) {
+            std::set<std::array<std::string, 3>> measured;
+            for (const StudyRow& row : run.rows) measured.insert({row.scene, row.method, row.parameter});
+            // A processor is always at hand. A GPU is not, and may lack what was declared since: its rows are old ones, and right
+            if (drawerOf(run.renderer) == Drawer::processor)
+                EXPECT_EQ(measured, declared) << "the declaration has changed";
+            else
+                EXPECT_TRUE(std::ranges::includes(declared, measured)) << "the declaration has changed";
+            EXPECT_EQ(run.rows.size(), measured.size()) << "a row is there twice";
+            for (const StudyRow& row : run.rows) {
+                EXPECT_TRUE(!row.ok() || row.rounds >= 1) << row.method << " " << row.parameter;
+            }
+        }
+    }
+    EXPECT_GT(studied, 0);
+}
+
 TEST(GeneratedPages, links_lead_somewhere) {
     for (const char* page : {"README.md", "CONTRIBUTING.md", "docs/demos.md"}) expectLinksLead(source / page);
 }

@@ -1566,8 +1566,6 @@ case $case in
     launcher) launcher_ ;;
     resize) resizing ;;
     storm) stormOfProbe ;;
-    keys.*) keysOf "${case#keys.}" ;;
-    storm.*) stormOf "${case#storm.}" ;;
     demo.*)
         keysOf "${case#demo.}"
         stormOf "${case#demo.}"

@@ -1,27 +1,17 @@
-// Committed studies: their pages are made from them, and what does not depend on the machine is measured again.
-#include <gtest/gtest.h>
-
+// Its committed study of error against run time: what does not depend on the machine is measured again.
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <set>
 
 #include "mv/paper/docs.h"
 #include "mv/study/claims.h"
+#include "mv/study/data.h"
 #include "mv/study/study.h"
-#include "support/demo_run.h"
+#include "visits/visit.h"
 
-using namespace mv;
-using namespace mv::test;
-
+namespace mv::test {
 namespace {
-
-const std::filesystem::path folder = std::filesystem::path(MVGL_SOURCE_DIR) / "docs/errors-and-times";
 
 std::vector<std::string> studiedDemos() {
     std::vector<std::string> names;
@@ -134,60 +124,6 @@ void expectHolds(const StudyRun& run, const Saying& saying, const Predicate& pre
     for (const std::string& failure : evaluation.failures) failures += "\n  " + failure;
     EXPECT_TRUE(evaluation.holds) << run.demo << " [" << saying.id << "] " << saying.sentence << "\n  "
                                   << evaluation.text << failures;
-}
-
-}  // namespace
-
-// Every demo that declares a study has a committed run of it, with all its rows, and every committed run has its page.
-TEST(StudyPages, are_there_and_fresh) {
-    ASSERT_FALSE(studiedDemos().empty());
-    for (const std::string& name : studiedDemos()) {
-        SCOPED_TRACE(name);
-        const DemoInfo& demo = findDemo(name);
-        const std::vector<StudyRun> runs = studiesInTree(MVGL_SOURCE_DIR, name);
-        ASSERT_FALSE(runs.empty()) << "./test --update-studies measures it";
-        EXPECT_EQ(drawerOf(runs[0].renderer), Drawer::processor);
-        EXPECT_EQ(fileText(folder / (name + ".md")), studyPage(runs, demo)) << "./run --docs . makes it anew";
-        const std::vector<StudyRun> builtIn = committedStudies(name);
-        ASSERT_EQ(builtIn.size(), runs.size()) << "for the window";
-        for (std::size_t i = 0; i < runs.size(); ++i) {
-            const std::string stem = name + "." + nameOf(drawerOf(runs[i].renderer));
-            EXPECT_EQ(fileText(folder / (stem + ".svg")), studySvg(runs[i])) << "./run --docs . draws it anew";
-            EXPECT_EQ(fileText(folder / (stem + ".csv")), studyCsv(runs[i])) << "as a program writes it";
-            EXPECT_EQ(studyCsv(builtIn[i]), studyCsv(runs[i]));
-        }
-        std::set<std::string> ids;
-        for (const Saying& saying : demo.study->says) {
-            EXPECT_TRUE(saying.sentence.ends_with(".")) << saying.sentence;
-            if (!saying.isClaim()) continue;
-            EXPECT_TRUE(ids.insert(saying.id).second) << saying.id << " is there twice";
-            EXPECT_EQ(saying.id.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-"), std::string::npos)
-                << saying.id;
-            EXPECT_FALSE(saying.predicates.empty()) << saying.id << ": a claim has a predicate, or is a note";
-        }
-        EXPECT_FALSE(ids.empty()) << "what it says, a claim at least";
-        std::set<std::array<std::string, 3>> declared;
-        for (const StudyLine& line : demo.study->lines) {
-            for (const StudyScene& scene : demo.study->scenes) {
-                if (!line.scenes.empty() && std::ranges::find(line.scenes, scene.name) == line.scenes.end()) continue;
-                for (const std::string& value : line.knob.empty() ? std::vector<std::string>{""} : line.values)
-                    declared.insert({scene.name, line.method, value});
-            }
-        }
-        for (const StudyRun& run : runs) {
-            std::set<std::array<std::string, 3>> measured;
-            for (const StudyRow& row : run.rows) measured.insert({row.scene, row.method, row.parameter});
-            // A processor is always at hand. A GPU is not, and may lack what was declared since: its rows are old ones, and right
-            if (drawerOf(run.renderer) == Drawer::processor)
-                EXPECT_EQ(measured, declared) << "the declaration has changed";
-            else
-                EXPECT_TRUE(std::ranges::includes(declared, measured)) << "the declaration has changed";
-            EXPECT_EQ(run.rows.size(), measured.size()) << "a row is there twice";
-            for (const StudyRow& row : run.rows) {
-                EXPECT_TRUE(!row.ok() || row.rounds >= 1) << row.method << " " << row.parameter;
-            }
-        }
-    }
 }
 
 // The committed rows bear out what the study says, of each machine that a sentence is about.
@@ -359,5 +295,7 @@ TEST_P(Studies, a_varied_knob_is_judged_as_one_that_is_set) {
     std::printf("%s: %d settings, %d with errors of their own\n", demo.name.c_str(), compared, moved);
 }
 
-INSTANTIATE_TEST_SUITE_P(Committed, Studies, testing::ValuesIn(studiedDemos()), parameterWord);
-GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(Studies);
+INSTANTIATE_TEST_SUITE_P(Demos, Studies, testing::ValuesIn(studiedDemos()), parameterWord);
+
+}  // namespace
+}  // namespace mv::test
