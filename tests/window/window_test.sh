@@ -1566,6 +1566,9 @@ case $case in
     launcher) launcher_ ;;
     resize) resizing ;;
     storm) stormOfProbe ;;
+    own-buffers) # demos that own buffers of the window's size
+        for demo in shadow-map soft-shadows z-buffer shadow-volume; do stormOf $demo; done
+        ;;
     demo.*)
         keysOf "${case#demo.}"
         stormOf "${case#demo.}"
