@@ -1,13 +1,17 @@
-// A window system that is none: loaded before GLFW (LD_PRELOAD), it answers some of its calls in GLFW's place. SHAM says
-// what it plays:
+// A window system and a clock that are none: loaded before GLFW and the C++ library (LD_PRELOAD), it answers some of their
+// calls in their place. SHAM says what it plays:
 // - twice: as Wayland on a screen of double density, the framebuffer has twice the window's size. The real window is one
 //   of X11, twice as large as the program is told, so that what it shows can be seen and clicked at.
 // - torn: a window that changes from 1 to its real width between two questions for its size.
 // - absurd: a framebuffer a hundred times the window's size.
+// - paced: a clock that goes on by SHAM_MS milliseconds from one question to the next, so that a frame takes one or a few
+//   times that on any machine.
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <dlfcn.h>
 
+#include <atomic>
+#include <chrono>
 #include <cstdlib>
 #include <string_view>
 
@@ -86,3 +90,11 @@ GLFWcursorposfun glfwSetCursorPosCallback(GLFWwindow* window, GLFWcursorposfun c
 }
 
 }  // extern "C"
+
+std::chrono::steady_clock::time_point std::chrono::steady_clock::now() noexcept {
+    static const auto realNow =
+        reinterpret_cast<time_point (*)()>(dlsym(RTLD_NEXT, "_ZNSt6chrono3_V212steady_clock3nowEv"));
+    static const auto pace = std::chrono::milliseconds(plays("paced") ? std::atoi(std::getenv("SHAM_MS")) : 0);
+    static std::atomic<int> questions = 0;
+    return pace.count() > 0 ? time_point(pace * ++questions) : realNow();
+}
