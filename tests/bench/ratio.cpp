@@ -10,15 +10,9 @@
 #include "mv/error.h"
 
 namespace mv::bench {
-namespace {
-
-double milliseconds(const std::function<void()>& work) {
-    const auto start = std::chrono::steady_clock::now();
-    work();
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+double steadyMilliseconds() {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
-
-}  // namespace
 
 double median(std::vector<double> values) {
     if (values.empty()) throw Error("median", "there must be at least one value");
@@ -35,10 +29,16 @@ double medianDeviation(const std::vector<double>& values) {
     return median(std::move(distances));
 }
 
-Ratio interleaved(const std::function<void()>& a, const std::function<void()>& b, int rounds) {
+Ratio interleaved(const std::function<void()>& a, const std::function<void()>& b, int rounds,
+                  const std::function<double()>& clock) {
     if (rounds < fewestRounds) {
         throw Error("interleaved", "rounds must be at least " + std::to_string(fewestRounds), std::to_string(rounds));
     }
+    const auto timeOf = [&](const std::function<void()>& work) {
+        const double start = clock();
+        work();
+        return clock() - start;
+    };
     std::vector<double> timesA;
     std::vector<double> timesB;
     std::vector<double> ratios;
@@ -46,11 +46,11 @@ Ratio interleaved(const std::function<void()>& a, const std::function<void()>& b
         double timeA = 0;
         double timeB = 0;
         if (round % 2 == 0) {
-            timeA = milliseconds(a);
-            timeB = milliseconds(b);
+            timeA = timeOf(a);
+            timeB = timeOf(b);
         } else {
-            timeB = milliseconds(b);
-            timeA = milliseconds(a);
+            timeB = timeOf(b);
+            timeA = timeOf(a);
         }
         if (round == 0) continue;
         if (timeB <= 0) throw Error("interleaved", "b must take measurable time; repeat it within the function");

@@ -19,11 +19,15 @@ struct Ratio {
     double medianB = 0;
 };
 
+// Milliseconds by a clock that never goes back; only differences of two say something.
+[[nodiscard]] double steadyMilliseconds();
+
 // Runs a and b in pairs, `rounds` + 1 of them, and drops the first (caches, first allocations). The order turns about
 // from pair to pair, a b b a a b b a, so that a machine growing slower or faster favours neither.
 // Each call should take at least about a millisecond: repeat within the function what is shorter.
-// Error if rounds is below fewestRounds or b takes no measurable time.
-[[nodiscard]] Ratio interleaved(const std::function<void()>& a, const std::function<void()>& b, int rounds);
+// `clock` tells milliseconds. Error if rounds is below fewestRounds or b takes no measurable time.
+[[nodiscard]] Ratio interleaved(const std::function<void()>& a, const std::function<void()>& b, int rounds,
+                                const std::function<double()>& clock = steadyMilliseconds);
 
 // The value in the middle, or the mean of the two there; and the median distance from it. Error if there are no values.
 [[nodiscard]] double median(std::vector<double> values);

@@ -3,14 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <sstream>
-#include <thread>
+#include <string>
 
 #include "mv/error.h"
 
 namespace mv::bench {
 namespace {
-
-void pause(int milliseconds) { std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds)); }
 
 TEST(Median, IsTheMiddle) {
     EXPECT_EQ(median({3}), 3);
@@ -25,34 +23,51 @@ TEST(Median, DeviationIgnoresOneOutlier) {
     EXPECT_EQ(medianDeviation({1, 2, 3, 4, 1000}), 1);
 }
 
-TEST(Interleaved, AlternatesTheOrder) {
+// Work that takes as long as the test says, by a clock of the test's own.
+class Interleaved : public testing::Test {
+  protected:
+    std::function<void()> lasting(double milliseconds) {
+        return [this, milliseconds] { time_ += milliseconds; };
+    }
+    const std::function<double()> clock_ = [this] { return time_; };
+    double time_ = 0;
+};
+
+TEST_F(Interleaved, AlternatesTheOrder) {
     std::string order;
-    (void)interleaved([&] { order += 'a'; },
-                      [&] {
-                          order += 'b';
-                          pause(1);
-                      },
-                      7);
+    const auto work = [&](char name) {
+        return [&, name] {
+            order += name;
+            time_ += 1;
+        };
+    };
+    (void)interleaved(work('a'), work('b'), 7, clock_);
     EXPECT_EQ(order, "abbaabbaabbaabba");  // 8 pairs, of which the first is dropped
 }
 
-TEST(Interleaved, MeasuresTheRatio) {
-    const Ratio ratio = interleaved([] { pause(6); }, [] { pause(3); }, 7);
-    // A sleep is never shorter than asked for; a busy machine makes it longer, by a millisecond at most in the median.
-    EXPECT_NEAR(ratio.median, 2, 0.6);
-    EXPECT_GE(ratio.medianA, 6);
-    EXPECT_GE(ratio.medianB, 3);
+TEST_F(Interleaved, MeasuresTheRatio) {
+    const Ratio ratio = interleaved(lasting(6), lasting(3), 7, clock_);
+    EXPECT_EQ(ratio.median, 2);
+    EXPECT_EQ(ratio.mad, 0);
+    EXPECT_EQ(ratio.medianA, 6);
+    EXPECT_EQ(ratio.medianB, 3);
 }
 
-TEST(Interleaved, DropsTheFirstPair) {
-    int calls = 0;
-    const Ratio ratio = interleaved([&] { pause(calls++ == 0 ? 100 : 2); }, [] { pause(2); }, 7);
-    EXPECT_LT(ratio.medianA, 50);
-    EXPECT_EQ(calls, 8);
+TEST_F(Interleaved, DropsTheFirstPairAndTellsHowFarTheOthersLieApart) {
+    double next = 0;  // 1, 2 .. 8, of which 1 is dropped
+    const Ratio ratio = interleaved([&] { time_ += ++next; }, lasting(1), 7, clock_);
+    EXPECT_EQ(ratio.median, 5);
+    EXPECT_EQ(ratio.mad, 2);
 }
 
-TEST(Interleaved, RefusesTooFewRounds) {
-    EXPECT_THROW((void)interleaved([] {}, [] {}, 6), Error);
+TEST_F(Interleaved, RefusesTooFewRoundsAndWorkWithoutATime) {
+    EXPECT_THROW((void)interleaved(lasting(1), lasting(1), 6, clock_), Error);
+    EXPECT_THROW((void)interleaved(lasting(1), lasting(0), 7, clock_), Error);
+}
+
+TEST(SteadyMilliseconds, GoOn) {
+    const double before = steadyMilliseconds();
+    EXPECT_LE(before, steadyMilliseconds());
 }
 
 TEST(Rows, NoiseIsNeitherSuccessNorFailure) {
