@@ -192,11 +192,13 @@ TEST_F(Lectures, a_movie_has_every_picture) {
         EXPECT_EQ(::kill(process, 0), -1) << script;
     }
     // Slow ones write meanwhile, and are waited for.
-    standIn("for last; do :; done; cat >/dev/null; for i in 1 2 3 4; do sleep 0.6; echo $i >>\"$last\"; done\n");
+    standIn(
+        "for last; do :; done; cat >/dev/null; for i in 1 2 3 4 5 6 7 8 9; do sleep 0.2; printf $i >>\"$last\"; "
+        "done\n");
     Film slow(file, 2, 2, std::chrono::milliseconds(1500));
     slow.add(Picture(2, 2));
     slow.finish();
-    EXPECT_EQ(readTextFile(file, 99), "1\n2\n3\n4\n");
+    EXPECT_EQ(readTextFile(file, 99), "123456789");
     ::setenv("PATH", before.c_str(), 1);
 }
 
