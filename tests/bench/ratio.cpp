@@ -10,6 +10,7 @@
 #include "mv/error.h"
 
 namespace mv::bench {
+
 double steadyMilliseconds() {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }

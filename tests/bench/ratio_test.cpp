@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <sstream>
 #include <string>
+#include <thread>
 
 #include "mv/error.h"
 
@@ -65,9 +67,10 @@ TEST_F(Interleaved, RefusesTooFewRoundsAndWorkWithoutATime) {
     EXPECT_THROW((void)interleaved(lasting(1), lasting(0), 7, clock_), Error);
 }
 
-TEST(SteadyMilliseconds, GoOn) {
+TEST(SteadyMilliseconds, AreMilliseconds) {
     const double before = steadyMilliseconds();
-    EXPECT_LE(before, steadyMilliseconds());
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));  // never shorter than asked for
+    EXPECT_GE(steadyMilliseconds() - before, 5);
 }
 
 TEST(Rows, NoiseIsNeitherSuccessNorFailure) {
